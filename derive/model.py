@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -279,7 +279,15 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> lis
             "1 where no surface is overlapped; 1 where that is in doubt.",
             "Table 2",
         ),
+        *_aside(scene, tabled, plain_order),
     ]
+
+
+def _aside(scene: Scene, tabled: Set[int], order: tuple[sp.Symbol, ...]) -> Iterator[Kernel]:
+    found = {} if tabled else validity.aside(scene)
+    if found:
+        said = "Where a start may overlap a surface, or be in doubt; and what is said elsewhere."
+        yield kernel("aside", found, order, said, "Table 2")
 
 
 def _law_kernels(

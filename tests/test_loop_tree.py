@@ -84,7 +84,7 @@ def test_a_guarded_body_changes_nothing_outside_its_guard(
     nodes = [n for s in hoop_model().loop.stages.values() for n in walk(s)]
     guards, repeats = ([n for n in nodes if isinstance(n, kind)] for kind in (Guard, Repeat))
     plain = [g for g in guards if not g.rare and all(isinstance(n, Do) for n in g.body)]
-    taken = len(re.findall(r" = _(?:rows|most)\(", text.partition("def reach_bounded")[2]))
+    taken = len(re.findall(r" = _(?:rows|most)\(", text.partition("def admit_bounded")[2]))
     assert taken == len(guards) + len(repeats) - (len(plain) if cheap > 0 else 0)
     assert len(plain) > len(guards) / 2
     fields = tuple(RESULT)

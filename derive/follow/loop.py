@@ -118,7 +118,7 @@ def event_loop(
             ),
             "admit": (
                 *([Do(common["begun_with"])] if "begun_with" in common else []),
-                *(Do(common["finite_state"]), Do(common["valid"])),
+                *(Do(common["finite_state"]), *_valid(common)),
                 *(node for kind in of_one_kind(contacts) for node in _starting(kind)),
                 Do(common["admitted"]),
                 *([Do(common["passing_start"])] if "passing" in common else []),
@@ -127,6 +127,15 @@ def event_loop(
             "meet": tuple(_meet(common, contacts, gates, {field.name for field in fields})),
         },
     )
+
+
+def _valid(common: Parts) -> Iterator[Node]:
+    """Look whether a ball starts inside a surface, if it is not aside of them all."""
+    if "aside" not in common:
+        yield Do(common["valid"])
+        return
+    yield Do(common["aside"])
+    yield Guard("close", (Do(common["valid"]),))
 
 
 def _starting(kind: Kind) -> Iterator[Node]:

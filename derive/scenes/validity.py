@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Sequence, Set
 
 import sympy as sp
 
-from ..ground.choice import AtMost, IfAtMost, IfLess, Less, every, hold, largest, size
+from ..ground.choice import AtMost, IfAtMost, IfLess, Less, Not, every, hold, largest, size, some
 from ..ground.symbols import POSITION, UNIT_ROUNDOFF
 from ..surfaces import Surface
 from .scene import Scene
@@ -44,8 +44,7 @@ def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
     Nor are the surfaces of those indices, which the loop goes over (`start`). For them there is
     also how much may be rounded, and the room within which that may matter.
     """
-    lengths = [measured] if tabled else [sp.Abs(plain(length)) for length in scene.lengths]
-    slack = hold(16 * UNIT_ROUNDOFF * hold(sum(map(sp.Abs, POSITION)) + sum(lengths)))
+    slack = _slack([measured] if tabled else _sizes(scene))
     verdict: sp.Expr = sp.Integer(1)
     doubt: sp.Expr = sp.Integer(0)
     for index, surface in enumerate(scene.surfaces):
@@ -57,7 +56,30 @@ def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
 
 def measure(scene: Scene) -> dict[str, sp.Expr]:
     """Return the sum of the sizes of a scene's lengths: one for all shots that share them."""
-    return {measured.name: hold(sum(sp.Abs(plain(length)) for length in scene.lengths))}
+    return {measured.name: hold(sum(_sizes(scene)))}
+
+
+def _sizes(scene: Scene) -> list[sp.Expr]:
+    return [sp.Abs(plain(length)) for length in scene.lengths]
+
+
+def _slack(lengths: Sequence[sp.Expr]) -> sp.Expr:
+    return hold(16 * UNIT_ROUNDOFF * hold(sum(map(sp.Abs, POSITION)) + sum(lengths)))
+
+
+def aside(scene: Scene) -> dict[str, sp.Basic]:
+    """Return where a ball starts so near to a surface along an axis that `valid` has to be asked.
+
+    Elsewhere it says what it would. There is none where a surface has no end along any axis.
+    """
+    room = hold(ROOM * _slack(_sizes(scene)))
+    for axis in range(3):
+        found = [[hold(plain(d)) for d in surface.aside(axis)] for surface in scene.surfaces]
+        if found and all(found):
+            apart = (some(*(Less(room, distance) for distance in own)) for own in found)
+            known = {"valid": sp.Integer(1), "doubt": sp.Integer(0)}
+            return {"close": Not(every(*apart)), **known}
+    return {}
 
 
 def start(surface: Surface) -> dict[str, sp.Expr]:

@@ -59,6 +59,11 @@ class Ring(Surface):
         return (widest, widest, self.reach)
 
     @property
+    def enclosed(self) -> bool:
+        """It is."""
+        return True
+
+    @property
     def normal(self) -> sp.Matrix:
         """From the nearest point of the wire's centre circle, (x_C, y_C, 0), over R."""
         x, y, z = POSITION

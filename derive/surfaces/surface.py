@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ..ground.choice import hold, size
 from ..ground.symbols import POSITION
 from .bounds import length
 from .tube import Tube
@@ -82,8 +83,19 @@ class Surface(ABC):
 
     @property
     def enclosed(self) -> bool:
-        """Whether all of the body is in that box: out of it, `inside` has the distance from it."""
+        """Whether all of the body is in that box: out of it, `inside` has the distance from it.
+
+        Or that distance as many times as `steepness` is, for half of the latter or more.
+        """
         return False
+
+    def aside(self, axis: int) -> tuple[sp.Expr, ...]:
+        """Distances along an axis: where any is positive, the ball is that far from overlapping."""
+        place, half = POSITION[axis], self.halves[axis]
+        if self.enclosed and half is not None:
+            return (hold(size(hold(place - hold(self.about[axis])))) - hold(half),)
+        alone = (d for d in self.inside if d.free_symbols & set(POSITION) == {place})
+        return tuple(alone) if self.steepness == 1 else ()
 
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 17608efa79d077d6,
+   Generated from templates/c/engine.h.j2, scene court, derivation fdb99a920399295a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -535,7 +535,7 @@ typedef struct {
     LANES(court_column) slow_y;
     LANES(court_column) slow_z;
     /* What kernels make of parameters alone. */
-    _Alignas(64) double fixed[169][LANES_WIDTH];
+    _Alignas(64) double fixed[172][LANES_WIDTH];
     _Alignas(64) float fixed_single[26][LANES_WIDTH];
 } LANES(court_plain_lists);
 
@@ -920,67 +920,67 @@ static void LANES(court_plain_fix)(LANES(court_plain_lists) *lists)
     const V p_tangential_restitution = lanes_load(lists->p_tangential_restitution);
     const V p_wire_radius = lanes_load(lists->p_wire_radius);
     {
-        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s1 = lanes_add(p_board_distance, p_board_thickness);
-        const V _s2 = lanes_abs(p_board_bottom);
-        const V _s3 = lanes_abs(p_board_top);
-        const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), _s2), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_thickness)), _s3);
-        const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s4, lanes_abs(p_bridge_depth)), lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius));
-        const V _s6 = lanes_div(K(1.0), p_gravity);
-        const V _s7 = lanes_neg(p_gravity);
-        const V _s8 = lanes_neg(_s6);
-        const V _s9 = lanes_sub(p_ring_radius, _s0);
-        const V _s10 = lanes_mul(K(1.00006103515625), _s0);
-        const V _s11 = lanes_add(p_ring_radius, _s10);
-        const V _s12 = lanes_mul(_s11, _s11);
-        const V _s13 = lanes_mul(K(9.313225746154785e-10), _s12);
-        const V _s14 = lanes_sub(p_ring_radius, _s10);
-        const V _s15 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s16 = lanes_max(_s14, _s15);
-        const V _s17 = lanes_mul(_s16, _s16);
-        const V _s18 = lanes_div(K(1.0), _s16);
-        const V _s19 = lanes_div(_s10, _s16);
-        const V _s20 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s21 = lanes_mul(K(0.5), p_board_thickness);
-        const V _s22 = lanes_add(p_board_distance, _s21);
-        const V _s23 = lanes_mul(K(0.5), p_board_bottom);
-        const V _s24 = lanes_mul(K(0.5), p_board_top);
-        const V _s25 = lanes_add(_s23, _s24);
-        const V _s26 = lanes_add(p_ball_radius, _s21);
-        const V _s27 = lanes_add(p_ball_radius, _s24);
-        const V _s28 = lanes_sub(_s27, _s23);
-        const V _s29 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s30 = lanes_min(_s29, _s26);
-        const V _s31 = lanes_min(_s28, _s30);
-        const V _s32 = lanes_mul(K(6.103515625e-05), _s31);
-        const V _s33 = lanes_abs(_s7);
-        const V _s34 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s31));
-        const V _s35 = lanes_mul(K(1.25), _s33);
-        const V _s36 = lanes_max(_s26, _s29);
-        const V _s37 = lanes_mul(K(0.5), p_board_distance);
-        const V _s38 = lanes_mul(K(0.5), p_ring_radius);
-        const V _s39 = lanes_add(_s37, _s38);
-        const V _s40 = lanes_mul(K(0.5), p_bridge_depth);
-        const V _s41 = lanes_add(p_ball_radius, _s37);
-        const V _s42 = lanes_add(p_ball_radius, _s40);
-        const V _s43 = lanes_add(p_ball_radius, p_bridge_half_width);
-        const V _s44 = lanes_sub(_s41, _s38);
-        const V _s45 = lanes_min(_s43, _s44);
-        const V _s46 = lanes_min(_s42, _s45);
+        const V _s0 = lanes_abs(p_board_bottom);
+        const V _s1 = lanes_abs(p_board_top);
+        const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), _s0), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_thickness)), _s1);
+        const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s2, lanes_abs(p_bridge_depth)), lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius));
+        const V _s4 = lanes_mul(K(0.5), p_board_thickness);
+        const V _s5 = lanes_add(p_board_distance, _s4);
+        const V _s6 = lanes_add(p_ball_radius, _s4);
+        const V _s7 = lanes_mul(K(0.5), p_board_distance);
+        const V _s8 = lanes_mul(K(0.5), p_ring_radius);
+        const V _s9 = lanes_add(_s7, _s8);
+        const V _s10 = lanes_add(p_ball_radius, _s7);
+        const V _s11 = lanes_sub(_s10, _s8);
+        const V _s12 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s13 = lanes_add(p_board_distance, p_board_thickness);
+        const V _s14 = lanes_div(K(1.0), p_gravity);
+        const V _s15 = lanes_neg(p_gravity);
+        const V _s16 = lanes_neg(_s14);
+        const V _s17 = lanes_sub(p_ring_radius, _s12);
+        const V _s18 = lanes_mul(K(1.00006103515625), _s12);
+        const V _s19 = lanes_add(p_ring_radius, _s18);
+        const V _s20 = lanes_mul(_s19, _s19);
+        const V _s21 = lanes_mul(K(9.313225746154785e-10), _s20);
+        const V _s22 = lanes_sub(p_ring_radius, _s18);
+        const V _s23 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s24 = lanes_max(_s22, _s23);
+        const V _s25 = lanes_mul(_s24, _s24);
+        const V _s26 = lanes_div(K(1.0), _s24);
+        const V _s27 = lanes_div(_s18, _s24);
+        const V _s28 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s29 = lanes_mul(K(0.5), p_board_bottom);
+        const V _s30 = lanes_mul(K(0.5), p_board_top);
+        const V _s31 = lanes_add(_s29, _s30);
+        const V _s32 = lanes_add(p_ball_radius, _s30);
+        const V _s33 = lanes_sub(_s32, _s29);
+        const V _s34 = lanes_add(p_ball_radius, p_board_half_width);
+        const V _s35 = lanes_min(_s34, _s6);
+        const V _s36 = lanes_min(_s33, _s35);
+        const V _s37 = lanes_mul(K(6.103515625e-05), _s36);
+        const V _s38 = lanes_abs(_s15);
+        const V _s39 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s36));
+        const V _s40 = lanes_mul(K(1.25), _s38);
+        const V _s41 = lanes_max(_s6, _s34);
+        const V _s42 = lanes_mul(K(0.5), p_bridge_depth);
+        const V _s43 = lanes_add(p_ball_radius, _s42);
+        const V _s44 = lanes_add(p_ball_radius, p_bridge_half_width);
+        const V _s45 = lanes_min(_s44, _s11);
+        const V _s46 = lanes_min(_s43, _s45);
         const V _s47 = lanes_mul(K(6.103515625e-05), _s46);
         const V _s48 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s46));
-        const V _s49 = lanes_max(_s44, _s43);
+        const V _s49 = lanes_max(_s11, _s44);
         const V _s50 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
         const V _s51 = lanes_add(lanes_add(_s50, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
         const V _s52 = lanes_add(_s50, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
-        const V _s53 = lanes_add(lanes_add(_s50, lanes_mul(K(1.4210854715202004e-14), _s2)), lanes_mul(K(1.4210854715202004e-14), _s3));
+        const V _s53 = lanes_add(lanes_add(_s50, lanes_mul(K(1.4210854715202004e-14), _s0)), lanes_mul(K(1.4210854715202004e-14), _s1));
         const V _s54 = lanes_add(lanes_add(_s50, lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius));
         const V _s55 = lanes_add(_s50, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
         const V _s56 = lanes_add(lanes_add(_s50, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
         const V _s57 = lanes_neg(p_board_half_width);
         const V _s58 = lanes_max(K(0.0), _s57);
         const V _s59 = lanes_max(_s58, _s57);
-        const V _s60 = lanes_neg(_s1);
+        const V _s60 = lanes_neg(_s13);
         const V _s61 = lanes_max(K(0.0), _s60);
         const V _s62 = lanes_max(_s61, p_board_distance);
         const V _s63 = lanes_neg(p_board_distance);
@@ -997,175 +997,178 @@ static void LANES(court_plain_fix)(LANES(court_plain_lists) *lists)
         const V _s74 = lanes_add(K(1.0), p_backboard_restitution);
         const V _s75 = lanes_sub(K(1.0), p_bridge_restitution);
         const V _s76 = lanes_add(K(1.0), p_bridge_restitution);
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[8], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[9], _s1);
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[11], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
-        lanes_store(lists->fixed[12], _s5);
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[14], lanes_mul(p_ring_radius, p_ring_radius));
-        lanes_store(lists->fixed[15], _s6);
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[18], _s7);
-        lanes_store(lists->fixed[19], _s8);
-        lanes_store(lists->fixed[20], lanes_mul(K(0.5), _s8));
-        lanes_store(lists->fixed[21], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), _s9));
-        lanes_store(lists->fixed[22], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[23], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[24], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[25], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[26], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[27], _s10);
-        lanes_store(lists->fixed[28], lanes_mul(K(5.820766091346741e-11), _s11));
-        lanes_store(lists->fixed[29], lanes_mul(K(65536.0), _s11));
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[31], _s12);
-        lanes_store(lists->fixed[32], _s13);
-        lanes_store(lists->fixed[33], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[34], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[35], _s17);
-        lanes_store(lists->fixed[36], lanes_mul(_s16, _s17));
-        lanes_store(lists->fixed[37], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[38], lanes_add(_s13, _s17));
-        lanes_store(lists->fixed[39], lanes_mul(_s18, lanes_mul(_s18, _s18)));
-        lanes_store(lists->fixed[40], _s11);
-        lanes_store(lists->fixed[41], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s11));
-        lanes_store(lists->fixed[42], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[43], lanes_max(K(1.0), _s19));
-        lanes_store(lists->fixed[44], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[45], lanes_mul(K(9.094947017729282e-13), _s11));
-        lanes_store(lists->fixed[46], _s16);
-        lanes_store(lists->fixed[47], lanes_abs(K(0.0)));
-        lanes_store(lists->fixed[48], lanes_mul(K(0.0625), p_gravity));
-        lanes_store(lists->fixed[49], lanes_mul(K(1.0000000009313226), _s20));
-        lanes_store(lists->fixed[50], lanes_neg(_s22));
-        lanes_store(lists->fixed[51], lanes_mul(K(1.0000000009313226), _s21));
-        lanes_store(lists->fixed[52], lanes_mul(K(1.0000000009313226), p_board_half_width));
-        lanes_store(lists->fixed[53], _s25);
-        lanes_store(lists->fixed[54], lanes_mul(K(1.0000000009313226), lanes_sub(_s24, _s23)));
-        lanes_store(lists->fixed[55], _s24);
-        lanes_store(lists->fixed[56], _s23);
+        lanes_store(lists->fixed[0], _s3);
+        lanes_store(lists->fixed[1], lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius));
+        lanes_store(lists->fixed[2], lanes_neg(_s5));
+        lanes_store(lists->fixed[3], _s6);
+        lanes_store(lists->fixed[4], lanes_neg(_s9));
+        lanes_store(lists->fixed[5], _s11);
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[14], lanes_mul(_s12, _s12));
+        lanes_store(lists->fixed[15], _s13);
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[17], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[19], lanes_mul(p_ring_radius, p_ring_radius));
+        lanes_store(lists->fixed[20], _s14);
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[23], _s15);
+        lanes_store(lists->fixed[24], _s16);
+        lanes_store(lists->fixed[25], lanes_mul(K(0.5), _s16));
+        lanes_store(lists->fixed[26], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), _s17));
+        lanes_store(lists->fixed[27], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[28], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_wire_radius));
+        lanes_store(lists->fixed[30], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[32], _s18);
+        lanes_store(lists->fixed[33], lanes_mul(K(5.820766091346741e-11), _s19));
+        lanes_store(lists->fixed[34], lanes_mul(K(65536.0), _s19));
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[36], _s20);
+        lanes_store(lists->fixed[37], _s21);
+        lanes_store(lists->fixed[38], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[39], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s12));
+        lanes_store(lists->fixed[40], _s25);
+        lanes_store(lists->fixed[41], lanes_mul(_s24, _s25));
+        lanes_store(lists->fixed[42], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[43], lanes_add(_s21, _s25));
+        lanes_store(lists->fixed[44], lanes_mul(_s26, lanes_mul(_s26, _s26)));
+        lanes_store(lists->fixed[45], _s19);
+        lanes_store(lists->fixed[46], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s12), _s19));
+        lanes_store(lists->fixed[47], lanes_mul(K(5.00030517578125), _s12));
+        lanes_store(lists->fixed[48], lanes_max(K(1.0), _s27));
+        lanes_store(lists->fixed[49], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[50], lanes_mul(K(9.094947017729282e-13), _s19));
+        lanes_store(lists->fixed[51], _s24);
+        lanes_store(lists->fixed[52], lanes_abs(K(0.0)));
+        lanes_store(lists->fixed[53], lanes_mul(K(0.0625), p_gravity));
+        lanes_store(lists->fixed[54], lanes_mul(K(1.0000000009313226), _s28));
+        lanes_store(lists->fixed[55], lanes_mul(K(1.0000000009313226), _s4));
+        lanes_store(lists->fixed[56], lanes_mul(K(1.0000000009313226), p_board_half_width));
         lanes_store(lists->fixed[57], _s31);
-        lanes_store(lists->fixed[58], lanes_add(_s26, _s32));
-        lanes_store(lists->fixed[59], _s22);
-        lanes_store(lists->fixed[60], lanes_add(_s29, _s32));
-        lanes_store(lists->fixed[61], lanes_sub(lanes_add(_s27, _s32), _s23));
-        lanes_store(lists->fixed[62], lanes_mul(_s35, _s34));
-        lanes_store(lists->fixed[63], lanes_abs(_s25));
-        lanes_store(lists->fixed[64], lanes_max(_s36, _s28));
-        lanes_store(lists->fixed[65], lanes_mul(K(1.52587890625e-05), _s31));
-        lanes_store(lists->fixed[66], lanes_mul(K(5.55653613398821e-16), _s20));
-        lanes_store(lists->fixed[67], _s34);
-        lanes_store(lists->fixed[68], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        lanes_store(lists->fixed[69], lanes_mul(K(2.001953125), _s34));
-        lanes_store(lists->fixed[70], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        lanes_store(lists->fixed[71], lanes_add(lanes_mul(K(2.220446049250313e-16), _s2), lanes_mul(K(2.220446049250313e-16), _s3)));
-        lanes_store(lists->fixed[72], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s34, _s34)));
-        lanes_store(lists->fixed[73], lanes_mul(K(12.01171875), _s34));
-        lanes_store(lists->fixed[74], lanes_mul(K(6.667843360785852e-15), _s34));
-        lanes_store(lists->fixed[75], lanes_mul(K(6.005859375), _s34));
-        lanes_store(lists->fixed[76], lanes_mul(K(2.667137344314341e-15), _s34));
-        lanes_store(lists->fixed[77], _s20);
-        lanes_store(lists->fixed[78], _s33);
-        lanes_store(lists->fixed[79], lanes_mul(K(0.5), _s33));
-        lanes_store(lists->fixed[80], lanes_neg(_s39));
-        lanes_store(lists->fixed[81], lanes_mul(K(1.0000000009313226), lanes_sub(_s37, _s38)));
-        lanes_store(lists->fixed[82], lanes_mul(K(1.0000000009313226), p_bridge_half_width));
-        lanes_store(lists->fixed[83], lanes_sub(p_wire_radius, _s40));
-        lanes_store(lists->fixed[84], lanes_mul(K(1.0000000009313226), _s40));
-        lanes_store(lists->fixed[85], _s37);
-        lanes_store(lists->fixed[86], _s40);
-        lanes_store(lists->fixed[87], _s38);
-        lanes_store(lists->fixed[88], _s46);
-        lanes_store(lists->fixed[89], lanes_sub(lanes_add(_s41, _s47), _s38));
-        lanes_store(lists->fixed[90], _s39);
-        lanes_store(lists->fixed[91], lanes_add(_s43, _s47));
-        lanes_store(lists->fixed[92], lanes_add(_s42, _s47));
-        lanes_store(lists->fixed[93], lanes_mul(_s35, _s48));
-        lanes_store(lists->fixed[94], lanes_abs(lanes_sub(_s40, p_wire_radius)));
-        lanes_store(lists->fixed[95], lanes_max(_s49, _s42));
-        lanes_store(lists->fixed[96], lanes_mul(K(1.52587890625e-05), _s46));
-        lanes_store(lists->fixed[97], _s48);
-        lanes_store(lists->fixed[98], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
-        lanes_store(lists->fixed[99], lanes_mul(K(2.001953125), _s48));
-        lanes_store(lists->fixed[100], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
-        lanes_store(lists->fixed[101], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
-        lanes_store(lists->fixed[102], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s48, _s48)));
-        lanes_store(lists->fixed[103], lanes_mul(K(12.01171875), _s48));
-        lanes_store(lists->fixed[104], lanes_mul(K(6.667843360785852e-15), _s48));
-        lanes_store(lists->fixed[105], lanes_mul(K(6.005859375), _s48));
-        lanes_store(lists->fixed[106], lanes_mul(K(2.667137344314341e-15), _s48));
-        lanes_store(lists->fixed[107], lanes_div(K(1.0), _s0));
-        lanes_store(lists->fixed[108], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[109], _s51);
-        lanes_store(lists->fixed[110], lanes_neg(_s51));
-        lanes_store(lists->fixed[111], _s52);
-        lanes_store(lists->fixed[112], lanes_neg(_s52));
-        lanes_store(lists->fixed[113], _s53);
-        lanes_store(lists->fixed[114], lanes_neg(_s53));
-        lanes_store(lists->fixed[115], _s54);
-        lanes_store(lists->fixed[116], lanes_neg(_s54));
-        lanes_store(lists->fixed[117], _s55);
-        lanes_store(lists->fixed[118], lanes_neg(_s55));
-        lanes_store(lists->fixed[119], _s56);
-        lanes_store(lists->fixed[120], lanes_neg(_s56));
-        lanes_store(lists->fixed[121], lanes_mul(K(0.6), p_gravity));
-        lanes_store(lists->fixed[122], lanes_mul(K(0.015625), p_gravity));
-        lanes_store(lists->fixed[123], lanes_mul(K(0.4), p_gravity));
-        lanes_store(lists->fixed[124], lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        lanes_store(lists->fixed[125], lanes_mul(K(5.684341886080802e-14), p_gravity));
-        lanes_store(lists->fixed[126], _s0);
-        lanes_store(lists->fixed[127], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
-        lanes_store(lists->fixed[128], p_bridge_depth);
-        lanes_store(lists->fixed[129], lanes_mul(K(0.3333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[130], lanes_mul(K(0.25), p_ring_radius));
-        lanes_store(lists->fixed[131], lanes_mul(K(0.2), p_ring_radius));
-        lanes_store(lists->fixed[132], lanes_mul(K(0.16666666666666666), p_ring_radius));
-        lanes_store(lists->fixed[133], lanes_mul(K(0.14285714285714285), p_ring_radius));
-        lanes_store(lists->fixed[134], lanes_mul(K(0.125), p_ring_radius));
-        lanes_store(lists->fixed[135], lanes_mul(K(0.1111111111111111), p_ring_radius));
-        lanes_store(lists->fixed[136], lanes_mul(K(0.1), p_ring_radius));
-        lanes_store(lists->fixed[137], lanes_mul(K(0.09090909090909091), p_ring_radius));
-        lanes_store(lists->fixed[138], lanes_mul(K(0.08333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[139], lanes_sqrt(lanes_div(p_gravity, _s0)));
-        lanes_store(lists->fixed[140], lanes_div(K(1.0), _s9));
-        lanes_store(lists->fixed[141], lanes_mul(K(0.8), p_gravity));
-        lanes_store(lists->fixed[142], lanes_sqrt(lanes_add(lanes_mul(_s59, _s59), lanes_mul(_s62, _s62))));
-        lanes_store(lists->fixed[143], lanes_sqrt(lanes_add(lanes_mul(_s65, _s65), lanes_mul(_s68, _s68))));
-        lanes_store(lists->fixed[144], lanes_mul(K(0.000244140625), _s0));
-        lanes_store(lists->fixed[145], lanes_mul(K(0.00390625), p_gravity));
-        lanes_store(lists->fixed[146], lanes_mul(lanes_mul(K(0.000244140625), _s69), _s0));
-        lanes_store(lists->fixed[147], lanes_mul(K(6.0), _s69));
-        lanes_store(lists->fixed[148], lanes_mul(K(0.0078125), p_gravity));
-        lanes_store(lists->fixed[149], lanes_max(K(0.0), p_gravity));
-        lanes_store(lists->fixed[150], p_restitution_speed);
-        lanes_store(lists->fixed[151], _s70);
-        lanes_store(lists->fixed[152], lanes_mul(_s70, _s70));
-        lanes_store(lists->fixed[153], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        lanes_store(lists->fixed[154], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
-        lanes_store(lists->fixed[155], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[156], _s71);
-        lanes_store(lists->fixed[157], lanes_mul(_s71, _s71));
-        lanes_store(lists->fixed[158], lanes_mul(p_ring_friction, _s72));
-        lanes_store(lists->fixed[159], lanes_mul(_s72, _s71));
-        lanes_store(lists->fixed[160], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        lanes_store(lists->fixed[161], _s73);
-        lanes_store(lists->fixed[162], lanes_mul(_s73, _s73));
-        lanes_store(lists->fixed[163], lanes_mul(p_backboard_friction, _s74));
-        lanes_store(lists->fixed[164], lanes_mul(_s74, _s73));
-        lanes_store(lists->fixed[165], _s75);
-        lanes_store(lists->fixed[166], lanes_mul(_s75, _s75));
-        lanes_store(lists->fixed[167], lanes_mul(p_bridge_friction, _s76));
-        lanes_store(lists->fixed[168], lanes_mul(_s76, _s75));
+        lanes_store(lists->fixed[58], lanes_mul(K(1.0000000009313226), lanes_sub(_s30, _s29)));
+        lanes_store(lists->fixed[59], _s30);
+        lanes_store(lists->fixed[60], _s29);
+        lanes_store(lists->fixed[61], _s36);
+        lanes_store(lists->fixed[62], lanes_add(_s6, _s37));
+        lanes_store(lists->fixed[63], _s5);
+        lanes_store(lists->fixed[64], lanes_add(_s34, _s37));
+        lanes_store(lists->fixed[65], lanes_sub(lanes_add(_s32, _s37), _s29));
+        lanes_store(lists->fixed[66], lanes_mul(_s40, _s39));
+        lanes_store(lists->fixed[67], lanes_abs(_s31));
+        lanes_store(lists->fixed[68], lanes_max(_s41, _s33));
+        lanes_store(lists->fixed[69], lanes_mul(K(1.52587890625e-05), _s36));
+        lanes_store(lists->fixed[70], lanes_mul(K(5.55653613398821e-16), _s28));
+        lanes_store(lists->fixed[71], _s39);
+        lanes_store(lists->fixed[72], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        lanes_store(lists->fixed[73], lanes_mul(K(2.001953125), _s39));
+        lanes_store(lists->fixed[74], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        lanes_store(lists->fixed[75], lanes_add(lanes_mul(K(2.220446049250313e-16), _s0), lanes_mul(K(2.220446049250313e-16), _s1)));
+        lanes_store(lists->fixed[76], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s39, _s39)));
+        lanes_store(lists->fixed[77], lanes_mul(K(12.01171875), _s39));
+        lanes_store(lists->fixed[78], lanes_mul(K(6.667843360785852e-15), _s39));
+        lanes_store(lists->fixed[79], lanes_mul(K(6.005859375), _s39));
+        lanes_store(lists->fixed[80], lanes_mul(K(2.667137344314341e-15), _s39));
+        lanes_store(lists->fixed[81], _s28);
+        lanes_store(lists->fixed[82], _s38);
+        lanes_store(lists->fixed[83], lanes_mul(K(0.5), _s38));
+        lanes_store(lists->fixed[84], lanes_mul(K(1.0000000009313226), lanes_sub(_s7, _s8)));
+        lanes_store(lists->fixed[85], lanes_mul(K(1.0000000009313226), p_bridge_half_width));
+        lanes_store(lists->fixed[86], lanes_sub(p_wire_radius, _s42));
+        lanes_store(lists->fixed[87], lanes_mul(K(1.0000000009313226), _s42));
+        lanes_store(lists->fixed[88], _s7);
+        lanes_store(lists->fixed[89], _s42);
+        lanes_store(lists->fixed[90], _s8);
+        lanes_store(lists->fixed[91], _s46);
+        lanes_store(lists->fixed[92], lanes_sub(lanes_add(_s10, _s47), _s8));
+        lanes_store(lists->fixed[93], _s9);
+        lanes_store(lists->fixed[94], lanes_add(_s44, _s47));
+        lanes_store(lists->fixed[95], lanes_add(_s43, _s47));
+        lanes_store(lists->fixed[96], lanes_mul(_s40, _s48));
+        lanes_store(lists->fixed[97], lanes_abs(lanes_sub(_s42, p_wire_radius)));
+        lanes_store(lists->fixed[98], lanes_max(_s49, _s43));
+        lanes_store(lists->fixed[99], lanes_mul(K(1.52587890625e-05), _s46));
+        lanes_store(lists->fixed[100], _s48);
+        lanes_store(lists->fixed[101], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
+        lanes_store(lists->fixed[102], lanes_mul(K(2.001953125), _s48));
+        lanes_store(lists->fixed[103], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
+        lanes_store(lists->fixed[104], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
+        lanes_store(lists->fixed[105], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s48, _s48)));
+        lanes_store(lists->fixed[106], lanes_mul(K(12.01171875), _s48));
+        lanes_store(lists->fixed[107], lanes_mul(K(6.667843360785852e-15), _s48));
+        lanes_store(lists->fixed[108], lanes_mul(K(6.005859375), _s48));
+        lanes_store(lists->fixed[109], lanes_mul(K(2.667137344314341e-15), _s48));
+        lanes_store(lists->fixed[110], lanes_div(K(1.0), _s12));
+        lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[112], _s51);
+        lanes_store(lists->fixed[113], lanes_neg(_s51));
+        lanes_store(lists->fixed[114], _s52);
+        lanes_store(lists->fixed[115], lanes_neg(_s52));
+        lanes_store(lists->fixed[116], _s53);
+        lanes_store(lists->fixed[117], lanes_neg(_s53));
+        lanes_store(lists->fixed[118], _s54);
+        lanes_store(lists->fixed[119], lanes_neg(_s54));
+        lanes_store(lists->fixed[120], _s55);
+        lanes_store(lists->fixed[121], lanes_neg(_s55));
+        lanes_store(lists->fixed[122], _s56);
+        lanes_store(lists->fixed[123], lanes_neg(_s56));
+        lanes_store(lists->fixed[124], lanes_mul(K(0.6), p_gravity));
+        lanes_store(lists->fixed[125], lanes_mul(K(0.015625), p_gravity));
+        lanes_store(lists->fixed[126], lanes_mul(K(0.4), p_gravity));
+        lanes_store(lists->fixed[127], lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        lanes_store(lists->fixed[128], lanes_mul(K(5.684341886080802e-14), p_gravity));
+        lanes_store(lists->fixed[129], _s12);
+        lanes_store(lists->fixed[130], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
+        lanes_store(lists->fixed[131], p_bridge_depth);
+        lanes_store(lists->fixed[132], lanes_mul(K(0.3333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[133], lanes_mul(K(0.25), p_ring_radius));
+        lanes_store(lists->fixed[134], lanes_mul(K(0.2), p_ring_radius));
+        lanes_store(lists->fixed[135], lanes_mul(K(0.16666666666666666), p_ring_radius));
+        lanes_store(lists->fixed[136], lanes_mul(K(0.14285714285714285), p_ring_radius));
+        lanes_store(lists->fixed[137], lanes_mul(K(0.125), p_ring_radius));
+        lanes_store(lists->fixed[138], lanes_mul(K(0.1111111111111111), p_ring_radius));
+        lanes_store(lists->fixed[139], lanes_mul(K(0.1), p_ring_radius));
+        lanes_store(lists->fixed[140], lanes_mul(K(0.09090909090909091), p_ring_radius));
+        lanes_store(lists->fixed[141], lanes_mul(K(0.08333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[142], lanes_sqrt(lanes_div(p_gravity, _s12)));
+        lanes_store(lists->fixed[143], lanes_div(K(1.0), _s17));
+        lanes_store(lists->fixed[144], lanes_mul(K(0.8), p_gravity));
+        lanes_store(lists->fixed[145], lanes_sqrt(lanes_add(lanes_mul(_s59, _s59), lanes_mul(_s62, _s62))));
+        lanes_store(lists->fixed[146], lanes_sqrt(lanes_add(lanes_mul(_s65, _s65), lanes_mul(_s68, _s68))));
+        lanes_store(lists->fixed[147], lanes_mul(K(0.000244140625), _s12));
+        lanes_store(lists->fixed[148], lanes_mul(K(0.00390625), p_gravity));
+        lanes_store(lists->fixed[149], lanes_mul(lanes_mul(K(0.000244140625), _s69), _s12));
+        lanes_store(lists->fixed[150], lanes_mul(K(6.0), _s69));
+        lanes_store(lists->fixed[151], lanes_mul(K(0.0078125), p_gravity));
+        lanes_store(lists->fixed[152], lanes_max(K(0.0), p_gravity));
+        lanes_store(lists->fixed[153], p_restitution_speed);
+        lanes_store(lists->fixed[154], _s70);
+        lanes_store(lists->fixed[155], lanes_mul(_s70, _s70));
+        lanes_store(lists->fixed[156], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        lanes_store(lists->fixed[157], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+        lanes_store(lists->fixed[158], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[159], _s71);
+        lanes_store(lists->fixed[160], lanes_mul(_s71, _s71));
+        lanes_store(lists->fixed[161], lanes_mul(p_ring_friction, _s72));
+        lanes_store(lists->fixed[162], lanes_mul(_s72, _s71));
+        lanes_store(lists->fixed[163], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        lanes_store(lists->fixed[164], _s73);
+        lanes_store(lists->fixed[165], lanes_mul(_s73, _s73));
+        lanes_store(lists->fixed[166], lanes_mul(p_backboard_friction, _s74));
+        lanes_store(lists->fixed[167], lanes_mul(_s74, _s73));
+        lanes_store(lists->fixed[168], _s75);
+        lanes_store(lists->fixed[169], lanes_mul(_s75, _s75));
+        lanes_store(lists->fixed[170], lanes_mul(p_bridge_friction, _s76));
+        lanes_store(lists->fixed[171], lanes_mul(_s76, _s75));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -1228,24 +1231,32 @@ static void LANES(court_plain_fix_f1)(LANES(court_plain_lists) *lists, size_t i)
     const V p_ring_radius = lanes_load(lists->p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->p_wire_radius + i);
     {
-        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_thickness)), lanes_abs(p_board_top));
-        const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s1, lanes_abs(p_bridge_depth)), lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius));
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[8], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[11], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
-        lanes_store(lists->fixed[12], _s2);
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[14], lanes_mul(p_ring_radius, p_ring_radius));
+        const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_thickness)), lanes_abs(p_board_top));
+        const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s0, lanes_abs(p_bridge_depth)), lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius));
+        const V _s2 = lanes_mul(K(0.5), p_board_thickness);
+        const V _s3 = lanes_mul(K(0.5), p_board_distance);
+        const V _s4 = lanes_mul(K(0.5), p_ring_radius);
+        const V _s5 = lanes_add(p_ball_radius, p_wire_radius);
+        lanes_store(lists->fixed[0], _s1);
+        lanes_store(lists->fixed[1], lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius));
+        lanes_store(lists->fixed[2], lanes_neg(lanes_add(p_board_distance, _s2)));
+        lanes_store(lists->fixed[3], lanes_add(p_ball_radius, _s2));
+        lanes_store(lists->fixed[4], lanes_neg(lanes_add(_s3, _s4)));
+        lanes_store(lists->fixed[5], lanes_sub(lanes_add(p_ball_radius, _s3), _s4));
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[14], lanes_mul(_s5, _s5));
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[17], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[19], lanes_mul(p_ring_radius, p_ring_radius));
     }
 }
 
@@ -1253,7 +1264,7 @@ static void LANES(court_plain_fix_f1)(LANES(court_plain_lists) *lists, size_t i)
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f6)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f8)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_end_depth = lanes_load(lists->p_end_depth + i);
@@ -1272,33 +1283,33 @@ static void LANES(court_plain_fix_f6)(LANES(court_plain_lists) *lists, size_t i)
         const V _s8 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s9 = lanes_max(_s7, _s8);
         const V _s10 = lanes_mul(_s9, _s9);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[8], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[15], _s1);
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[18], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[19], _s2);
-        lanes_store(lists->fixed[20], lanes_mul(K(0.5), _s2));
-        lanes_store(lists->fixed[21], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[22], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[23], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[24], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[25], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[26], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[27], _s3);
-        lanes_store(lists->fixed[28], lanes_mul(K(5.820766091346741e-11), _s4));
-        lanes_store(lists->fixed[29], lanes_mul(K(65536.0), _s4));
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[31], _s5);
-        lanes_store(lists->fixed[32], _s6);
-        lanes_store(lists->fixed[33], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[34], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[35], _s10);
-        lanes_store(lists->fixed[36], lanes_mul(_s9, _s10));
-        lanes_store(lists->fixed[37], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[38], lanes_add(_s6, _s10));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[20], _s1);
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[23], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[24], _s2);
+        lanes_store(lists->fixed[25], lanes_mul(K(0.5), _s2));
+        lanes_store(lists->fixed[26], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[27], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[28], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_wire_radius));
+        lanes_store(lists->fixed[30], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[32], _s3);
+        lanes_store(lists->fixed[33], lanes_mul(K(5.820766091346741e-11), _s4));
+        lanes_store(lists->fixed[34], lanes_mul(K(65536.0), _s4));
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[36], _s5);
+        lanes_store(lists->fixed[37], _s6);
+        lanes_store(lists->fixed[38], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[39], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[40], _s10);
+        lanes_store(lists->fixed[41], lanes_mul(_s9, _s10));
+        lanes_store(lists->fixed[42], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[43], lanes_add(_s6, _s10));
     }
 }
 
@@ -1306,16 +1317,16 @@ static void LANES(court_plain_fix_f6)(LANES(court_plain_lists) *lists, size_t i)
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f21)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f23)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
     const V p_ring_radius = lanes_load(lists->open_p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
     {
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -1364,7 +1375,7 @@ static void LANES(court_plain_fix_f21)(LANES(court_plain_lists) *lists, size_t i
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f32)(LANES(court_plain_lists) *lists, size_t taken, M idle)
+static void LANES(court_plain_fix_f34)(LANES(court_plain_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_leaping_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_leaping_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -1400,7 +1411,7 @@ static void LANES(court_plain_fix_f32)(LANES(court_plain_lists) *lists, size_t t
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f35)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f37)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_searching_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_searching_p_gravity + i);
@@ -1415,26 +1426,26 @@ static void LANES(court_plain_fix_f35)(LANES(court_plain_lists) *lists, size_t i
         const V _s5 = lanes_max(_s3, _s4);
         const V _s6 = lanes_div(K(1.0), _s5);
         const V _s7 = lanes_div(_s1, _s5);
-        lanes_store(lists->fixed[15], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[21], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[22], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[23], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[24], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[25], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[26], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[27], _s1);
-        lanes_store(lists->fixed[31], lanes_mul(_s2, _s2));
-        lanes_store(lists->fixed[33], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[34], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[35], lanes_mul(_s5, _s5));
-        lanes_store(lists->fixed[37], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[39], lanes_mul(_s6, lanes_mul(_s6, _s6)));
-        lanes_store(lists->fixed[40], _s2);
-        lanes_store(lists->fixed[41], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[42], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[43], lanes_max(K(1.0), _s7));
+        lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[26], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[27], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[28], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_wire_radius));
+        lanes_store(lists->fixed[30], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[32], _s1);
+        lanes_store(lists->fixed[36], lanes_mul(_s2, _s2));
+        lanes_store(lists->fixed[38], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[39], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[40], lanes_mul(_s5, _s5));
+        lanes_store(lists->fixed[42], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[44], lanes_mul(_s6, lanes_mul(_s6, _s6)));
+        lanes_store(lists->fixed[45], _s2);
+        lanes_store(lists->fixed[46], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[47], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[48], lanes_max(K(1.0), _s7));
     }
 }
 
@@ -1442,7 +1453,7 @@ static void LANES(court_plain_fix_f35)(LANES(court_plain_lists) *lists, size_t i
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f40)(LANES(court_plain_lists) *lists, size_t taken, M idle)
+static void LANES(court_plain_fix_f42)(LANES(court_plain_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_searching_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_searching_searching_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -1460,18 +1471,18 @@ static void LANES(court_plain_fix_f40)(LANES(court_plain_lists) *lists, size_t t
         const V _s4 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s5 = lanes_max(_s3, _s4);
         const V _s6 = lanes_div(_s1, _s5);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[8], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[27], _s1);
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[40], _s2);
-        lanes_store(lists->fixed[41], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[42], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[43], lanes_max(K(1.0), _s6));
-        lanes_store(lists->fixed[44], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[45], lanes_mul(K(9.094947017729282e-13), _s2));
-        lanes_store(lists->fixed[46], _s5);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[32], _s1);
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[45], _s2);
+        lanes_store(lists->fixed[46], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[47], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[48], lanes_max(K(1.0), _s6));
+        lanes_store(lists->fixed[49], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[50], lanes_mul(K(9.094947017729282e-13), _s2));
+        lanes_store(lists->fixed[51], _s5);
     }
 }
 
@@ -1479,7 +1490,7 @@ static void LANES(court_plain_fix_f40)(LANES(court_plain_lists) *lists, size_t t
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f51)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f53)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
@@ -1487,10 +1498,10 @@ static void LANES(court_plain_fix_f51)(LANES(court_plain_lists) *lists, size_t i
     const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
     {
         const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[8], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -1498,7 +1509,7 @@ static void LANES(court_plain_fix_f51)(LANES(court_plain_lists) *lists, size_t i
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f60)(LANES(court_plain_lists) *lists, size_t taken, M idle)
+static void LANES(court_plain_fix_f62)(LANES(court_plain_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -1510,10 +1521,10 @@ static void LANES(court_plain_fix_f60)(LANES(court_plain_lists) *lists, size_t t
     lanes_store(lists->turning_p_wire_radius, p_wire_radius);
     {
         const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[8], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -1521,7 +1532,7 @@ static void LANES(court_plain_fix_f60)(LANES(court_plain_lists) *lists, size_t t
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f65)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f67)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
@@ -1534,17 +1545,17 @@ static void LANES(court_plain_fix_f65)(LANES(court_plain_lists) *lists, size_t i
         const V _s0 = lanes_mul(K(0.5), p_board_thickness);
         const V _s1 = lanes_mul(K(0.5), p_board_bottom);
         const V _s2 = lanes_mul(K(0.5), p_board_top);
-        lanes_store(lists->fixed[15], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[47], lanes_abs(K(0.0)));
-        lanes_store(lists->fixed[48], lanes_mul(K(0.0625), p_gravity));
-        lanes_store(lists->fixed[49], lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
-        lanes_store(lists->fixed[50], lanes_neg(lanes_add(p_board_distance, _s0)));
-        lanes_store(lists->fixed[51], lanes_mul(K(1.0000000009313226), _s0));
-        lanes_store(lists->fixed[52], lanes_mul(K(1.0000000009313226), p_board_half_width));
-        lanes_store(lists->fixed[53], lanes_add(_s1, _s2));
-        lanes_store(lists->fixed[54], lanes_mul(K(1.0000000009313226), lanes_sub(_s2, _s1)));
+        lanes_store(lists->fixed[2], lanes_neg(lanes_add(p_board_distance, _s0)));
+        lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[52], lanes_abs(K(0.0)));
+        lanes_store(lists->fixed[53], lanes_mul(K(0.0625), p_gravity));
+        lanes_store(lists->fixed[54], lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
+        lanes_store(lists->fixed[55], lanes_mul(K(1.0000000009313226), _s0));
+        lanes_store(lists->fixed[56], lanes_mul(K(1.0000000009313226), p_board_half_width));
+        lanes_store(lists->fixed[57], lanes_add(_s1, _s2));
+        lanes_store(lists->fixed[58], lanes_mul(K(1.0000000009313226), lanes_sub(_s2, _s1)));
     }
 }
 
@@ -1552,7 +1563,7 @@ static void LANES(court_plain_fix_f65)(LANES(court_plain_lists) *lists, size_t i
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f70)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f72)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->reachable_p_board_bottom + i);
@@ -1562,55 +1573,55 @@ static void LANES(court_plain_fix_f70)(LANES(court_plain_lists) *lists, size_t i
     const V p_board_top = lanes_load(lists->reachable_p_board_top + i);
     const V p_gravity = lanes_load(lists->reachable_p_gravity + i);
     {
-        const V _s0 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s1 = lanes_mul(K(0.5), p_board_thickness);
-        const V _s2 = lanes_mul(K(0.5), p_board_bottom);
-        const V _s3 = lanes_mul(K(0.5), p_board_top);
-        const V _s4 = lanes_add(p_ball_radius, _s1);
-        const V _s5 = lanes_add(p_ball_radius, _s3);
-        const V _s6 = lanes_sub(_s5, _s2);
+        const V _s0 = lanes_mul(K(0.5), p_board_thickness);
+        const V _s1 = lanes_add(p_ball_radius, _s0);
+        const V _s2 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s3 = lanes_mul(K(0.5), p_board_bottom);
+        const V _s4 = lanes_mul(K(0.5), p_board_top);
+        const V _s5 = lanes_add(p_ball_radius, _s4);
+        const V _s6 = lanes_sub(_s5, _s3);
         const V _s7 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s8 = lanes_min(_s7, _s4);
+        const V _s8 = lanes_min(_s7, _s1);
         const V _s9 = lanes_min(_s6, _s8);
         const V _s10 = lanes_mul(K(6.103515625e-05), _s9);
         const V _s11 = lanes_abs(lanes_neg(p_gravity));
         const V _s12 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s9));
-        const V _s13 = lanes_max(_s4, _s7);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[15], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[22], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[55], _s3);
-        lanes_store(lists->fixed[56], _s2);
-        lanes_store(lists->fixed[57], _s9);
-        lanes_store(lists->fixed[58], lanes_add(_s4, _s10));
-        lanes_store(lists->fixed[59], lanes_add(p_board_distance, _s1));
-        lanes_store(lists->fixed[60], lanes_add(_s7, _s10));
-        lanes_store(lists->fixed[61], lanes_sub(lanes_add(_s5, _s10), _s2));
-        lanes_store(lists->fixed[62], lanes_mul(lanes_mul(K(1.25), _s11), _s12));
-        lanes_store(lists->fixed[63], lanes_abs(lanes_add(_s2, _s3)));
-        lanes_store(lists->fixed[64], lanes_max(_s13, _s6));
-        lanes_store(lists->fixed[65], lanes_mul(K(1.52587890625e-05), _s9));
-        lanes_store(lists->fixed[66], lanes_mul(K(5.55653613398821e-16), _s0));
-        lanes_store(lists->fixed[67], _s12);
-        lanes_store(lists->fixed[68], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        lanes_store(lists->fixed[69], lanes_mul(K(2.001953125), _s12));
-        lanes_store(lists->fixed[70], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        lanes_store(lists->fixed[71], lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
-        lanes_store(lists->fixed[72], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s12, _s12)));
-        lanes_store(lists->fixed[73], lanes_mul(K(12.01171875), _s12));
-        lanes_store(lists->fixed[74], lanes_mul(K(6.667843360785852e-15), _s12));
-        lanes_store(lists->fixed[75], lanes_mul(K(6.005859375), _s12));
-        lanes_store(lists->fixed[76], lanes_mul(K(2.667137344314341e-15), _s12));
-        lanes_store(lists->fixed[77], _s0);
-        lanes_store(lists->fixed[78], _s11);
-        lanes_store(lists->fixed[79], lanes_mul(K(0.5), _s11));
+        const V _s13 = lanes_max(_s1, _s7);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[27], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[59], _s4);
+        lanes_store(lists->fixed[60], _s3);
+        lanes_store(lists->fixed[61], _s9);
+        lanes_store(lists->fixed[62], lanes_add(_s1, _s10));
+        lanes_store(lists->fixed[63], lanes_add(p_board_distance, _s0));
+        lanes_store(lists->fixed[64], lanes_add(_s7, _s10));
+        lanes_store(lists->fixed[65], lanes_sub(lanes_add(_s5, _s10), _s3));
+        lanes_store(lists->fixed[66], lanes_mul(lanes_mul(K(1.25), _s11), _s12));
+        lanes_store(lists->fixed[67], lanes_abs(lanes_add(_s3, _s4)));
+        lanes_store(lists->fixed[68], lanes_max(_s13, _s6));
+        lanes_store(lists->fixed[69], lanes_mul(K(1.52587890625e-05), _s9));
+        lanes_store(lists->fixed[70], lanes_mul(K(5.55653613398821e-16), _s2));
+        lanes_store(lists->fixed[71], _s12);
+        lanes_store(lists->fixed[72], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        lanes_store(lists->fixed[73], lanes_mul(K(2.001953125), _s12));
+        lanes_store(lists->fixed[74], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        lanes_store(lists->fixed[75], lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
+        lanes_store(lists->fixed[76], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s12, _s12)));
+        lanes_store(lists->fixed[77], lanes_mul(K(12.01171875), _s12));
+        lanes_store(lists->fixed[78], lanes_mul(K(6.667843360785852e-15), _s12));
+        lanes_store(lists->fixed[79], lanes_mul(K(6.005859375), _s12));
+        lanes_store(lists->fixed[80], lanes_mul(K(2.667137344314341e-15), _s12));
+        lanes_store(lists->fixed[81], _s2);
+        lanes_store(lists->fixed[82], _s11);
+        lanes_store(lists->fixed[83], lanes_mul(K(0.5), _s11));
     }
 }
 
@@ -1618,7 +1629,7 @@ static void LANES(court_plain_fix_f70)(LANES(court_plain_lists) *lists, size_t i
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f88)(LANES(court_plain_lists) *lists, size_t taken, M idle)
+static void LANES(court_plain_fix_f90)(LANES(court_plain_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->reachable_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_bottom = lanes_expand(lists->reachable_searching_p_board_bottom + taken, idle, lanes_load(lists->turning_p_board_bottom));
@@ -1635,34 +1646,34 @@ static void LANES(court_plain_fix_f88)(LANES(court_plain_lists) *lists, size_t t
     lanes_store(lists->turning_p_board_top, p_board_top);
     lanes_store(lists->turning_p_gravity, p_gravity);
     {
-        const V _s0 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s1 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
+        const V _s0 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
+        const V _s1 = lanes_mul(p_ball_radius, p_ball_radius);
         const V _s2 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
         const V _s3 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s4 = lanes_min(_s3, _s1);
+        const V _s4 = lanes_min(_s3, _s0);
         const V _s5 = lanes_abs(lanes_neg(p_gravity));
         const V _s6 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s2, _s4)));
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[66], lanes_mul(K(5.55653613398821e-16), _s0));
-        lanes_store(lists->fixed[67], _s6);
-        lanes_store(lists->fixed[68], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        lanes_store(lists->fixed[69], lanes_mul(K(2.001953125), _s6));
-        lanes_store(lists->fixed[70], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        lanes_store(lists->fixed[71], lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
-        lanes_store(lists->fixed[72], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s6, _s6)));
-        lanes_store(lists->fixed[73], lanes_mul(K(12.01171875), _s6));
-        lanes_store(lists->fixed[74], lanes_mul(K(6.667843360785852e-15), _s6));
-        lanes_store(lists->fixed[75], lanes_mul(K(6.005859375), _s6));
-        lanes_store(lists->fixed[76], lanes_mul(K(2.667137344314341e-15), _s6));
-        lanes_store(lists->fixed[77], _s0);
-        lanes_store(lists->fixed[78], _s5);
-        lanes_store(lists->fixed[79], lanes_mul(K(0.5), _s5));
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[70], lanes_mul(K(5.55653613398821e-16), _s1));
+        lanes_store(lists->fixed[71], _s6);
+        lanes_store(lists->fixed[72], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        lanes_store(lists->fixed[73], lanes_mul(K(2.001953125), _s6));
+        lanes_store(lists->fixed[74], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        lanes_store(lists->fixed[75], lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
+        lanes_store(lists->fixed[76], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s6, _s6)));
+        lanes_store(lists->fixed[77], lanes_mul(K(12.01171875), _s6));
+        lanes_store(lists->fixed[78], lanes_mul(K(6.667843360785852e-15), _s6));
+        lanes_store(lists->fixed[79], lanes_mul(K(6.005859375), _s6));
+        lanes_store(lists->fixed[80], lanes_mul(K(2.667137344314341e-15), _s6));
+        lanes_store(lists->fixed[81], _s1);
+        lanes_store(lists->fixed[82], _s5);
+        lanes_store(lists->fixed[83], lanes_mul(K(0.5), _s5));
     }
 }
 
@@ -1670,7 +1681,7 @@ static void LANES(court_plain_fix_f88)(LANES(court_plain_lists) *lists, size_t t
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f99)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f101)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->reachable_p_board_bottom + i);
@@ -1680,14 +1691,14 @@ static void LANES(court_plain_fix_f99)(LANES(court_plain_lists) *lists, size_t i
     const V p_board_top = lanes_load(lists->reachable_p_board_top + i);
     const V p_gravity = lanes_load(lists->reachable_p_gravity + i);
     {
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[77], lanes_mul(p_ball_radius, p_ball_radius));
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[81], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -1695,7 +1706,7 @@ static void LANES(court_plain_fix_f99)(LANES(court_plain_lists) *lists, size_t i
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f108)(LANES(court_plain_lists) *lists, size_t taken, M idle)
+static void LANES(court_plain_fix_f110)(LANES(court_plain_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->reachable_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_bottom = lanes_expand(lists->reachable_refining_p_board_bottom + taken, idle, lanes_load(lists->turning_p_board_bottom));
@@ -1712,14 +1723,14 @@ static void LANES(court_plain_fix_f108)(LANES(court_plain_lists) *lists, size_t 
     lanes_store(lists->turning_p_board_top, p_board_top);
     lanes_store(lists->turning_p_gravity, p_gravity);
     {
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[77], lanes_mul(p_ball_radius, p_ball_radius));
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[81], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -1727,7 +1738,7 @@ static void LANES(court_plain_fix_f108)(LANES(court_plain_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f113)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f115)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_distance = lanes_load(lists->p_board_distance + i);
@@ -1740,17 +1751,17 @@ static void LANES(court_plain_fix_f113)(LANES(court_plain_lists) *lists, size_t 
         const V _s0 = lanes_mul(K(0.5), p_board_distance);
         const V _s1 = lanes_mul(K(0.5), p_ring_radius);
         const V _s2 = lanes_mul(K(0.5), p_bridge_depth);
-        lanes_store(lists->fixed[15], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[47], lanes_abs(K(0.0)));
-        lanes_store(lists->fixed[48], lanes_mul(K(0.0625), p_gravity));
-        lanes_store(lists->fixed[49], lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
-        lanes_store(lists->fixed[80], lanes_neg(lanes_add(_s0, _s1)));
-        lanes_store(lists->fixed[81], lanes_mul(K(1.0000000009313226), lanes_sub(_s0, _s1)));
-        lanes_store(lists->fixed[82], lanes_mul(K(1.0000000009313226), p_bridge_half_width));
-        lanes_store(lists->fixed[83], lanes_sub(p_wire_radius, _s2));
-        lanes_store(lists->fixed[84], lanes_mul(K(1.0000000009313226), _s2));
+        lanes_store(lists->fixed[4], lanes_neg(lanes_add(_s0, _s1)));
+        lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[52], lanes_abs(K(0.0)));
+        lanes_store(lists->fixed[53], lanes_mul(K(0.0625), p_gravity));
+        lanes_store(lists->fixed[54], lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
+        lanes_store(lists->fixed[84], lanes_mul(K(1.0000000009313226), lanes_sub(_s0, _s1)));
+        lanes_store(lists->fixed[85], lanes_mul(K(1.0000000009313226), p_bridge_half_width));
+        lanes_store(lists->fixed[86], lanes_sub(p_wire_radius, _s2));
+        lanes_store(lists->fixed[87], lanes_mul(K(1.0000000009313226), _s2));
     }
 }
 
@@ -1758,7 +1769,7 @@ static void LANES(court_plain_fix_f113)(LANES(court_plain_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f118)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f120)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_distance = lanes_load(lists->reachable_p_board_distance + i);
@@ -1768,56 +1779,56 @@ static void LANES(court_plain_fix_f118)(LANES(court_plain_lists) *lists, size_t 
     const V p_ring_radius = lanes_load(lists->reachable_p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->reachable_p_wire_radius + i);
     {
-        const V _s0 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s1 = lanes_abs(lanes_neg(p_gravity));
-        const V _s2 = lanes_mul(K(0.5), p_board_distance);
-        const V _s3 = lanes_mul(K(0.5), p_ring_radius);
-        const V _s4 = lanes_mul(K(0.5), p_bridge_depth);
-        const V _s5 = lanes_add(p_ball_radius, _s2);
-        const V _s6 = lanes_add(p_ball_radius, _s4);
-        const V _s7 = lanes_add(p_ball_radius, p_bridge_half_width);
-        const V _s8 = lanes_sub(_s5, _s3);
-        const V _s9 = lanes_min(_s7, _s8);
-        const V _s10 = lanes_min(_s6, _s9);
+        const V _s0 = lanes_mul(K(0.5), p_board_distance);
+        const V _s1 = lanes_mul(K(0.5), p_ring_radius);
+        const V _s2 = lanes_add(p_ball_radius, _s0);
+        const V _s3 = lanes_sub(_s2, _s1);
+        const V _s4 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s5 = lanes_abs(lanes_neg(p_gravity));
+        const V _s6 = lanes_mul(K(0.5), p_bridge_depth);
+        const V _s7 = lanes_add(p_ball_radius, _s6);
+        const V _s8 = lanes_add(p_ball_radius, p_bridge_half_width);
+        const V _s9 = lanes_min(_s8, _s3);
+        const V _s10 = lanes_min(_s7, _s9);
         const V _s11 = lanes_mul(K(6.103515625e-05), _s10);
         const V _s12 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s10));
-        const V _s13 = lanes_max(_s8, _s7);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[15], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[22], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[66], lanes_mul(K(5.55653613398821e-16), _s0));
-        lanes_store(lists->fixed[77], _s0);
-        lanes_store(lists->fixed[78], _s1);
-        lanes_store(lists->fixed[79], lanes_mul(K(0.5), _s1));
-        lanes_store(lists->fixed[85], _s2);
-        lanes_store(lists->fixed[86], _s4);
-        lanes_store(lists->fixed[87], _s3);
-        lanes_store(lists->fixed[88], _s10);
-        lanes_store(lists->fixed[89], lanes_sub(lanes_add(_s5, _s11), _s3));
-        lanes_store(lists->fixed[90], lanes_add(_s2, _s3));
-        lanes_store(lists->fixed[91], lanes_add(_s7, _s11));
-        lanes_store(lists->fixed[92], lanes_add(_s6, _s11));
-        lanes_store(lists->fixed[93], lanes_mul(lanes_mul(K(1.25), _s1), _s12));
-        lanes_store(lists->fixed[94], lanes_abs(lanes_sub(_s4, p_wire_radius)));
-        lanes_store(lists->fixed[95], lanes_max(_s13, _s6));
-        lanes_store(lists->fixed[96], lanes_mul(K(1.52587890625e-05), _s10));
-        lanes_store(lists->fixed[97], _s12);
-        lanes_store(lists->fixed[98], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
-        lanes_store(lists->fixed[99], lanes_mul(K(2.001953125), _s12));
-        lanes_store(lists->fixed[100], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
-        lanes_store(lists->fixed[101], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
-        lanes_store(lists->fixed[102], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s12, _s12)));
-        lanes_store(lists->fixed[103], lanes_mul(K(12.01171875), _s12));
-        lanes_store(lists->fixed[104], lanes_mul(K(6.667843360785852e-15), _s12));
-        lanes_store(lists->fixed[105], lanes_mul(K(6.005859375), _s12));
-        lanes_store(lists->fixed[106], lanes_mul(K(2.667137344314341e-15), _s12));
+        const V _s13 = lanes_max(_s3, _s8);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[27], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[70], lanes_mul(K(5.55653613398821e-16), _s4));
+        lanes_store(lists->fixed[81], _s4);
+        lanes_store(lists->fixed[82], _s5);
+        lanes_store(lists->fixed[83], lanes_mul(K(0.5), _s5));
+        lanes_store(lists->fixed[88], _s0);
+        lanes_store(lists->fixed[89], _s6);
+        lanes_store(lists->fixed[90], _s1);
+        lanes_store(lists->fixed[91], _s10);
+        lanes_store(lists->fixed[92], lanes_sub(lanes_add(_s2, _s11), _s1));
+        lanes_store(lists->fixed[93], lanes_add(_s0, _s1));
+        lanes_store(lists->fixed[94], lanes_add(_s8, _s11));
+        lanes_store(lists->fixed[95], lanes_add(_s7, _s11));
+        lanes_store(lists->fixed[96], lanes_mul(lanes_mul(K(1.25), _s5), _s12));
+        lanes_store(lists->fixed[97], lanes_abs(lanes_sub(_s6, p_wire_radius)));
+        lanes_store(lists->fixed[98], lanes_max(_s13, _s7));
+        lanes_store(lists->fixed[99], lanes_mul(K(1.52587890625e-05), _s10));
+        lanes_store(lists->fixed[100], _s12);
+        lanes_store(lists->fixed[101], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
+        lanes_store(lists->fixed[102], lanes_mul(K(2.001953125), _s12));
+        lanes_store(lists->fixed[103], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
+        lanes_store(lists->fixed[104], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
+        lanes_store(lists->fixed[105], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s12, _s12)));
+        lanes_store(lists->fixed[106], lanes_mul(K(12.01171875), _s12));
+        lanes_store(lists->fixed[107], lanes_mul(K(6.667843360785852e-15), _s12));
+        lanes_store(lists->fixed[108], lanes_mul(K(6.005859375), _s12));
+        lanes_store(lists->fixed[109], lanes_mul(K(2.667137344314341e-15), _s12));
     }
 }
 
@@ -1825,7 +1836,7 @@ static void LANES(court_plain_fix_f118)(LANES(court_plain_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f136)(LANES(court_plain_lists) *lists, size_t taken, M idle)
+static void LANES(court_plain_fix_f138)(LANES(court_plain_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->reachable_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_distance = lanes_expand(lists->reachable_searching_p_board_distance + taken, idle, lanes_load(lists->turning_p_board_distance));
@@ -1842,34 +1853,34 @@ static void LANES(court_plain_fix_f136)(LANES(court_plain_lists) *lists, size_t 
     lanes_store(lists->turning_p_ring_radius, p_ring_radius);
     lanes_store(lists->turning_p_wire_radius, p_wire_radius);
     {
-        const V _s0 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s1 = lanes_abs(lanes_neg(p_gravity));
-        const V _s2 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
-        const V _s3 = lanes_add(p_ball_radius, p_bridge_half_width);
-        const V _s4 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
-        const V _s5 = lanes_min(_s3, _s4);
-        const V _s6 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s2, _s5)));
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[66], lanes_mul(K(5.55653613398821e-16), _s0));
-        lanes_store(lists->fixed[77], _s0);
-        lanes_store(lists->fixed[78], _s1);
-        lanes_store(lists->fixed[79], lanes_mul(K(0.5), _s1));
-        lanes_store(lists->fixed[97], _s6);
-        lanes_store(lists->fixed[98], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
-        lanes_store(lists->fixed[99], lanes_mul(K(2.001953125), _s6));
-        lanes_store(lists->fixed[100], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
-        lanes_store(lists->fixed[101], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
-        lanes_store(lists->fixed[102], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s6, _s6)));
-        lanes_store(lists->fixed[103], lanes_mul(K(12.01171875), _s6));
-        lanes_store(lists->fixed[104], lanes_mul(K(6.667843360785852e-15), _s6));
-        lanes_store(lists->fixed[105], lanes_mul(K(6.005859375), _s6));
-        lanes_store(lists->fixed[106], lanes_mul(K(2.667137344314341e-15), _s6));
+        const V _s0 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
+        const V _s1 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s2 = lanes_abs(lanes_neg(p_gravity));
+        const V _s3 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
+        const V _s4 = lanes_add(p_ball_radius, p_bridge_half_width);
+        const V _s5 = lanes_min(_s4, _s0);
+        const V _s6 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s3, _s5)));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[70], lanes_mul(K(5.55653613398821e-16), _s1));
+        lanes_store(lists->fixed[81], _s1);
+        lanes_store(lists->fixed[82], _s2);
+        lanes_store(lists->fixed[83], lanes_mul(K(0.5), _s2));
+        lanes_store(lists->fixed[100], _s6);
+        lanes_store(lists->fixed[101], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
+        lanes_store(lists->fixed[102], lanes_mul(K(2.001953125), _s6));
+        lanes_store(lists->fixed[103], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
+        lanes_store(lists->fixed[104], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
+        lanes_store(lists->fixed[105], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s6, _s6)));
+        lanes_store(lists->fixed[106], lanes_mul(K(12.01171875), _s6));
+        lanes_store(lists->fixed[107], lanes_mul(K(6.667843360785852e-15), _s6));
+        lanes_store(lists->fixed[108], lanes_mul(K(6.005859375), _s6));
+        lanes_store(lists->fixed[109], lanes_mul(K(2.667137344314341e-15), _s6));
     }
 }
 
@@ -1877,7 +1888,7 @@ static void LANES(court_plain_fix_f136)(LANES(court_plain_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f147)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f149)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_distance = lanes_load(lists->reachable_p_board_distance + i);
@@ -1887,14 +1898,14 @@ static void LANES(court_plain_fix_f147)(LANES(court_plain_lists) *lists, size_t 
     const V p_ring_radius = lanes_load(lists->reachable_p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->reachable_p_wire_radius + i);
     {
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[77], lanes_mul(p_ball_radius, p_ball_radius));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[81], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -1902,7 +1913,7 @@ static void LANES(court_plain_fix_f147)(LANES(court_plain_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f156)(LANES(court_plain_lists) *lists, size_t taken, M idle)
+static void LANES(court_plain_fix_f158)(LANES(court_plain_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->reachable_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_distance = lanes_expand(lists->reachable_refining_p_board_distance + taken, idle, lanes_load(lists->turning_p_board_distance));
@@ -1919,14 +1930,14 @@ static void LANES(court_plain_fix_f156)(LANES(court_plain_lists) *lists, size_t 
     lanes_store(lists->turning_p_ring_radius, p_ring_radius);
     lanes_store(lists->turning_p_wire_radius, p_wire_radius);
     {
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[77], lanes_mul(p_ball_radius, p_ball_radius));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[81], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -1934,7 +1945,7 @@ static void LANES(court_plain_fix_f156)(LANES(court_plain_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f164)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f166)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->kept_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->kept_p_board_bottom + i);
@@ -1947,18 +1958,18 @@ static void LANES(court_plain_fix_f164)(LANES(court_plain_lists) *lists, size_t 
     const V p_ring_radius = lanes_load(lists->kept_p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->kept_p_wire_radius + i);
     {
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[107], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
-        lanes_store(lists->fixed[108], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[110], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
+        lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
     }
 }
 
@@ -1966,7 +1977,7 @@ static void LANES(court_plain_fix_f164)(LANES(court_plain_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f190)(LANES(court_plain_lists) *lists, size_t taken, M idle)
+static void LANES(court_plain_fix_f192)(LANES(court_plain_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->kept_rolling_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_bottom = lanes_expand(lists->kept_rolling_p_board_bottom + taken, idle, lanes_load(lists->turning_p_board_bottom));
@@ -2000,41 +2011,41 @@ static void LANES(court_plain_fix_f190)(LANES(court_plain_lists) *lists, size_t 
         const V _s4 = lanes_add(lanes_add(_s0, lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius));
         const V _s5 = lanes_add(_s0, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
         const V _s6 = lanes_add(lanes_add(_s0, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[14], lanes_mul(p_ring_radius, p_ring_radius));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[37], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[108], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[109], _s1);
-        lanes_store(lists->fixed[110], lanes_neg(_s1));
-        lanes_store(lists->fixed[111], _s2);
-        lanes_store(lists->fixed[112], lanes_neg(_s2));
-        lanes_store(lists->fixed[113], _s3);
-        lanes_store(lists->fixed[114], lanes_neg(_s3));
-        lanes_store(lists->fixed[115], _s4);
-        lanes_store(lists->fixed[116], lanes_neg(_s4));
-        lanes_store(lists->fixed[117], _s5);
-        lanes_store(lists->fixed[118], lanes_neg(_s5));
-        lanes_store(lists->fixed[119], _s6);
-        lanes_store(lists->fixed[120], lanes_neg(_s6));
-        lanes_store(lists->fixed[121], lanes_mul(K(0.6), p_gravity));
-        lanes_store(lists->fixed[122], lanes_mul(K(0.015625), p_gravity));
-        lanes_store(lists->fixed[123], lanes_mul(K(0.4), p_gravity));
-        lanes_store(lists->fixed[124], lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        lanes_store(lists->fixed[125], lanes_mul(K(5.684341886080802e-14), p_gravity));
-        lanes_store(lists->fixed[126], lanes_add(p_ball_radius, p_wire_radius));
-        lanes_store(lists->fixed[127], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
-        lanes_store(lists->fixed[128], p_bridge_depth);
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[19], lanes_mul(p_ring_radius, p_ring_radius));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[42], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[112], _s1);
+        lanes_store(lists->fixed[113], lanes_neg(_s1));
+        lanes_store(lists->fixed[114], _s2);
+        lanes_store(lists->fixed[115], lanes_neg(_s2));
+        lanes_store(lists->fixed[116], _s3);
+        lanes_store(lists->fixed[117], lanes_neg(_s3));
+        lanes_store(lists->fixed[118], _s4);
+        lanes_store(lists->fixed[119], lanes_neg(_s4));
+        lanes_store(lists->fixed[120], _s5);
+        lanes_store(lists->fixed[121], lanes_neg(_s5));
+        lanes_store(lists->fixed[122], _s6);
+        lanes_store(lists->fixed[123], lanes_neg(_s6));
+        lanes_store(lists->fixed[124], lanes_mul(K(0.6), p_gravity));
+        lanes_store(lists->fixed[125], lanes_mul(K(0.015625), p_gravity));
+        lanes_store(lists->fixed[126], lanes_mul(K(0.4), p_gravity));
+        lanes_store(lists->fixed[127], lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        lanes_store(lists->fixed[128], lanes_mul(K(5.684341886080802e-14), p_gravity));
+        lanes_store(lists->fixed[129], lanes_add(p_ball_radius, p_wire_radius));
+        lanes_store(lists->fixed[130], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
+        lanes_store(lists->fixed[131], p_bridge_depth);
     }
 }
 
@@ -2042,7 +2053,7 @@ static void LANES(court_plain_fix_f190)(LANES(court_plain_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f266)(LANES(court_plain_lists) *lists, size_t taken, M idle)
+static void LANES(court_plain_fix_f268)(LANES(court_plain_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->kept_circling_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_bottom = lanes_expand(lists->kept_circling_p_board_bottom + taken, idle, lanes_load(lists->turning_p_board_bottom));
@@ -2083,45 +2094,45 @@ static void LANES(court_plain_fix_f266)(LANES(court_plain_lists) *lists, size_t 
         const V _s11 = lanes_neg(p_bridge_half_width);
         const V _s12 = lanes_max(K(0.0), _s11);
         const V _s13 = lanes_max(_s12, _s11);
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[9], _s1);
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[14], lanes_mul(p_ring_radius, p_ring_radius));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[87], lanes_mul(K(0.5), p_ring_radius));
-        lanes_store(lists->fixed[107], lanes_div(K(1.0), _s0));
-        lanes_store(lists->fixed[108], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[122], lanes_mul(K(0.015625), p_gravity));
-        lanes_store(lists->fixed[124], lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        lanes_store(lists->fixed[125], lanes_mul(K(5.684341886080802e-14), p_gravity));
-        lanes_store(lists->fixed[126], _s0);
-        lanes_store(lists->fixed[127], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
-        lanes_store(lists->fixed[129], lanes_mul(K(0.3333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[130], lanes_mul(K(0.25), p_ring_radius));
-        lanes_store(lists->fixed[131], lanes_mul(K(0.2), p_ring_radius));
-        lanes_store(lists->fixed[132], lanes_mul(K(0.16666666666666666), p_ring_radius));
-        lanes_store(lists->fixed[133], lanes_mul(K(0.14285714285714285), p_ring_radius));
-        lanes_store(lists->fixed[134], lanes_mul(K(0.125), p_ring_radius));
-        lanes_store(lists->fixed[135], lanes_mul(K(0.1111111111111111), p_ring_radius));
-        lanes_store(lists->fixed[136], lanes_mul(K(0.1), p_ring_radius));
-        lanes_store(lists->fixed[137], lanes_mul(K(0.09090909090909091), p_ring_radius));
-        lanes_store(lists->fixed[138], lanes_mul(K(0.08333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[139], lanes_sqrt(lanes_div(p_gravity, _s0)));
-        lanes_store(lists->fixed[140], lanes_div(K(1.0), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[141], lanes_mul(K(0.8), p_gravity));
-        lanes_store(lists->fixed[142], lanes_sqrt(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s7, _s7))));
-        lanes_store(lists->fixed[143], lanes_sqrt(lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s13, _s13))));
-        lanes_store(lists->fixed[144], lanes_mul(K(0.000244140625), _s0));
-        lanes_store(lists->fixed[145], lanes_mul(K(0.00390625), p_gravity));
-        lanes_store(lists->fixed[146], lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s0));
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[15], _s1);
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[19], lanes_mul(p_ring_radius, p_ring_radius));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[90], lanes_mul(K(0.5), p_ring_radius));
+        lanes_store(lists->fixed[110], lanes_div(K(1.0), _s0));
+        lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[125], lanes_mul(K(0.015625), p_gravity));
+        lanes_store(lists->fixed[127], lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        lanes_store(lists->fixed[128], lanes_mul(K(5.684341886080802e-14), p_gravity));
+        lanes_store(lists->fixed[129], _s0);
+        lanes_store(lists->fixed[130], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
+        lanes_store(lists->fixed[132], lanes_mul(K(0.3333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[133], lanes_mul(K(0.25), p_ring_radius));
+        lanes_store(lists->fixed[134], lanes_mul(K(0.2), p_ring_radius));
+        lanes_store(lists->fixed[135], lanes_mul(K(0.16666666666666666), p_ring_radius));
+        lanes_store(lists->fixed[136], lanes_mul(K(0.14285714285714285), p_ring_radius));
+        lanes_store(lists->fixed[137], lanes_mul(K(0.125), p_ring_radius));
+        lanes_store(lists->fixed[138], lanes_mul(K(0.1111111111111111), p_ring_radius));
+        lanes_store(lists->fixed[139], lanes_mul(K(0.1), p_ring_radius));
+        lanes_store(lists->fixed[140], lanes_mul(K(0.09090909090909091), p_ring_radius));
+        lanes_store(lists->fixed[141], lanes_mul(K(0.08333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[142], lanes_sqrt(lanes_div(p_gravity, _s0)));
+        lanes_store(lists->fixed[143], lanes_div(K(1.0), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[144], lanes_mul(K(0.8), p_gravity));
+        lanes_store(lists->fixed[145], lanes_sqrt(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s7, _s7))));
+        lanes_store(lists->fixed[146], lanes_sqrt(lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s13, _s13))));
+        lanes_store(lists->fixed[147], lanes_mul(K(0.000244140625), _s0));
+        lanes_store(lists->fixed[148], lanes_mul(K(0.00390625), p_gravity));
+        lanes_store(lists->fixed[149], lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s0));
     }
 }
 
@@ -2129,7 +2140,7 @@ static void LANES(court_plain_fix_f266)(LANES(court_plain_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f311)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f313)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->kept_leaves_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->kept_leaves_p_board_bottom + i);
@@ -2152,42 +2163,42 @@ static void LANES(court_plain_fix_f311)(LANES(court_plain_lists) *lists, size_t 
         const V _s5 = lanes_add(lanes_add(_s1, lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius));
         const V _s6 = lanes_add(_s1, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
         const V _s7 = lanes_add(lanes_add(_s1, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[18], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[37], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[44], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[107], lanes_div(K(1.0), _s0));
-        lanes_store(lists->fixed[108], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[109], _s2);
-        lanes_store(lists->fixed[110], lanes_neg(_s2));
-        lanes_store(lists->fixed[111], _s3);
-        lanes_store(lists->fixed[112], lanes_neg(_s3));
-        lanes_store(lists->fixed[113], _s4);
-        lanes_store(lists->fixed[114], lanes_neg(_s4));
-        lanes_store(lists->fixed[115], _s5);
-        lanes_store(lists->fixed[116], lanes_neg(_s5));
-        lanes_store(lists->fixed[117], _s6);
-        lanes_store(lists->fixed[118], lanes_neg(_s6));
-        lanes_store(lists->fixed[119], _s7);
-        lanes_store(lists->fixed[120], lanes_neg(_s7));
-        lanes_store(lists->fixed[125], lanes_mul(K(5.684341886080802e-14), p_gravity));
-        lanes_store(lists->fixed[126], _s0);
-        lanes_store(lists->fixed[128], p_bridge_depth);
-        lanes_store(lists->fixed[147], lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)));
-        lanes_store(lists->fixed[148], lanes_mul(K(0.0078125), p_gravity));
-        lanes_store(lists->fixed[149], lanes_max(K(0.0), p_gravity));
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[23], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[42], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[49], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[110], lanes_div(K(1.0), _s0));
+        lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[112], _s2);
+        lanes_store(lists->fixed[113], lanes_neg(_s2));
+        lanes_store(lists->fixed[114], _s3);
+        lanes_store(lists->fixed[115], lanes_neg(_s3));
+        lanes_store(lists->fixed[116], _s4);
+        lanes_store(lists->fixed[117], lanes_neg(_s4));
+        lanes_store(lists->fixed[118], _s5);
+        lanes_store(lists->fixed[119], lanes_neg(_s5));
+        lanes_store(lists->fixed[120], _s6);
+        lanes_store(lists->fixed[121], lanes_neg(_s6));
+        lanes_store(lists->fixed[122], _s7);
+        lanes_store(lists->fixed[123], lanes_neg(_s7));
+        lanes_store(lists->fixed[128], lanes_mul(K(5.684341886080802e-14), p_gravity));
+        lanes_store(lists->fixed[129], _s0);
+        lanes_store(lists->fixed[131], p_bridge_depth);
+        lanes_store(lists->fixed[150], lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)));
+        lanes_store(lists->fixed[151], lanes_mul(K(0.0078125), p_gravity));
+        lanes_store(lists->fixed[152], lanes_max(K(0.0), p_gravity));
     }
 }
 
@@ -2200,7 +2211,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
     for (size_t i = 0; i < kept_leaves_shots; i += LANES_WIDTH) {
         const M rows = lanes_first(kept_leaves_shots - i);
         if (LANES_SELDOM(varying))
-            LANES(court_plain_fix_f311)(lists, i);
+            LANES(court_plain_fix_f313)(lists, i);
         V held = lanes_load(lists->kept_leaves_held + i);
         V lift = lanes_load(lists->kept_leaves_lift + i);
         V per_reach = lanes_load(lists->kept_leaves_per_reach + i);
@@ -2212,221 +2223,221 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
         V x = lanes_load(lists->kept_leaves_x + i);
         V y = lanes_load(lists->kept_leaves_y + i);
         V z = lanes_load(lists->kept_leaves_z + i);
-        const LANES(court_holding_out) _o312 =
+        const LANES(court_holding_out) _o314 =
             LANES(court_holding)(held, K(0.0));
-        M here = _o312.here;
-        const M _m313 = lanes_both(rows, here);
-        if (lanes_any(_m313)) {
-            const LANES(court_ring_tube_out) _o314 =
-                LANES(court_ring_tube)(lanes_load(lists->fixed[107]));
-            per_reach = lanes_select(_m313, _o314.per_reach, per_reach);
-            const LANES(court_ring_parting_out) _o315 =
-                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[147]));
-            lift = lanes_select(_m313, _o315.lift, lift);
-            surge = lanes_select(_m313, _o315.surge, surge);
-            snap = lanes_select(_m313, _o315.snap, snap);
+        M here = _o314.here;
+        const M _m315 = lanes_both(rows, here);
+        if (lanes_any(_m315)) {
+            const LANES(court_ring_tube_out) _o316 =
+                LANES(court_ring_tube)(lanes_load(lists->fixed[110]));
+            per_reach = lanes_select(_m315, _o316.per_reach, per_reach);
+            const LANES(court_ring_parting_out) _o317 =
+                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[49]), lanes_load(lists->fixed[150]));
+            lift = lanes_select(_m315, _o317.lift, lift);
+            surge = lanes_select(_m315, _o317.surge, surge);
+            snap = lanes_select(_m315, _o317.snap, snap);
         }
-        const LANES(court_holding_out) _o316 =
+        const LANES(court_holding_out) _o318 =
             LANES(court_holding)(held, K(1.0));
-        here = _o316.here;
-        const M _m317 = lanes_both(rows, here);
-        if (lanes_any(_m317)) {
-            const LANES(court_backboard_tube_out) _o318 =
-                LANES(court_backboard_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[110]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[114]), lanes_load(lists->fixed[108]));
-            per_reach = lanes_select(_m317, _o318.per_reach, per_reach);
-            const LANES(court_backboard_parting_out) _o319 =
-                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[9]));
-            lift = lanes_select(_m317, _o319.lift, lift);
-            surge = lanes_select(_m317, _o319.surge, surge);
-            snap = lanes_select(_m317, _o319.snap, snap);
+        here = _o318.here;
+        const M _m319 = lanes_both(rows, here);
+        if (lanes_any(_m319)) {
+            const LANES(court_backboard_tube_out) _o320 =
+                LANES(court_backboard_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[114]), lanes_load(lists->fixed[115]), lanes_load(lists->fixed[116]), lanes_load(lists->fixed[117]), lanes_load(lists->fixed[111]));
+            per_reach = lanes_select(_m319, _o320.per_reach, per_reach);
+            const LANES(court_backboard_parting_out) _o321 =
+                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[15]));
+            lift = lanes_select(_m319, _o321.lift, lift);
+            surge = lanes_select(_m319, _o321.surge, surge);
+            snap = lanes_select(_m319, _o321.snap, snap);
         }
-        const LANES(court_holding_out) _o320 =
+        const LANES(court_holding_out) _o322 =
             LANES(court_holding)(held, K(2.0));
-        here = _o320.here;
-        const M _m321 = lanes_both(rows, here);
-        if (lanes_any(_m321)) {
-            const LANES(court_bridge_tube_out) _o322 =
-                LANES(court_bridge_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[115]), lanes_load(lists->fixed[116]), lanes_load(lists->fixed[117]), lanes_load(lists->fixed[118]), lanes_load(lists->fixed[119]), lanes_load(lists->fixed[120]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[108]));
-            per_reach = lanes_select(_m321, _o322.per_reach, per_reach);
-            const LANES(court_bridge_parting_out) _o323 =
-                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[10]));
-            lift = lanes_select(_m321, _o323.lift, lift);
-            surge = lanes_select(_m321, _o323.surge, surge);
-            snap = lanes_select(_m321, _o323.snap, snap);
+        here = _o322.here;
+        const M _m323 = lanes_both(rows, here);
+        if (lanes_any(_m323)) {
+            const LANES(court_bridge_tube_out) _o324 =
+                LANES(court_bridge_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[118]), lanes_load(lists->fixed[119]), lanes_load(lists->fixed[120]), lanes_load(lists->fixed[121]), lanes_load(lists->fixed[122]), lanes_load(lists->fixed[123]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[111]));
+            per_reach = lanes_select(_m323, _o324.per_reach, per_reach);
+            const LANES(court_bridge_parting_out) _o325 =
+                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[16]));
+            lift = lanes_select(_m323, _o325.lift, lift);
+            surge = lanes_select(_m323, _o325.surge, surge);
+            snap = lanes_select(_m323, _o325.snap, snap);
         }
-        const LANES(court_unmet_out) _o324 =
+        const LANES(court_unmet_out) _o326 =
             LANES(court_unmet)();
-        V spare = _o324.spare;
-        const LANES(court_beside_out) _o325 =
+        V spare = _o326.spare;
+        const LANES(court_beside_out) _o327 =
             LANES(court_beside)(held, K(0.0));
-        M beside = _o325.beside;
-        const M _m326 = lanes_both(rows, beside);
-        if (lanes_any(_m326)) {
-            const LANES(court_ring_beside_out) _o327 =
-                LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[126]));
-            V gap = _o327.gap;
-            V nearing = _o327.nearing;
-            V dent = _o327.dent;
-            const LANES(court_spared_out) _o328 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[148]));
-            spare = lanes_select(_m326, _o328.spare, spare);
+        M beside = _o327.beside;
+        const M _m328 = lanes_both(rows, beside);
+        if (lanes_any(_m328)) {
+            const LANES(court_ring_beside_out) _o329 =
+                LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[129]));
+            V gap = _o329.gap;
+            V nearing = _o329.nearing;
+            V dent = _o329.dent;
+            const LANES(court_spared_out) _o330 =
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[151]));
+            spare = lanes_select(_m328, _o330.spare, spare);
         }
-        const LANES(court_beside_out) _o329 =
+        const LANES(court_beside_out) _o331 =
             LANES(court_beside)(held, K(1.0));
-        beside = _o329.beside;
-        const M _m330 = lanes_both(rows, beside);
-        if (lanes_any(_m330)) {
-            const LANES(court_backboard_beside_out) _o331 =
-                LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-            V gap = _o331.gap;
-            V nearing = _o331.nearing;
-            V dent = _o331.dent;
-            const LANES(court_spared_out) _o332 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[148]));
-            spare = lanes_select(_m330, _o332.spare, spare);
+        beside = _o331.beside;
+        const M _m332 = lanes_both(rows, beside);
+        if (lanes_any(_m332)) {
+            const LANES(court_backboard_beside_out) _o333 =
+                LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+            V gap = _o333.gap;
+            V nearing = _o333.nearing;
+            V dent = _o333.dent;
+            const LANES(court_spared_out) _o334 =
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[151]));
+            spare = lanes_select(_m332, _o334.spare, spare);
         }
-        const LANES(court_beside_out) _o333 =
+        const LANES(court_beside_out) _o335 =
             LANES(court_beside)(held, K(2.0));
-        beside = _o333.beside;
-        const M _m334 = lanes_both(rows, beside);
-        if (lanes_any(_m334)) {
-            const LANES(court_bridge_beside_out) _o335 =
-                LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-            V gap = _o335.gap;
-            V nearing = _o335.nearing;
-            V dent = _o335.dent;
-            const LANES(court_spared_out) _o336 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[148]));
-            spare = lanes_select(_m334, _o336.spare, spare);
+        beside = _o335.beside;
+        const M _m336 = lanes_both(rows, beside);
+        if (lanes_any(_m336)) {
+            const LANES(court_bridge_beside_out) _o337 =
+                LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
+            V gap = _o337.gap;
+            V nearing = _o337.nearing;
+            V dent = _o337.dent;
+            const LANES(court_spared_out) _o338 =
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[151]));
+            spare = lanes_select(_m336, _o338.spare, spare);
         }
-        const LANES(court_beside_out) _o337 =
+        const LANES(court_beside_out) _o339 =
             LANES(court_beside)(held, K(3.0));
-        beside = _o337.beside;
-        const M _m338 = lanes_both(rows, beside);
-        if (lanes_any(_m338)) {
-            const LANES(court_end_beside_out) _o339 =
-                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[13]));
-            V gap = _o339.gap;
-            V nearing = _o339.nearing;
-            V dent = _o339.dent;
-            const LANES(court_spared_out) _o340 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[148]));
-            spare = lanes_select(_m338, _o340.spare, spare);
+        beside = _o339.beside;
+        const M _m340 = lanes_both(rows, beside);
+        if (lanes_any(_m340)) {
+            const LANES(court_end_beside_out) _o341 =
+                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
+            V gap = _o341.gap;
+            V nearing = _o341.nearing;
+            V dent = _o341.dent;
+            const LANES(court_spared_out) _o342 =
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[151]));
+            spare = lanes_select(_m340, _o342.spare, spare);
         }
-        const LANES(court_holding_out) _o341 =
+        const LANES(court_holding_out) _o343 =
             LANES(court_holding)(held, K(1.0));
-        here = _o341.here;
-        const M _m342 = lanes_both(rows, here);
-        if (lanes_any(_m342)) {
-            const LANES(court_backboard_seam0_out) _o343 =
-                LANES(court_backboard_seam0)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[109]));
-            V gap = _o343.gap;
-            V nearing = _o343.nearing;
-            V near = _o343.near;
-            const LANES(court_spared_seam_out) _o344 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[149]));
-            spare = lanes_select(_m342, _o344.spare, spare);
-            const LANES(court_backboard_seam1_out) _o345 =
-                LANES(court_backboard_seam1)(vx, x, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[109]));
-            gap = _o345.gap;
-            nearing = _o345.nearing;
-            near = _o345.near;
+        here = _o343.here;
+        const M _m344 = lanes_both(rows, here);
+        if (lanes_any(_m344)) {
+            const LANES(court_backboard_seam0_out) _o345 =
+                LANES(court_backboard_seam0)(vx, x, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[112]));
+            V gap = _o345.gap;
+            V nearing = _o345.nearing;
+            V near = _o345.near;
             const LANES(court_spared_seam_out) _o346 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[149]));
-            spare = lanes_select(_m342, _o346.spare, spare);
-            const LANES(court_backboard_seam2_out) _o347 =
-                LANES(court_backboard_seam2)(vy, y, lanes_load(lists->fixed[4]), lanes_load(lists->fixed[111]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+            spare = lanes_select(_m344, _o346.spare, spare);
+            const LANES(court_backboard_seam1_out) _o347 =
+                LANES(court_backboard_seam1)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[112]));
             gap = _o347.gap;
             nearing = _o347.nearing;
             near = _o347.near;
             const LANES(court_spared_seam_out) _o348 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[149]));
-            spare = lanes_select(_m342, _o348.spare, spare);
-            const LANES(court_backboard_seam3_out) _o349 =
-                LANES(court_backboard_seam3)(vy, y, lanes_load(lists->fixed[4]), lanes_load(lists->fixed[111]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+            spare = lanes_select(_m344, _o348.spare, spare);
+            const LANES(court_backboard_seam2_out) _o349 =
+                LANES(court_backboard_seam2)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[114]));
             gap = _o349.gap;
             nearing = _o349.nearing;
             near = _o349.near;
             const LANES(court_spared_seam_out) _o350 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[149]));
-            spare = lanes_select(_m342, _o350.spare, spare);
-            const LANES(court_backboard_seam4_out) _o351 =
-                LANES(court_backboard_seam4)(vz, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[113]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+            spare = lanes_select(_m344, _o350.spare, spare);
+            const LANES(court_backboard_seam3_out) _o351 =
+                LANES(court_backboard_seam3)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[114]));
             gap = _o351.gap;
             nearing = _o351.nearing;
             near = _o351.near;
             const LANES(court_spared_seam_out) _o352 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[149]));
-            spare = lanes_select(_m342, _o352.spare, spare);
-            const LANES(court_backboard_seam5_out) _o353 =
-                LANES(court_backboard_seam5)(vz, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+            spare = lanes_select(_m344, _o352.spare, spare);
+            const LANES(court_backboard_seam4_out) _o353 =
+                LANES(court_backboard_seam4)(vz, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[116]));
             gap = _o353.gap;
             nearing = _o353.nearing;
             near = _o353.near;
             const LANES(court_spared_seam_out) _o354 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[149]));
-            spare = lanes_select(_m342, _o354.spare, spare);
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+            spare = lanes_select(_m344, _o354.spare, spare);
+            const LANES(court_backboard_seam5_out) _o355 =
+                LANES(court_backboard_seam5)(vz, z, lanes_load(lists->fixed[12]), lanes_load(lists->fixed[116]));
+            gap = _o355.gap;
+            nearing = _o355.nearing;
+            near = _o355.near;
+            const LANES(court_spared_seam_out) _o356 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+            spare = lanes_select(_m344, _o356.spare, spare);
         }
-        const LANES(court_holding_out) _o355 =
+        const LANES(court_holding_out) _o357 =
             LANES(court_holding)(held, K(2.0));
-        here = _o355.here;
-        const M _m356 = lanes_both(rows, here);
-        if (lanes_any(_m356)) {
-            const LANES(court_bridge_seam0_out) _o357 =
-                LANES(court_bridge_seam0)(vx, x, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[115]));
-            V gap = _o357.gap;
-            V nearing = _o357.nearing;
-            V near = _o357.near;
-            const LANES(court_spared_seam_out) _o358 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[149]));
-            spare = lanes_select(_m356, _o358.spare, spare);
-            const LANES(court_bridge_seam1_out) _o359 =
-                LANES(court_bridge_seam1)(vx, x, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[115]));
-            gap = _o359.gap;
-            nearing = _o359.nearing;
-            near = _o359.near;
+        here = _o357.here;
+        const M _m358 = lanes_both(rows, here);
+        if (lanes_any(_m358)) {
+            const LANES(court_bridge_seam0_out) _o359 =
+                LANES(court_bridge_seam0)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[118]));
+            V gap = _o359.gap;
+            V nearing = _o359.nearing;
+            V near = _o359.near;
             const LANES(court_spared_seam_out) _o360 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[149]));
-            spare = lanes_select(_m356, _o360.spare, spare);
-            const LANES(court_bridge_seam2_out) _o361 =
-                LANES(court_bridge_seam2)(vy, y, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[117]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+            spare = lanes_select(_m358, _o360.spare, spare);
+            const LANES(court_bridge_seam1_out) _o361 =
+                LANES(court_bridge_seam1)(vx, x, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[118]));
             gap = _o361.gap;
             nearing = _o361.nearing;
             near = _o361.near;
             const LANES(court_spared_seam_out) _o362 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[149]));
-            spare = lanes_select(_m356, _o362.spare, spare);
-            const LANES(court_bridge_seam3_out) _o363 =
-                LANES(court_bridge_seam3)(vy, y, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[117]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+            spare = lanes_select(_m358, _o362.spare, spare);
+            const LANES(court_bridge_seam2_out) _o363 =
+                LANES(court_bridge_seam2)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[120]));
             gap = _o363.gap;
             nearing = _o363.nearing;
             near = _o363.near;
             const LANES(court_spared_seam_out) _o364 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[149]));
-            spare = lanes_select(_m356, _o364.spare, spare);
-            const LANES(court_bridge_seam4_out) _o365 =
-                LANES(court_bridge_seam4)(vz, z, lanes_load(lists->fixed[128]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[119]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+            spare = lanes_select(_m358, _o364.spare, spare);
+            const LANES(court_bridge_seam3_out) _o365 =
+                LANES(court_bridge_seam3)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[120]));
             gap = _o365.gap;
             nearing = _o365.nearing;
             near = _o365.near;
             const LANES(court_spared_seam_out) _o366 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[149]));
-            spare = lanes_select(_m356, _o366.spare, spare);
-            const LANES(court_bridge_seam5_out) _o367 =
-                LANES(court_bridge_seam5)(vz, z, lanes_load(lists->fixed[2]), lanes_load(lists->fixed[119]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+            spare = lanes_select(_m358, _o366.spare, spare);
+            const LANES(court_bridge_seam4_out) _o367 =
+                LANES(court_bridge_seam4)(vz, z, lanes_load(lists->fixed[131]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[122]));
             gap = _o367.gap;
             nearing = _o367.nearing;
             near = _o367.near;
             const LANES(court_spared_seam_out) _o368 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[149]));
-            spare = lanes_select(_m356, _o368.spare, spare);
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+            spare = lanes_select(_m358, _o368.spare, spare);
+            const LANES(court_bridge_seam5_out) _o369 =
+                LANES(court_bridge_seam5)(vz, z, lanes_load(lists->fixed[8]), lanes_load(lists->fixed[122]));
+            gap = _o369.gap;
+            nearing = _o369.nearing;
+            near = _o369.near;
+            const LANES(court_spared_seam_out) _o370 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+            spare = lanes_select(_m358, _o370.spare, spare);
         }
-        const LANES(court_parted_out) _o369 =
-            LANES(court_parted)(K(INFINITY), lift, per_reach, K(0.0), snap, spare, surge, K(0.0), vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[148]), lanes_load(lists->fixed[125]));
-        V when = _o369.when;
-        const LANES(court_hopping_out) _o370 =
+        const LANES(court_parted_out) _o371 =
+            LANES(court_parted)(K(INFINITY), lift, per_reach, K(0.0), snap, spare, surge, K(0.0), vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[151]), lanes_load(lists->fixed[128]));
+        V when = _o371.when;
+        const LANES(court_hopping_out) _o372 =
             LANES(court_hopping)();
-        V which = _o370.which;
+        V which = _o372.which;
         lanes_store(lists->kept_leaves_when + i, when);
         lanes_store(lists->kept_leaves_which + i, which);
     }
@@ -2443,7 +2454,7 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
     for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
         const M rows = lanes_first(kept_shots - i);
         if (LANES_SELDOM(varying))
-            LANES(court_plain_fix_f164)(lists, i);
+            LANES(court_plain_fix_f166)(lists, i);
         V circled = lanes_load(lists->kept_circled + i);
         V clock = lanes_load(lists->kept_clock + i);
         V held = lanes_load(lists->kept_held + i);
@@ -2458,114 +2469,114 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o165 =
+        const LANES(court_resumed_out) _o167 =
             LANES(court_resumed)(clock, mode, K(0.0), K(0.0));
-        V which = _o165.which;
-        V began = _o165.began;
-        M begins = _o165.begins;
-        M rolling = _o165.rolling;
-        M leaves = _o165.leaves;
-        V nx = _o165.nx;
-        V ny = _o165.ny;
-        V nz = _o165.nz;
-        V gap = _o165.gap;
-        V bent_x = _o165.bent_x;
-        V bent_y = _o165.bent_y;
-        V bent_z = _o165.bent_z;
-        V lift = _o165.lift;
-        V surge = _o165.surge;
-        V snap = _o165.snap;
-        V per_reach = _o165.per_reach;
-        const M _m166 = lanes_both(rows, begins);
-        if (lanes_any(_m166)) {
-            const LANES(court_holding_out) _o167 =
+        V which = _o167.which;
+        V began = _o167.began;
+        M begins = _o167.begins;
+        M rolling = _o167.rolling;
+        M leaves = _o167.leaves;
+        V nx = _o167.nx;
+        V ny = _o167.ny;
+        V nz = _o167.nz;
+        V gap = _o167.gap;
+        V bent_x = _o167.bent_x;
+        V bent_y = _o167.bent_y;
+        V bent_z = _o167.bent_z;
+        V lift = _o167.lift;
+        V surge = _o167.surge;
+        V snap = _o167.snap;
+        V per_reach = _o167.per_reach;
+        const M _m168 = lanes_both(rows, begins);
+        if (lanes_any(_m168)) {
+            const LANES(court_holding_out) _o169 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o167.here;
-            const M _m168 = lanes_both(_m166, here);
+            M here = _o169.here;
+            const M _m170 = lanes_both(_m168, here);
             {
-                const LANES(court_ring_normal_out) _o169 =
-                    LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[107]));
-                nx = lanes_select(_m168, _o169.nx, nx);
-                ny = lanes_select(_m168, _o169.ny, ny);
-                nz = lanes_select(_m168, _o169.nz, nz);
+                const LANES(court_ring_normal_out) _o171 =
+                    LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[110]));
+                nx = lanes_select(_m170, _o171.nx, nx);
+                ny = lanes_select(_m170, _o171.ny, ny);
+                nz = lanes_select(_m170, _o171.nz, nz);
             }
-            const LANES(court_holding_out) _o170 =
+            const LANES(court_holding_out) _o172 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o170.here;
-            const M _m171 = lanes_both(_m166, here);
+            here = _o172.here;
+            const M _m173 = lanes_both(_m168, here);
             {
-                const LANES(court_backboard_normal_out) _o172 =
-                    LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[9]));
-                nx = lanes_select(_m171, _o172.nx, nx);
-                ny = lanes_select(_m171, _o172.ny, ny);
-                nz = lanes_select(_m171, _o172.nz, nz);
+                const LANES(court_backboard_normal_out) _o174 =
+                    LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[15]));
+                nx = lanes_select(_m173, _o174.nx, nx);
+                ny = lanes_select(_m173, _o174.ny, ny);
+                nz = lanes_select(_m173, _o174.nz, nz);
             }
-            const LANES(court_holding_out) _o173 =
+            const LANES(court_holding_out) _o175 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o173.here;
-            const M _m174 = lanes_both(_m166, here);
+            here = _o175.here;
+            const M _m176 = lanes_both(_m168, here);
             {
-                const LANES(court_bridge_normal_out) _o175 =
-                    LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[10]));
-                nx = lanes_select(_m174, _o175.nx, nx);
-                ny = lanes_select(_m174, _o175.ny, ny);
-                nz = lanes_select(_m174, _o175.nz, nz);
+                const LANES(court_bridge_normal_out) _o177 =
+                    LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[16]));
+                nx = lanes_select(_m176, _o177.nx, nx);
+                ny = lanes_select(_m176, _o177.ny, ny);
+                nz = lanes_select(_m176, _o177.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o176 =
-                LANES(court_roll_turn_rate)(nx, ny, nz, wx, wy, wz, lanes_load(lists->fixed[0]));
-            V turn_rate = _o176.turn_rate;
-            const LANES(court_gripped_out) _o177 =
-                LANES(court_gripped)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[0]));
-            V rolled_x = _o177.rolled_x;
-            V rolled_y = _o177.rolled_y;
-            V rolled_z = _o177.rolled_z;
-            const LANES(court_holding_out) _o178 =
+            const LANES(court_roll_turn_rate_out) _o178 =
+                LANES(court_roll_turn_rate)(nx, ny, nz, wx, wy, wz, lanes_load(lists->fixed[6]));
+            V turn_rate = _o178.turn_rate;
+            const LANES(court_gripped_out) _o179 =
+                LANES(court_gripped)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[6]));
+            V rolled_x = _o179.rolled_x;
+            V rolled_y = _o179.rolled_y;
+            V rolled_z = _o179.rolled_z;
+            const LANES(court_holding_out) _o180 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o178.here;
-            const M _m179 = lanes_both(_m166, here);
+            here = _o180.here;
+            const M _m181 = lanes_both(_m168, here);
             {
-                const LANES(court_ring_off_out) _o180 =
-                    LANES(court_ring_off)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]));
-                gap = lanes_select(_m179, _o180.gap, gap);
+                const LANES(court_ring_off_out) _o182 =
+                    LANES(court_ring_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]));
+                gap = lanes_select(_m181, _o182.gap, gap);
             }
-            const LANES(court_holding_out) _o181 =
+            const LANES(court_holding_out) _o183 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o181.here;
-            const M _m182 = lanes_both(_m166, here);
+            here = _o183.here;
+            const M _m184 = lanes_both(_m168, here);
             {
-                const LANES(court_backboard_off_out) _o183 =
-                    LANES(court_backboard_off)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-                gap = lanes_select(_m182, _o183.gap, gap);
+                const LANES(court_backboard_off_out) _o185 =
+                    LANES(court_backboard_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+                gap = lanes_select(_m184, _o185.gap, gap);
             }
-            const LANES(court_holding_out) _o184 =
+            const LANES(court_holding_out) _o186 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o184.here;
-            const M _m185 = lanes_both(_m166, here);
+            here = _o186.here;
+            const M _m187 = lanes_both(_m168, here);
             {
-                const LANES(court_bridge_off_out) _o186 =
-                    LANES(court_bridge_off)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-                gap = lanes_select(_m185, _o186.gap, gap);
+                const LANES(court_bridge_off_out) _o188 =
+                    LANES(court_bridge_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
+                gap = lanes_select(_m187, _o188.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o187 =
-                LANES(court_roll_placed)(gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[108]));
-            x = lanes_select(_m166, _o187.x, x);
-            y = lanes_select(_m166, _o187.y, y);
-            z = lanes_select(_m166, _o187.z, z);
-            vx = lanes_select(_m166, _o187.vx, vx);
-            vy = lanes_select(_m166, _o187.vy, vy);
-            vz = lanes_select(_m166, _o187.vz, vz);
-            wx = lanes_select(_m166, _o187.wx, wx);
-            wy = lanes_select(_m166, _o187.wy, wy);
-            wz = lanes_select(_m166, _o187.wz, wz);
-            const LANES(court_beginning_contact_out) _o188 =
+            const LANES(court_roll_placed_out) _o189 =
+                LANES(court_roll_placed)(gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[111]));
+            x = lanes_select(_m168, _o189.x, x);
+            y = lanes_select(_m168, _o189.y, y);
+            z = lanes_select(_m168, _o189.z, z);
+            vx = lanes_select(_m168, _o189.vx, vx);
+            vy = lanes_select(_m168, _o189.vy, vy);
+            vz = lanes_select(_m168, _o189.vz, vz);
+            wx = lanes_select(_m168, _o189.wx, wx);
+            wy = lanes_select(_m168, _o189.wy, wy);
+            wz = lanes_select(_m168, _o189.wz, wz);
+            const LANES(court_beginning_contact_out) _o190 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m166, _o188.which, which);
-            circled = lanes_select(_m166, _o188.circled, circled);
+            which = lanes_select(_m168, _o190.which, which);
+            circled = lanes_select(_m168, _o190.circled, circled);
         }
-        const LANES(court_circles_out) _o189 =
+        const LANES(court_circles_out) _o191 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o189.circling;
-        rolling = _o189.rolling;
+        M circling = _o191.circling;
+        rolling = _o191.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -2675,7 +2686,7 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 y = lanes_expand(lists->kept_rolling_y + taken, idle, y);
                 z = lanes_expand(lists->kept_rolling_z + taken, idle, z);
                 if (LANES_SELDOM(varying))
-                    LANES(court_plain_fix_f190)(lists, taken, idle);
+                    LANES(court_plain_fix_f192)(lists, taken, idle);
                 const size_t room = LANES_WIDTH - busy, left = kept_rolling_shots - taken;
                 active = lanes_leading(idle, left, active);
                 taken += left < room ? left : room;
@@ -2684,388 +2695,388 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_holding_out) _o191 =
+            const LANES(court_holding_out) _o193 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o191.here;
-            const M _m192 = lanes_both(active, here);
-            if (lanes_any(_m192)) {
-                const LANES(court_backboard_normal_out) _o193 =
-                    LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[9]));
-                nx = lanes_select(_m192, _o193.nx, nx);
-                ny = lanes_select(_m192, _o193.ny, ny);
-                nz = lanes_select(_m192, _o193.nz, nz);
-                const LANES(court_backboard_tube_out) _o194 =
-                    LANES(court_backboard_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[110]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[114]), lanes_load(lists->fixed[108]));
-                bent_x = lanes_select(_m192, _o194.bent_x, bent_x);
-                bent_y = lanes_select(_m192, _o194.bent_y, bent_y);
-                bent_z = lanes_select(_m192, _o194.bent_z, bent_z);
-                per_reach = lanes_select(_m192, _o194.per_reach, per_reach);
+            M here = _o193.here;
+            const M _m194 = lanes_both(active, here);
+            if (lanes_any(_m194)) {
+                const LANES(court_backboard_normal_out) _o195 =
+                    LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[15]));
+                nx = lanes_select(_m194, _o195.nx, nx);
+                ny = lanes_select(_m194, _o195.ny, ny);
+                nz = lanes_select(_m194, _o195.nz, nz);
+                const LANES(court_backboard_tube_out) _o196 =
+                    LANES(court_backboard_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[114]), lanes_load(lists->fixed[115]), lanes_load(lists->fixed[116]), lanes_load(lists->fixed[117]), lanes_load(lists->fixed[111]));
+                bent_x = lanes_select(_m194, _o196.bent_x, bent_x);
+                bent_y = lanes_select(_m194, _o196.bent_y, bent_y);
+                bent_z = lanes_select(_m194, _o196.bent_z, bent_z);
+                per_reach = lanes_select(_m194, _o196.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o195 =
+            const LANES(court_holding_out) _o197 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o195.here;
-            const M _m196 = lanes_both(active, here);
-            if (lanes_any(_m196)) {
-                const LANES(court_bridge_normal_out) _o197 =
-                    LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[10]));
-                nx = lanes_select(_m196, _o197.nx, nx);
-                ny = lanes_select(_m196, _o197.ny, ny);
-                nz = lanes_select(_m196, _o197.nz, nz);
-                const LANES(court_bridge_tube_out) _o198 =
-                    LANES(court_bridge_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[115]), lanes_load(lists->fixed[116]), lanes_load(lists->fixed[117]), lanes_load(lists->fixed[118]), lanes_load(lists->fixed[119]), lanes_load(lists->fixed[120]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[108]));
-                bent_x = lanes_select(_m196, _o198.bent_x, bent_x);
-                bent_y = lanes_select(_m196, _o198.bent_y, bent_y);
-                bent_z = lanes_select(_m196, _o198.bent_z, bent_z);
-                per_reach = lanes_select(_m196, _o198.per_reach, per_reach);
+            here = _o197.here;
+            const M _m198 = lanes_both(active, here);
+            if (lanes_any(_m198)) {
+                const LANES(court_bridge_normal_out) _o199 =
+                    LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[16]));
+                nx = lanes_select(_m198, _o199.nx, nx);
+                ny = lanes_select(_m198, _o199.ny, ny);
+                nz = lanes_select(_m198, _o199.nz, nz);
+                const LANES(court_bridge_tube_out) _o200 =
+                    LANES(court_bridge_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[118]), lanes_load(lists->fixed[119]), lanes_load(lists->fixed[120]), lanes_load(lists->fixed[121]), lanes_load(lists->fixed[122]), lanes_load(lists->fixed[123]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[111]));
+                bent_x = lanes_select(_m198, _o200.bent_x, bent_x);
+                bent_y = lanes_select(_m198, _o200.bent_y, bent_y);
+                bent_z = lanes_select(_m198, _o200.bent_z, bent_z);
+                per_reach = lanes_select(_m198, _o200.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o199 =
-                LANES(court_roll_start)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[0]));
-            V vx_0 = _o199.vx_0;
-            V vy_0 = _o199.vy_0;
-            V vz_0 = _o199.vz_0;
-            V nx_0 = _o199.nx_0;
-            V ny_0 = _o199.ny_0;
-            V nz_0 = _o199.nz_0;
-            V turn_rate_0 = _o199.turn_rate_0;
-            const LANES(court_roll_0_out) _o200 =
-                LANES(court_roll_0)(bent_x, bent_y, bent_z, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0, lanes_load(lists->fixed[121]));
-            V lift_0 = _o200.lift_0;
-            V tx_0 = _o200.tx_0;
-            V ty_0 = _o200.ty_0;
-            V tz_0 = _o200.tz_0;
-            V vx_1 = _o200.vx_1;
-            V vy_1 = _o200.vy_1;
-            V vz_1 = _o200.vz_1;
-            V nx_1 = _o200.nx_1;
-            V ny_1 = _o200.ny_1;
-            V nz_1 = _o200.nz_1;
-            V turn_rate_1 = _o200.turn_rate_1;
-            const LANES(court_roll_1_out) _o201 =
-                LANES(court_roll_1)(bent_x, bent_y, bent_z, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, lanes_load(lists->fixed[121]));
-            V lift_1 = _o201.lift_1;
-            V tx_1 = _o201.tx_1;
-            V ty_1 = _o201.ty_1;
-            V tz_1 = _o201.tz_1;
-            V vx_2 = _o201.vx_2;
-            V vy_2 = _o201.vy_2;
-            V vz_2 = _o201.vz_2;
-            V nx_2 = _o201.nx_2;
-            V ny_2 = _o201.ny_2;
-            V nz_2 = _o201.nz_2;
-            V turn_rate_2 = _o201.turn_rate_2;
-            const LANES(court_roll_2_out) _o202 =
-                LANES(court_roll_2)(bent_x, bent_y, bent_z, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, lanes_load(lists->fixed[121]));
-            V lift_2 = _o202.lift_2;
-            V tx_2 = _o202.tx_2;
-            V ty_2 = _o202.ty_2;
-            V tz_2 = _o202.tz_2;
-            V vx_3 = _o202.vx_3;
-            V vy_3 = _o202.vy_3;
-            V vz_3 = _o202.vz_3;
-            V nx_3 = _o202.nx_3;
-            V ny_3 = _o202.ny_3;
-            V nz_3 = _o202.nz_3;
-            V turn_rate_3 = _o202.turn_rate_3;
-            const LANES(court_roll_3_out) _o203 =
-                LANES(court_roll_3)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, lanes_load(lists->fixed[121]));
-            V lift_3 = _o203.lift_3;
-            V tx_3 = _o203.tx_3;
-            V ty_3 = _o203.ty_3;
-            V tz_3 = _o203.tz_3;
-            V vx_4 = _o203.vx_4;
-            V vy_4 = _o203.vy_4;
-            V vz_4 = _o203.vz_4;
-            V nx_4 = _o203.nx_4;
-            V ny_4 = _o203.ny_4;
-            V nz_4 = _o203.nz_4;
-            V turn_rate_4 = _o203.turn_rate_4;
-            const LANES(court_roll_4_out) _o204 =
-                LANES(court_roll_4)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, lanes_load(lists->fixed[121]));
-            V lift_4 = _o204.lift_4;
-            V tx_4 = _o204.tx_4;
-            V ty_4 = _o204.ty_4;
-            V tz_4 = _o204.tz_4;
-            V vx_5 = _o204.vx_5;
-            V vy_5 = _o204.vy_5;
-            V vz_5 = _o204.vz_5;
-            V nx_5 = _o204.nx_5;
-            V ny_5 = _o204.ny_5;
-            V nz_5 = _o204.nz_5;
-            V turn_rate_5 = _o204.turn_rate_5;
-            const LANES(court_roll_5_out) _o205 =
-                LANES(court_roll_5)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, lanes_load(lists->fixed[121]));
-            V lift_5 = _o205.lift_5;
-            V tx_5 = _o205.tx_5;
-            V ty_5 = _o205.ty_5;
-            V tz_5 = _o205.tz_5;
-            V vx_6 = _o205.vx_6;
-            V vy_6 = _o205.vy_6;
-            V vz_6 = _o205.vz_6;
-            V nx_6 = _o205.nx_6;
-            V ny_6 = _o205.ny_6;
-            V nz_6 = _o205.nz_6;
-            V turn_rate_6 = _o205.turn_rate_6;
-            const LANES(court_roll_6_out) _o206 =
-                LANES(court_roll_6)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, lanes_load(lists->fixed[121]));
-            V lift_6 = _o206.lift_6;
-            V tx_6 = _o206.tx_6;
-            V ty_6 = _o206.ty_6;
-            V tz_6 = _o206.tz_6;
-            V vx_7 = _o206.vx_7;
-            V vy_7 = _o206.vy_7;
-            V vz_7 = _o206.vz_7;
-            V nx_7 = _o206.nx_7;
-            V ny_7 = _o206.ny_7;
-            V nz_7 = _o206.nz_7;
-            V turn_rate_7 = _o206.turn_rate_7;
-            const LANES(court_roll_7_out) _o207 =
-                LANES(court_roll_7)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, lanes_load(lists->fixed[121]));
-            V lift_7 = _o207.lift_7;
-            V vx_8 = _o207.vx_8;
-            V vy_8 = _o207.vy_8;
-            V vz_8 = _o207.vz_8;
-            V nx_8 = _o207.nx_8;
-            V ny_8 = _o207.ny_8;
-            V nz_8 = _o207.nz_8;
-            V turn_rate_8 = _o207.turn_rate_8;
-            const LANES(court_roll_pace_out) _o208 =
-                LANES(court_roll_pace)(lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[122]), lanes_load(lists->fixed[123]));
-            V stride = _o208.stride;
-            V strongest = _o208.strongest;
-            V fastest = _o208.fastest;
-            V force = _o208.force;
-            V force_rate = _o208.force_rate;
-            V force_bend = _o208.force_bend;
-            V brace = _o208.brace;
-            const LANES(court_leaving_force_out) _o209 =
-                LANES(court_leaving_force)(brace, K(INFINITY), fastest, force, force_bend, force_rate, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[124]), lanes_load(lists->fixed[125]));
-            stride = _o209.stride;
-            which = _o209.which;
-            M rests = _o209.rests;
-            const LANES(court_beside_out) _o210 =
+            const LANES(court_roll_start_out) _o201 =
+                LANES(court_roll_start)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[6]));
+            V vx_0 = _o201.vx_0;
+            V vy_0 = _o201.vy_0;
+            V vz_0 = _o201.vz_0;
+            V nx_0 = _o201.nx_0;
+            V ny_0 = _o201.ny_0;
+            V nz_0 = _o201.nz_0;
+            V turn_rate_0 = _o201.turn_rate_0;
+            const LANES(court_roll_0_out) _o202 =
+                LANES(court_roll_0)(bent_x, bent_y, bent_z, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0, lanes_load(lists->fixed[124]));
+            V lift_0 = _o202.lift_0;
+            V tx_0 = _o202.tx_0;
+            V ty_0 = _o202.ty_0;
+            V tz_0 = _o202.tz_0;
+            V vx_1 = _o202.vx_1;
+            V vy_1 = _o202.vy_1;
+            V vz_1 = _o202.vz_1;
+            V nx_1 = _o202.nx_1;
+            V ny_1 = _o202.ny_1;
+            V nz_1 = _o202.nz_1;
+            V turn_rate_1 = _o202.turn_rate_1;
+            const LANES(court_roll_1_out) _o203 =
+                LANES(court_roll_1)(bent_x, bent_y, bent_z, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, lanes_load(lists->fixed[124]));
+            V lift_1 = _o203.lift_1;
+            V tx_1 = _o203.tx_1;
+            V ty_1 = _o203.ty_1;
+            V tz_1 = _o203.tz_1;
+            V vx_2 = _o203.vx_2;
+            V vy_2 = _o203.vy_2;
+            V vz_2 = _o203.vz_2;
+            V nx_2 = _o203.nx_2;
+            V ny_2 = _o203.ny_2;
+            V nz_2 = _o203.nz_2;
+            V turn_rate_2 = _o203.turn_rate_2;
+            const LANES(court_roll_2_out) _o204 =
+                LANES(court_roll_2)(bent_x, bent_y, bent_z, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, lanes_load(lists->fixed[124]));
+            V lift_2 = _o204.lift_2;
+            V tx_2 = _o204.tx_2;
+            V ty_2 = _o204.ty_2;
+            V tz_2 = _o204.tz_2;
+            V vx_3 = _o204.vx_3;
+            V vy_3 = _o204.vy_3;
+            V vz_3 = _o204.vz_3;
+            V nx_3 = _o204.nx_3;
+            V ny_3 = _o204.ny_3;
+            V nz_3 = _o204.nz_3;
+            V turn_rate_3 = _o204.turn_rate_3;
+            const LANES(court_roll_3_out) _o205 =
+                LANES(court_roll_3)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, lanes_load(lists->fixed[124]));
+            V lift_3 = _o205.lift_3;
+            V tx_3 = _o205.tx_3;
+            V ty_3 = _o205.ty_3;
+            V tz_3 = _o205.tz_3;
+            V vx_4 = _o205.vx_4;
+            V vy_4 = _o205.vy_4;
+            V vz_4 = _o205.vz_4;
+            V nx_4 = _o205.nx_4;
+            V ny_4 = _o205.ny_4;
+            V nz_4 = _o205.nz_4;
+            V turn_rate_4 = _o205.turn_rate_4;
+            const LANES(court_roll_4_out) _o206 =
+                LANES(court_roll_4)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, lanes_load(lists->fixed[124]));
+            V lift_4 = _o206.lift_4;
+            V tx_4 = _o206.tx_4;
+            V ty_4 = _o206.ty_4;
+            V tz_4 = _o206.tz_4;
+            V vx_5 = _o206.vx_5;
+            V vy_5 = _o206.vy_5;
+            V vz_5 = _o206.vz_5;
+            V nx_5 = _o206.nx_5;
+            V ny_5 = _o206.ny_5;
+            V nz_5 = _o206.nz_5;
+            V turn_rate_5 = _o206.turn_rate_5;
+            const LANES(court_roll_5_out) _o207 =
+                LANES(court_roll_5)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, lanes_load(lists->fixed[124]));
+            V lift_5 = _o207.lift_5;
+            V tx_5 = _o207.tx_5;
+            V ty_5 = _o207.ty_5;
+            V tz_5 = _o207.tz_5;
+            V vx_6 = _o207.vx_6;
+            V vy_6 = _o207.vy_6;
+            V vz_6 = _o207.vz_6;
+            V nx_6 = _o207.nx_6;
+            V ny_6 = _o207.ny_6;
+            V nz_6 = _o207.nz_6;
+            V turn_rate_6 = _o207.turn_rate_6;
+            const LANES(court_roll_6_out) _o208 =
+                LANES(court_roll_6)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, lanes_load(lists->fixed[124]));
+            V lift_6 = _o208.lift_6;
+            V tx_6 = _o208.tx_6;
+            V ty_6 = _o208.ty_6;
+            V tz_6 = _o208.tz_6;
+            V vx_7 = _o208.vx_7;
+            V vy_7 = _o208.vy_7;
+            V vz_7 = _o208.vz_7;
+            V nx_7 = _o208.nx_7;
+            V ny_7 = _o208.ny_7;
+            V nz_7 = _o208.nz_7;
+            V turn_rate_7 = _o208.turn_rate_7;
+            const LANES(court_roll_7_out) _o209 =
+                LANES(court_roll_7)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, lanes_load(lists->fixed[124]));
+            V lift_7 = _o209.lift_7;
+            V vx_8 = _o209.vx_8;
+            V vy_8 = _o209.vy_8;
+            V vz_8 = _o209.vz_8;
+            V nx_8 = _o209.nx_8;
+            V ny_8 = _o209.ny_8;
+            V nz_8 = _o209.nz_8;
+            V turn_rate_8 = _o209.turn_rate_8;
+            const LANES(court_roll_pace_out) _o210 =
+                LANES(court_roll_pace)(lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[125]), lanes_load(lists->fixed[126]));
+            V stride = _o210.stride;
+            V strongest = _o210.strongest;
+            V fastest = _o210.fastest;
+            V force = _o210.force;
+            V force_rate = _o210.force_rate;
+            V force_bend = _o210.force_bend;
+            V brace = _o210.brace;
+            const LANES(court_leaving_force_out) _o211 =
+                LANES(court_leaving_force)(brace, K(INFINITY), fastest, force, force_bend, force_rate, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[127]), lanes_load(lists->fixed[128]));
+            stride = _o211.stride;
+            which = _o211.which;
+            M rests = _o211.rests;
+            const LANES(court_beside_out) _o212 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o210.beside;
-            const M _m211 = lanes_both(active, beside);
-            if (lanes_any(_m211)) {
-                const LANES(court_ring_beside_out) _o212 =
-                    LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[126]));
-                V gap = _o212.gap;
-                V nearing = _o212.nearing;
-                V dent = _o212.dent;
-                const LANES(court_beside_body_out) _o213 =
-                    LANES(court_beside_body)(dent, K(INFINITY), fastest, gap, K(0.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[127]));
-                stride = lanes_select(_m211, _o213.stride, stride);
-                which = lanes_select(_m211, _o213.which, which);
+            M beside = _o212.beside;
+            const M _m213 = lanes_both(active, beside);
+            if (lanes_any(_m213)) {
+                const LANES(court_ring_beside_out) _o214 =
+                    LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[129]));
+                V gap = _o214.gap;
+                V nearing = _o214.nearing;
+                V dent = _o214.dent;
+                const LANES(court_beside_body_out) _o215 =
+                    LANES(court_beside_body)(dent, K(INFINITY), fastest, gap, K(0.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[130]));
+                stride = lanes_select(_m213, _o215.stride, stride);
+                which = lanes_select(_m213, _o215.which, which);
             }
-            const LANES(court_beside_out) _o214 =
+            const LANES(court_beside_out) _o216 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o214.beside;
-            const M _m215 = lanes_both(active, beside);
-            if (lanes_any(_m215)) {
-                const LANES(court_backboard_beside_out) _o216 =
-                    LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-                V gap = _o216.gap;
-                V nearing = _o216.nearing;
-                V dent = _o216.dent;
-                const LANES(court_beside_body_out) _o217 =
-                    LANES(court_beside_body)(dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[127]));
-                stride = lanes_select(_m215, _o217.stride, stride);
-                which = lanes_select(_m215, _o217.which, which);
+            beside = _o216.beside;
+            const M _m217 = lanes_both(active, beside);
+            if (lanes_any(_m217)) {
+                const LANES(court_backboard_beside_out) _o218 =
+                    LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+                V gap = _o218.gap;
+                V nearing = _o218.nearing;
+                V dent = _o218.dent;
+                const LANES(court_beside_body_out) _o219 =
+                    LANES(court_beside_body)(dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[130]));
+                stride = lanes_select(_m217, _o219.stride, stride);
+                which = lanes_select(_m217, _o219.which, which);
             }
-            const LANES(court_beside_out) _o218 =
+            const LANES(court_beside_out) _o220 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o218.beside;
-            const M _m219 = lanes_both(active, beside);
-            if (lanes_any(_m219)) {
-                const LANES(court_bridge_beside_out) _o220 =
-                    LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-                V gap = _o220.gap;
-                V nearing = _o220.nearing;
-                V dent = _o220.dent;
-                const LANES(court_beside_body_out) _o221 =
-                    LANES(court_beside_body)(dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[127]));
-                stride = lanes_select(_m219, _o221.stride, stride);
-                which = lanes_select(_m219, _o221.which, which);
+            beside = _o220.beside;
+            const M _m221 = lanes_both(active, beside);
+            if (lanes_any(_m221)) {
+                const LANES(court_bridge_beside_out) _o222 =
+                    LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
+                V gap = _o222.gap;
+                V nearing = _o222.nearing;
+                V dent = _o222.dent;
+                const LANES(court_beside_body_out) _o223 =
+                    LANES(court_beside_body)(dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[130]));
+                stride = lanes_select(_m221, _o223.stride, stride);
+                which = lanes_select(_m221, _o223.which, which);
             }
-            const LANES(court_end_beside_out) _o222 =
-                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[13]));
-            V gap = _o222.gap;
-            V nearing = _o222.nearing;
-            V dent = _o222.dent;
-            const LANES(court_beside_gate_out) _o223 =
-                LANES(court_beside_gate)(dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]));
-            stride = _o223.stride;
-            which = _o223.which;
-            const LANES(court_holding_out) _o224 =
+            const LANES(court_end_beside_out) _o224 =
+                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
+            V gap = _o224.gap;
+            V nearing = _o224.nearing;
+            V dent = _o224.dent;
+            const LANES(court_beside_gate_out) _o225 =
+                LANES(court_beside_gate)(dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]));
+            stride = _o225.stride;
+            which = _o225.which;
+            const LANES(court_holding_out) _o226 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o224.here;
-            const M _m225 = lanes_both(active, here);
-            if (lanes_any(_m225)) {
-                const LANES(court_backboard_seam0_out) _o226 =
-                    LANES(court_backboard_seam0)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[109]));
-                gap = lanes_select(_m225, _o226.gap, gap);
-                V nearing = _o226.nearing;
-                V near = _o226.near;
-                const LANES(court_beside_seam_out) _o227 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m225, _o227.stride, stride);
-                const LANES(court_backboard_seam1_out) _o228 =
-                    LANES(court_backboard_seam1)(vx, x, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[109]));
-                gap = lanes_select(_m225, _o228.gap, gap);
-                nearing = _o228.nearing;
-                near = _o228.near;
+            here = _o226.here;
+            const M _m227 = lanes_both(active, here);
+            if (lanes_any(_m227)) {
+                const LANES(court_backboard_seam0_out) _o228 =
+                    LANES(court_backboard_seam0)(vx, x, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[112]));
+                gap = lanes_select(_m227, _o228.gap, gap);
+                V nearing = _o228.nearing;
+                V near = _o228.near;
                 const LANES(court_beside_seam_out) _o229 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m225, _o229.stride, stride);
-                const LANES(court_backboard_seam2_out) _o230 =
-                    LANES(court_backboard_seam2)(vy, y, lanes_load(lists->fixed[4]), lanes_load(lists->fixed[111]));
-                gap = lanes_select(_m225, _o230.gap, gap);
+                stride = lanes_select(_m227, _o229.stride, stride);
+                const LANES(court_backboard_seam1_out) _o230 =
+                    LANES(court_backboard_seam1)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[112]));
+                gap = lanes_select(_m227, _o230.gap, gap);
                 nearing = _o230.nearing;
                 near = _o230.near;
                 const LANES(court_beside_seam_out) _o231 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m225, _o231.stride, stride);
-                const LANES(court_backboard_seam3_out) _o232 =
-                    LANES(court_backboard_seam3)(vy, y, lanes_load(lists->fixed[4]), lanes_load(lists->fixed[111]));
-                gap = lanes_select(_m225, _o232.gap, gap);
+                stride = lanes_select(_m227, _o231.stride, stride);
+                const LANES(court_backboard_seam2_out) _o232 =
+                    LANES(court_backboard_seam2)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[114]));
+                gap = lanes_select(_m227, _o232.gap, gap);
                 nearing = _o232.nearing;
                 near = _o232.near;
                 const LANES(court_beside_seam_out) _o233 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m225, _o233.stride, stride);
-                const LANES(court_backboard_seam4_out) _o234 =
-                    LANES(court_backboard_seam4)(vz, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[113]));
-                gap = lanes_select(_m225, _o234.gap, gap);
+                stride = lanes_select(_m227, _o233.stride, stride);
+                const LANES(court_backboard_seam3_out) _o234 =
+                    LANES(court_backboard_seam3)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[114]));
+                gap = lanes_select(_m227, _o234.gap, gap);
                 nearing = _o234.nearing;
                 near = _o234.near;
                 const LANES(court_beside_seam_out) _o235 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m225, _o235.stride, stride);
-                const LANES(court_backboard_seam5_out) _o236 =
-                    LANES(court_backboard_seam5)(vz, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]));
-                gap = lanes_select(_m225, _o236.gap, gap);
+                stride = lanes_select(_m227, _o235.stride, stride);
+                const LANES(court_backboard_seam4_out) _o236 =
+                    LANES(court_backboard_seam4)(vz, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[116]));
+                gap = lanes_select(_m227, _o236.gap, gap);
                 nearing = _o236.nearing;
                 near = _o236.near;
                 const LANES(court_beside_seam_out) _o237 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m225, _o237.stride, stride);
-            }
-            const LANES(court_holding_out) _o238 =
-                LANES(court_holding)(held, K(2.0));
-            here = _o238.here;
-            const M _m239 = lanes_both(active, here);
-            if (lanes_any(_m239)) {
-                const LANES(court_bridge_seam0_out) _o240 =
-                    LANES(court_bridge_seam0)(vx, x, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[115]));
-                gap = lanes_select(_m239, _o240.gap, gap);
-                V nearing = _o240.nearing;
-                V near = _o240.near;
-                const LANES(court_beside_seam_out) _o241 =
+                stride = lanes_select(_m227, _o237.stride, stride);
+                const LANES(court_backboard_seam5_out) _o238 =
+                    LANES(court_backboard_seam5)(vz, z, lanes_load(lists->fixed[12]), lanes_load(lists->fixed[116]));
+                gap = lanes_select(_m227, _o238.gap, gap);
+                nearing = _o238.nearing;
+                near = _o238.near;
+                const LANES(court_beside_seam_out) _o239 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m239, _o241.stride, stride);
-                const LANES(court_bridge_seam1_out) _o242 =
-                    LANES(court_bridge_seam1)(vx, x, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[115]));
-                gap = lanes_select(_m239, _o242.gap, gap);
-                nearing = _o242.nearing;
-                near = _o242.near;
+                stride = lanes_select(_m227, _o239.stride, stride);
+            }
+            const LANES(court_holding_out) _o240 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o240.here;
+            const M _m241 = lanes_both(active, here);
+            if (lanes_any(_m241)) {
+                const LANES(court_bridge_seam0_out) _o242 =
+                    LANES(court_bridge_seam0)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[118]));
+                gap = lanes_select(_m241, _o242.gap, gap);
+                V nearing = _o242.nearing;
+                V near = _o242.near;
                 const LANES(court_beside_seam_out) _o243 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m239, _o243.stride, stride);
-                const LANES(court_bridge_seam2_out) _o244 =
-                    LANES(court_bridge_seam2)(vy, y, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[117]));
-                gap = lanes_select(_m239, _o244.gap, gap);
+                stride = lanes_select(_m241, _o243.stride, stride);
+                const LANES(court_bridge_seam1_out) _o244 =
+                    LANES(court_bridge_seam1)(vx, x, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[118]));
+                gap = lanes_select(_m241, _o244.gap, gap);
                 nearing = _o244.nearing;
                 near = _o244.near;
                 const LANES(court_beside_seam_out) _o245 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m239, _o245.stride, stride);
-                const LANES(court_bridge_seam3_out) _o246 =
-                    LANES(court_bridge_seam3)(vy, y, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[117]));
-                gap = lanes_select(_m239, _o246.gap, gap);
+                stride = lanes_select(_m241, _o245.stride, stride);
+                const LANES(court_bridge_seam2_out) _o246 =
+                    LANES(court_bridge_seam2)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[120]));
+                gap = lanes_select(_m241, _o246.gap, gap);
                 nearing = _o246.nearing;
                 near = _o246.near;
                 const LANES(court_beside_seam_out) _o247 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m239, _o247.stride, stride);
-                const LANES(court_bridge_seam4_out) _o248 =
-                    LANES(court_bridge_seam4)(vz, z, lanes_load(lists->fixed[128]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[119]));
-                gap = lanes_select(_m239, _o248.gap, gap);
+                stride = lanes_select(_m241, _o247.stride, stride);
+                const LANES(court_bridge_seam3_out) _o248 =
+                    LANES(court_bridge_seam3)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[120]));
+                gap = lanes_select(_m241, _o248.gap, gap);
                 nearing = _o248.nearing;
                 near = _o248.near;
                 const LANES(court_beside_seam_out) _o249 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m239, _o249.stride, stride);
-                const LANES(court_bridge_seam5_out) _o250 =
-                    LANES(court_bridge_seam5)(vz, z, lanes_load(lists->fixed[2]), lanes_load(lists->fixed[119]));
-                gap = lanes_select(_m239, _o250.gap, gap);
+                stride = lanes_select(_m241, _o249.stride, stride);
+                const LANES(court_bridge_seam4_out) _o250 =
+                    LANES(court_bridge_seam4)(vz, z, lanes_load(lists->fixed[131]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[122]));
+                gap = lanes_select(_m241, _o250.gap, gap);
                 nearing = _o250.nearing;
                 near = _o250.near;
                 const LANES(court_beside_seam_out) _o251 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m239, _o251.stride, stride);
+                stride = lanes_select(_m241, _o251.stride, stride);
+                const LANES(court_bridge_seam5_out) _o252 =
+                    LANES(court_bridge_seam5)(vz, z, lanes_load(lists->fixed[8]), lanes_load(lists->fixed[122]));
+                gap = lanes_select(_m241, _o252.gap, gap);
+                nearing = _o252.nearing;
+                near = _o252.near;
+                const LANES(court_beside_seam_out) _o253 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m241, _o253.stride, stride);
             }
-            const LANES(court_beside_time_out) _o252 =
+            const LANES(court_beside_time_out) _o254 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o252.stride;
-            which = _o252.which;
-            const LANES(court_passing_from_out) _o253 =
+            stride = _o254.stride;
+            which = _o254.which;
+            const LANES(court_passing_from_out) _o255 =
                 LANES(court_passing_from)(z);
-            M over = _o253.over;
-            const LANES(court_roll_moved_out) _o254 =
+            M over = _o255.over;
+            const LANES(court_roll_moved_out) _o256 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o254.x;
-            vx = _o254.vx;
-            y = _o254.y;
-            vy = _o254.vy;
-            z = _o254.z;
-            vz = _o254.vz;
-            V turn_rate = _o254.turn_rate;
-            const LANES(court_holding_out) _o255 =
+            x = _o256.x;
+            vx = _o256.vx;
+            y = _o256.y;
+            vy = _o256.vy;
+            z = _o256.z;
+            vz = _o256.vz;
+            V turn_rate = _o256.turn_rate;
+            const LANES(court_holding_out) _o257 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o255.here;
-            const M _m256 = lanes_both(active, here);
-            if (lanes_any(_m256)) {
-                const LANES(court_backboard_normal_out) _o257 =
-                    LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[9]));
-                nx = lanes_select(_m256, _o257.nx, nx);
-                ny = lanes_select(_m256, _o257.ny, ny);
-                nz = lanes_select(_m256, _o257.nz, nz);
-                const LANES(court_backboard_off_out) _o258 =
-                    LANES(court_backboard_off)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-                gap = lanes_select(_m256, _o258.gap, gap);
+            here = _o257.here;
+            const M _m258 = lanes_both(active, here);
+            if (lanes_any(_m258)) {
+                const LANES(court_backboard_normal_out) _o259 =
+                    LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[15]));
+                nx = lanes_select(_m258, _o259.nx, nx);
+                ny = lanes_select(_m258, _o259.ny, ny);
+                nz = lanes_select(_m258, _o259.nz, nz);
+                const LANES(court_backboard_off_out) _o260 =
+                    LANES(court_backboard_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+                gap = lanes_select(_m258, _o260.gap, gap);
             }
-            const LANES(court_holding_out) _o259 =
+            const LANES(court_holding_out) _o261 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o259.here;
-            const M _m260 = lanes_both(active, here);
-            if (lanes_any(_m260)) {
-                const LANES(court_bridge_normal_out) _o261 =
-                    LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[10]));
-                nx = lanes_select(_m260, _o261.nx, nx);
-                ny = lanes_select(_m260, _o261.ny, ny);
-                nz = lanes_select(_m260, _o261.nz, nz);
-                const LANES(court_bridge_off_out) _o262 =
-                    LANES(court_bridge_off)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-                gap = lanes_select(_m260, _o262.gap, gap);
+            here = _o261.here;
+            const M _m262 = lanes_both(active, here);
+            if (lanes_any(_m262)) {
+                const LANES(court_bridge_normal_out) _o263 =
+                    LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[16]));
+                nx = lanes_select(_m262, _o263.nx, nx);
+                ny = lanes_select(_m262, _o263.ny, ny);
+                nz = lanes_select(_m262, _o263.nz, nz);
+                const LANES(court_bridge_off_out) _o264 =
+                    LANES(court_bridge_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
+                gap = lanes_select(_m262, _o264.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o263 =
-                LANES(court_roll_placed)(gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z, lanes_load(lists->fixed[108]));
-            x = _o263.x;
-            y = _o263.y;
-            z = _o263.z;
-            vx = _o263.vx;
-            vy = _o263.vy;
-            vz = _o263.vz;
-            wx = _o263.wx;
-            wy = _o263.wy;
-            wz = _o263.wz;
-            const LANES(court_passing_in_contact_out) _o264 =
-                LANES(court_passing_in_contact)(over, through, x, y, z, lanes_load(lists->fixed[14]));
-            through = _o264.through;
-            const LANES(court_rolled_on_out) _o265 =
+            const LANES(court_roll_placed_out) _o265 =
+                LANES(court_roll_placed)(gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z, lanes_load(lists->fixed[111]));
+            x = _o265.x;
+            y = _o265.y;
+            z = _o265.z;
+            vx = _o265.vx;
+            vy = _o265.vy;
+            vz = _o265.vz;
+            wx = _o265.wx;
+            wy = _o265.wy;
+            wz = _o265.wz;
+            const LANES(court_passing_in_contact_out) _o266 =
+                LANES(court_passing_in_contact)(over, through, x, y, z, lanes_load(lists->fixed[19]));
+            through = _o266.through;
+            const LANES(court_rolled_on_out) _o267 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o265.clock;
-            rolling = _o265.rolling;
+            clock = _o267.clock;
+            rolling = _o267.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -3213,7 +3224,7 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 y = lanes_expand(lists->kept_circling_y + taken, idle, y);
                 z = lanes_expand(lists->kept_circling_z + taken, idle, z);
                 if (LANES_SELDOM(varying))
-                    LANES(court_plain_fix_f266)(lists, taken, idle);
+                    LANES(court_plain_fix_f268)(lists, taken, idle);
                 const size_t room = LANES_WIDTH - busy, left = kept_circling_shots - taken;
                 active = lanes_leading(idle, left, active);
                 taken += left < room ? left : room;
@@ -3222,320 +3233,320 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_ring_tube_out) _o267 =
-                LANES(court_ring_tube)(lanes_load(lists->fixed[107]));
-            V per_reach = _o267.per_reach;
-            const LANES(court_ring_round_start_out) _o268 =
-                LANES(court_ring_round_start)(vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[126]));
-            V cosine_0 = _o268.cosine_0;
-            V sine_0 = _o268.sine_0;
-            V climb_0 = _o268.climb_0;
-            V along_0 = _o268.along_0;
-            V turn_rate_0 = _o268.turn_rate_0;
-            V cos_0 = _o268.cos_0;
-            V sin_0 = _o268.sin_0;
-            V near_0 = _o268.near_0;
-            const LANES(court_ring_round_0_out) _o269 =
-                LANES(court_ring_round_0)(along_0, climb_0, cos_0, cosine_0, near_0, sin_0, sine_0, turn_rate_0, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[126]));
-            V omega_0 = _o269.omega_0;
-            V around_0 = _o269.around_0;
-            V tilted_0 = _o269.tilted_0;
-            V pressed_0 = _o269.pressed_0;
-            V force_0 = _o269.force_0;
-            V cosine_1 = _o269.cosine_1;
-            V sine_1 = _o269.sine_1;
-            V climb_1 = _o269.climb_1;
-            V along_1 = _o269.along_1;
-            V turn_rate_1 = _o269.turn_rate_1;
-            V cos_1 = _o269.cos_1;
-            V sin_1 = _o269.sin_1;
-            const LANES(court_ring_round_1_out) _o270 =
-                LANES(court_ring_round_1)(along_0, along_1, around_0, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, near_0, omega_0, pressed_0, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[87]));
-            V near_1 = _o270.near_1;
-            V omega_1 = _o270.omega_1;
-            V around_1 = _o270.around_1;
-            V tilted_1 = _o270.tilted_1;
-            V pressed_1 = _o270.pressed_1;
-            V force_1 = _o270.force_1;
-            V cosine_2 = _o270.cosine_2;
-            V sine_2 = _o270.sine_2;
-            V climb_2 = _o270.climb_2;
-            V along_2 = _o270.along_2;
-            V turn_rate_2 = _o270.turn_rate_2;
-            V cos_2 = _o270.cos_2;
-            V sin_2 = _o270.sin_2;
-            const LANES(court_ring_round_2_out) _o271 =
-                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[129]));
-            V near_2 = _o271.near_2;
-            V omega_2 = _o271.omega_2;
-            V around_2 = _o271.around_2;
-            V tilted_2 = _o271.tilted_2;
-            V pressed_2 = _o271.pressed_2;
-            V force_2 = _o271.force_2;
-            V cosine_3 = _o271.cosine_3;
-            V sine_3 = _o271.sine_3;
-            V climb_3 = _o271.climb_3;
-            V along_3 = _o271.along_3;
-            V turn_rate_3 = _o271.turn_rate_3;
-            V cos_3 = _o271.cos_3;
-            V sin_3 = _o271.sin_3;
-            const LANES(court_ring_round_3_out) _o272 =
-                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[130]));
-            V near_3 = _o272.near_3;
-            V omega_3 = _o272.omega_3;
-            V around_3 = _o272.around_3;
-            V tilted_3 = _o272.tilted_3;
-            V pressed_3 = _o272.pressed_3;
-            V force_3 = _o272.force_3;
-            V cosine_4 = _o272.cosine_4;
-            V sine_4 = _o272.sine_4;
-            V climb_4 = _o272.climb_4;
-            V along_4 = _o272.along_4;
-            V turn_rate_4 = _o272.turn_rate_4;
-            V cos_4 = _o272.cos_4;
-            V sin_4 = _o272.sin_4;
-            const LANES(court_ring_round_4_out) _o273 =
-                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[131]));
-            V near_4 = _o273.near_4;
-            V omega_4 = _o273.omega_4;
-            V around_4 = _o273.around_4;
-            V tilted_4 = _o273.tilted_4;
-            V pressed_4 = _o273.pressed_4;
-            V force_4 = _o273.force_4;
-            V cosine_5 = _o273.cosine_5;
-            V sine_5 = _o273.sine_5;
-            V climb_5 = _o273.climb_5;
-            V along_5 = _o273.along_5;
-            V turn_rate_5 = _o273.turn_rate_5;
-            V cos_5 = _o273.cos_5;
-            V sin_5 = _o273.sin_5;
-            const LANES(court_ring_round_5_out) _o274 =
-                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[132]));
-            V near_5 = _o274.near_5;
-            V omega_5 = _o274.omega_5;
-            V around_5 = _o274.around_5;
-            V tilted_5 = _o274.tilted_5;
-            V pressed_5 = _o274.pressed_5;
-            V force_5 = _o274.force_5;
-            V cosine_6 = _o274.cosine_6;
-            V sine_6 = _o274.sine_6;
-            V climb_6 = _o274.climb_6;
-            V along_6 = _o274.along_6;
-            V turn_rate_6 = _o274.turn_rate_6;
-            V cos_6 = _o274.cos_6;
-            V sin_6 = _o274.sin_6;
-            const LANES(court_ring_round_6_out) _o275 =
-                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[133]));
-            V near_6 = _o275.near_6;
-            V omega_6 = _o275.omega_6;
-            V around_6 = _o275.around_6;
-            V tilted_6 = _o275.tilted_6;
-            V pressed_6 = _o275.pressed_6;
-            V force_6 = _o275.force_6;
-            V cosine_7 = _o275.cosine_7;
-            V sine_7 = _o275.sine_7;
-            V climb_7 = _o275.climb_7;
-            V along_7 = _o275.along_7;
-            V turn_rate_7 = _o275.turn_rate_7;
-            V cos_7 = _o275.cos_7;
-            V sin_7 = _o275.sin_7;
-            const LANES(court_ring_round_7_out) _o276 =
-                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[134]));
-            V near_7 = _o276.near_7;
-            V omega_7 = _o276.omega_7;
-            V around_7 = _o276.around_7;
-            V tilted_7 = _o276.tilted_7;
-            V pressed_7 = _o276.pressed_7;
-            V force_7 = _o276.force_7;
-            V cosine_8 = _o276.cosine_8;
-            V sine_8 = _o276.sine_8;
-            V climb_8 = _o276.climb_8;
-            V along_8 = _o276.along_8;
-            V turn_rate_8 = _o276.turn_rate_8;
-            V cos_8 = _o276.cos_8;
-            V sin_8 = _o276.sin_8;
-            const LANES(court_ring_round_8_out) _o277 =
-                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[135]));
-            V near_8 = _o277.near_8;
-            V omega_8 = _o277.omega_8;
-            V around_8 = _o277.around_8;
-            V tilted_8 = _o277.tilted_8;
-            V pressed_8 = _o277.pressed_8;
-            V force_8 = _o277.force_8;
-            V cosine_9 = _o277.cosine_9;
-            V sine_9 = _o277.sine_9;
-            V climb_9 = _o277.climb_9;
-            V along_9 = _o277.along_9;
-            V turn_rate_9 = _o277.turn_rate_9;
-            V cos_9 = _o277.cos_9;
-            V sin_9 = _o277.sin_9;
-            const LANES(court_ring_round_9_out) _o278 =
-                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[136]));
-            V near_9 = _o278.near_9;
-            V omega_9 = _o278.omega_9;
-            V around_9 = _o278.around_9;
-            V tilted_9 = _o278.tilted_9;
-            V pressed_9 = _o278.pressed_9;
-            V force_9 = _o278.force_9;
-            V cosine_10 = _o278.cosine_10;
-            V sine_10 = _o278.sine_10;
-            V climb_10 = _o278.climb_10;
-            V along_10 = _o278.along_10;
-            V turn_rate_10 = _o278.turn_rate_10;
-            V cos_10 = _o278.cos_10;
-            V sin_10 = _o278.sin_10;
-            const LANES(court_ring_round_10_out) _o279 =
-                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[137]));
-            V near_10 = _o279.near_10;
-            V omega_10 = _o279.omega_10;
-            V around_10 = _o279.around_10;
-            V tilted_10 = _o279.tilted_10;
-            V pressed_10 = _o279.pressed_10;
-            V force_10 = _o279.force_10;
-            V cosine_11 = _o279.cosine_11;
-            V sine_11 = _o279.sine_11;
-            V climb_11 = _o279.climb_11;
-            V along_11 = _o279.along_11;
-            V turn_rate_11 = _o279.turn_rate_11;
-            V cos_11 = _o279.cos_11;
-            V sin_11 = _o279.sin_11;
-            const LANES(court_ring_round_11_out) _o280 =
-                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[138]));
-            V force_11 = _o280.force_11;
-            V cosine_12 = _o280.cosine_12;
-            V sine_12 = _o280.sine_12;
-            V climb_12 = _o280.climb_12;
-            V along_12 = _o280.along_12;
-            V turn_rate_12 = _o280.turn_rate_12;
-            V cos_12 = _o280.cos_12;
-            V sin_12 = _o280.sin_12;
-            const LANES(court_ring_round_pace_out) _o281 =
-                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, omega_0, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, lanes_load(lists->fixed[122]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[139]), lanes_load(lists->fixed[140]), lanes_load(lists->fixed[141]));
-            V stride = _o281.stride;
-            V strongest = _o281.strongest;
-            V fastest = _o281.fastest;
-            V sway = _o281.sway;
-            V force = _o281.force;
-            V force_rate = _o281.force_rate;
-            V force_bend = _o281.force_bend;
-            V brace = _o281.brace;
-            V vx_1 = _o281.vx_1;
-            V vy_1 = _o281.vy_1;
-            V vz_1 = _o281.vz_1;
-            const LANES(court_leaving_force_out) _o282 =
-                LANES(court_leaving_force)(brace, K(INFINITY), fastest, force, force_bend, force_rate, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[124]), lanes_load(lists->fixed[125]));
-            stride = _o282.stride;
-            which = _o282.which;
-            M rests = _o282.rests;
-            const LANES(court_backboard_beside_out) _o283 =
-                LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-            V gap = _o283.gap;
-            V nearing = _o283.nearing;
-            V dent = _o283.dent;
-            const LANES(court_beside_body_out) _o284 =
-                LANES(court_beside_body)(dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[127]));
+            const LANES(court_ring_tube_out) _o269 =
+                LANES(court_ring_tube)(lanes_load(lists->fixed[110]));
+            V per_reach = _o269.per_reach;
+            const LANES(court_ring_round_start_out) _o270 =
+                LANES(court_ring_round_start)(vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[129]));
+            V cosine_0 = _o270.cosine_0;
+            V sine_0 = _o270.sine_0;
+            V climb_0 = _o270.climb_0;
+            V along_0 = _o270.along_0;
+            V turn_rate_0 = _o270.turn_rate_0;
+            V cos_0 = _o270.cos_0;
+            V sin_0 = _o270.sin_0;
+            V near_0 = _o270.near_0;
+            const LANES(court_ring_round_0_out) _o271 =
+                LANES(court_ring_round_0)(along_0, climb_0, cos_0, cosine_0, near_0, sin_0, sine_0, turn_rate_0, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[129]));
+            V omega_0 = _o271.omega_0;
+            V around_0 = _o271.around_0;
+            V tilted_0 = _o271.tilted_0;
+            V pressed_0 = _o271.pressed_0;
+            V force_0 = _o271.force_0;
+            V cosine_1 = _o271.cosine_1;
+            V sine_1 = _o271.sine_1;
+            V climb_1 = _o271.climb_1;
+            V along_1 = _o271.along_1;
+            V turn_rate_1 = _o271.turn_rate_1;
+            V cos_1 = _o271.cos_1;
+            V sin_1 = _o271.sin_1;
+            const LANES(court_ring_round_1_out) _o272 =
+                LANES(court_ring_round_1)(along_0, along_1, around_0, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, near_0, omega_0, pressed_0, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[90]));
+            V near_1 = _o272.near_1;
+            V omega_1 = _o272.omega_1;
+            V around_1 = _o272.around_1;
+            V tilted_1 = _o272.tilted_1;
+            V pressed_1 = _o272.pressed_1;
+            V force_1 = _o272.force_1;
+            V cosine_2 = _o272.cosine_2;
+            V sine_2 = _o272.sine_2;
+            V climb_2 = _o272.climb_2;
+            V along_2 = _o272.along_2;
+            V turn_rate_2 = _o272.turn_rate_2;
+            V cos_2 = _o272.cos_2;
+            V sin_2 = _o272.sin_2;
+            const LANES(court_ring_round_2_out) _o273 =
+                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[132]));
+            V near_2 = _o273.near_2;
+            V omega_2 = _o273.omega_2;
+            V around_2 = _o273.around_2;
+            V tilted_2 = _o273.tilted_2;
+            V pressed_2 = _o273.pressed_2;
+            V force_2 = _o273.force_2;
+            V cosine_3 = _o273.cosine_3;
+            V sine_3 = _o273.sine_3;
+            V climb_3 = _o273.climb_3;
+            V along_3 = _o273.along_3;
+            V turn_rate_3 = _o273.turn_rate_3;
+            V cos_3 = _o273.cos_3;
+            V sin_3 = _o273.sin_3;
+            const LANES(court_ring_round_3_out) _o274 =
+                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[133]));
+            V near_3 = _o274.near_3;
+            V omega_3 = _o274.omega_3;
+            V around_3 = _o274.around_3;
+            V tilted_3 = _o274.tilted_3;
+            V pressed_3 = _o274.pressed_3;
+            V force_3 = _o274.force_3;
+            V cosine_4 = _o274.cosine_4;
+            V sine_4 = _o274.sine_4;
+            V climb_4 = _o274.climb_4;
+            V along_4 = _o274.along_4;
+            V turn_rate_4 = _o274.turn_rate_4;
+            V cos_4 = _o274.cos_4;
+            V sin_4 = _o274.sin_4;
+            const LANES(court_ring_round_4_out) _o275 =
+                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[134]));
+            V near_4 = _o275.near_4;
+            V omega_4 = _o275.omega_4;
+            V around_4 = _o275.around_4;
+            V tilted_4 = _o275.tilted_4;
+            V pressed_4 = _o275.pressed_4;
+            V force_4 = _o275.force_4;
+            V cosine_5 = _o275.cosine_5;
+            V sine_5 = _o275.sine_5;
+            V climb_5 = _o275.climb_5;
+            V along_5 = _o275.along_5;
+            V turn_rate_5 = _o275.turn_rate_5;
+            V cos_5 = _o275.cos_5;
+            V sin_5 = _o275.sin_5;
+            const LANES(court_ring_round_5_out) _o276 =
+                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[135]));
+            V near_5 = _o276.near_5;
+            V omega_5 = _o276.omega_5;
+            V around_5 = _o276.around_5;
+            V tilted_5 = _o276.tilted_5;
+            V pressed_5 = _o276.pressed_5;
+            V force_5 = _o276.force_5;
+            V cosine_6 = _o276.cosine_6;
+            V sine_6 = _o276.sine_6;
+            V climb_6 = _o276.climb_6;
+            V along_6 = _o276.along_6;
+            V turn_rate_6 = _o276.turn_rate_6;
+            V cos_6 = _o276.cos_6;
+            V sin_6 = _o276.sin_6;
+            const LANES(court_ring_round_6_out) _o277 =
+                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[136]));
+            V near_6 = _o277.near_6;
+            V omega_6 = _o277.omega_6;
+            V around_6 = _o277.around_6;
+            V tilted_6 = _o277.tilted_6;
+            V pressed_6 = _o277.pressed_6;
+            V force_6 = _o277.force_6;
+            V cosine_7 = _o277.cosine_7;
+            V sine_7 = _o277.sine_7;
+            V climb_7 = _o277.climb_7;
+            V along_7 = _o277.along_7;
+            V turn_rate_7 = _o277.turn_rate_7;
+            V cos_7 = _o277.cos_7;
+            V sin_7 = _o277.sin_7;
+            const LANES(court_ring_round_7_out) _o278 =
+                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[137]));
+            V near_7 = _o278.near_7;
+            V omega_7 = _o278.omega_7;
+            V around_7 = _o278.around_7;
+            V tilted_7 = _o278.tilted_7;
+            V pressed_7 = _o278.pressed_7;
+            V force_7 = _o278.force_7;
+            V cosine_8 = _o278.cosine_8;
+            V sine_8 = _o278.sine_8;
+            V climb_8 = _o278.climb_8;
+            V along_8 = _o278.along_8;
+            V turn_rate_8 = _o278.turn_rate_8;
+            V cos_8 = _o278.cos_8;
+            V sin_8 = _o278.sin_8;
+            const LANES(court_ring_round_8_out) _o279 =
+                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[138]));
+            V near_8 = _o279.near_8;
+            V omega_8 = _o279.omega_8;
+            V around_8 = _o279.around_8;
+            V tilted_8 = _o279.tilted_8;
+            V pressed_8 = _o279.pressed_8;
+            V force_8 = _o279.force_8;
+            V cosine_9 = _o279.cosine_9;
+            V sine_9 = _o279.sine_9;
+            V climb_9 = _o279.climb_9;
+            V along_9 = _o279.along_9;
+            V turn_rate_9 = _o279.turn_rate_9;
+            V cos_9 = _o279.cos_9;
+            V sin_9 = _o279.sin_9;
+            const LANES(court_ring_round_9_out) _o280 =
+                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[139]));
+            V near_9 = _o280.near_9;
+            V omega_9 = _o280.omega_9;
+            V around_9 = _o280.around_9;
+            V tilted_9 = _o280.tilted_9;
+            V pressed_9 = _o280.pressed_9;
+            V force_9 = _o280.force_9;
+            V cosine_10 = _o280.cosine_10;
+            V sine_10 = _o280.sine_10;
+            V climb_10 = _o280.climb_10;
+            V along_10 = _o280.along_10;
+            V turn_rate_10 = _o280.turn_rate_10;
+            V cos_10 = _o280.cos_10;
+            V sin_10 = _o280.sin_10;
+            const LANES(court_ring_round_10_out) _o281 =
+                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[140]));
+            V near_10 = _o281.near_10;
+            V omega_10 = _o281.omega_10;
+            V around_10 = _o281.around_10;
+            V tilted_10 = _o281.tilted_10;
+            V pressed_10 = _o281.pressed_10;
+            V force_10 = _o281.force_10;
+            V cosine_11 = _o281.cosine_11;
+            V sine_11 = _o281.sine_11;
+            V climb_11 = _o281.climb_11;
+            V along_11 = _o281.along_11;
+            V turn_rate_11 = _o281.turn_rate_11;
+            V cos_11 = _o281.cos_11;
+            V sin_11 = _o281.sin_11;
+            const LANES(court_ring_round_11_out) _o282 =
+                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[141]));
+            V force_11 = _o282.force_11;
+            V cosine_12 = _o282.cosine_12;
+            V sine_12 = _o282.sine_12;
+            V climb_12 = _o282.climb_12;
+            V along_12 = _o282.along_12;
+            V turn_rate_12 = _o282.turn_rate_12;
+            V cos_12 = _o282.cos_12;
+            V sin_12 = _o282.sin_12;
+            const LANES(court_ring_round_pace_out) _o283 =
+                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, omega_0, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, lanes_load(lists->fixed[125]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[142]), lanes_load(lists->fixed[143]), lanes_load(lists->fixed[144]));
+            V stride = _o283.stride;
+            V strongest = _o283.strongest;
+            V fastest = _o283.fastest;
+            V sway = _o283.sway;
+            V force = _o283.force;
+            V force_rate = _o283.force_rate;
+            V force_bend = _o283.force_bend;
+            V brace = _o283.brace;
+            V vx_1 = _o283.vx_1;
+            V vy_1 = _o283.vy_1;
+            V vz_1 = _o283.vz_1;
+            const LANES(court_leaving_force_out) _o284 =
+                LANES(court_leaving_force)(brace, K(INFINITY), fastest, force, force_bend, force_rate, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[127]), lanes_load(lists->fixed[128]));
             stride = _o284.stride;
             which = _o284.which;
-            const LANES(court_bridge_beside_out) _o285 =
-                LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-            gap = _o285.gap;
-            nearing = _o285.nearing;
-            dent = _o285.dent;
+            M rests = _o284.rests;
+            const LANES(court_backboard_beside_out) _o285 =
+                LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+            V gap = _o285.gap;
+            V nearing = _o285.nearing;
+            V dent = _o285.dent;
             const LANES(court_beside_body_out) _o286 =
-                LANES(court_beside_body)(dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[127]));
+                LANES(court_beside_body)(dent, K(INFINITY), fastest, gap, K(1.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[130]));
             stride = _o286.stride;
             which = _o286.which;
-            const LANES(court_end_beside_out) _o287 =
-                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[13]));
+            const LANES(court_bridge_beside_out) _o287 =
+                LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
             gap = _o287.gap;
             nearing = _o287.nearing;
             dent = _o287.dent;
-            const LANES(court_beside_gate_out) _o288 =
-                LANES(court_beside_gate)(dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]));
+            const LANES(court_beside_body_out) _o288 =
+                LANES(court_beside_body)(dent, K(INFINITY), fastest, gap, K(2.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[130]));
             stride = _o288.stride;
             which = _o288.which;
-            const LANES(court_beside_time_out) _o289 =
+            const LANES(court_end_beside_out) _o289 =
+                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
+            gap = _o289.gap;
+            nearing = _o289.nearing;
+            dent = _o289.dent;
+            const LANES(court_beside_gate_out) _o290 =
+                LANES(court_beside_gate)(dent, K(INFINITY), fastest, gap, K(3.0), K(0.0), nearing, K(0.0), stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]));
+            stride = _o290.stride;
+            which = _o290.which;
+            const LANES(court_beside_time_out) _o291 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o289.stride;
-            which = _o289.which;
-            const LANES(court_passing_from_out) _o290 =
+            stride = _o291.stride;
+            which = _o291.which;
+            const LANES(court_passing_from_out) _o292 =
                 LANES(court_passing_from)(z);
-            M over = _o290.over;
-            const LANES(court_alone_out) _o291 =
+            M over = _o292.over;
+            const LANES(court_alone_out) _o293 =
                 LANES(court_alone)();
-            V berth = _o291.nearest;
-            const LANES(court_leaps_out) _o292 =
+            V berth = _o293.nearest;
+            const LANES(court_leaps_out) _o294 =
                 LANES(court_leaps)(stride);
-            V forth = _o292.forth;
-            V back = _o292.back;
-            const LANES(court_backboard_around_out) _o293 =
-                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[142]));
-            gap = _o293.gap;
-            nearing = _o293.nearing;
-            const LANES(court_cleared_out) _o294 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o294.berth;
-            const LANES(court_bridge_around_out) _o295 =
-                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[143]));
+            V forth = _o294.forth;
+            V back = _o294.back;
+            const LANES(court_backboard_around_out) _o295 =
+                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[145]));
             gap = _o295.gap;
             nearing = _o295.nearing;
             const LANES(court_cleared_out) _o296 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
             berth = _o296.berth;
-            const LANES(court_end_around_out) _o297 =
-                LANES(court_end_around)(vz, z, lanes_load(lists->fixed[13]));
+            const LANES(court_bridge_around_out) _o297 =
+                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[146]));
             gap = _o297.gap;
             nearing = _o297.nearing;
             const LANES(court_cleared_out) _o298 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
             berth = _o298.berth;
-            const LANES(court_ring_round_moved_out) _o299 =
-                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[108]));
-            x = _o299.x;
-            y = _o299.y;
-            z = _o299.z;
-            vx = _o299.vx;
-            vy = _o299.vy;
-            vz = _o299.vz;
-            wx = _o299.wx;
-            wy = _o299.wy;
-            wz = _o299.wz;
-            V climb = _o299.climb;
-            const LANES(court_passing_in_contact_out) _o300 =
-                LANES(court_passing_in_contact)(over, through, x, y, z, lanes_load(lists->fixed[14]));
-            through = _o300.through;
-            const LANES(court_backboard_around_out) _o301 =
-                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[142]));
-            gap = _o301.gap;
-            nearing = _o301.nearing;
-            const LANES(court_cleared_out) _o302 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o302.berth;
-            const LANES(court_bridge_around_out) _o303 =
-                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[143]));
+            const LANES(court_end_around_out) _o299 =
+                LANES(court_end_around)(vz, z, lanes_load(lists->fixed[18]));
+            gap = _o299.gap;
+            nearing = _o299.nearing;
+            const LANES(court_cleared_out) _o300 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o300.berth;
+            const LANES(court_ring_round_moved_out) _o301 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[111]));
+            x = _o301.x;
+            y = _o301.y;
+            z = _o301.z;
+            vx = _o301.vx;
+            vy = _o301.vy;
+            vz = _o301.vz;
+            wx = _o301.wx;
+            wy = _o301.wy;
+            wz = _o301.wz;
+            V climb = _o301.climb;
+            const LANES(court_passing_in_contact_out) _o302 =
+                LANES(court_passing_in_contact)(over, through, x, y, z, lanes_load(lists->fixed[19]));
+            through = _o302.through;
+            const LANES(court_backboard_around_out) _o303 =
+                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[145]));
             gap = _o303.gap;
             nearing = _o303.nearing;
             const LANES(court_cleared_out) _o304 =
                 LANES(court_cleared)(berth, gap, back, nearing);
             berth = _o304.berth;
-            const LANES(court_end_around_out) _o305 =
-                LANES(court_end_around)(vz, z, lanes_load(lists->fixed[13]));
+            const LANES(court_bridge_around_out) _o305 =
+                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[146]));
             gap = _o305.gap;
             nearing = _o305.nearing;
             const LANES(court_cleared_out) _o306 =
                 LANES(court_cleared)(berth, gap, back, nearing);
             berth = _o306.berth;
-            const LANES(court_ring_swung_out) _o307 =
-                LANES(court_ring_swung)(berth, circled, climb, climb_0, K(INFINITY), fastest, force, force_bend, force_rate, K(0.0), stride, sway, K(0.0), which, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[144]), lanes_load(lists->fixed[145]), lanes_load(lists->fixed[122]), lanes_load(lists->fixed[107]), lanes_load(lists->fixed[146]));
-            circled = _o307.circled;
-            M endless = _o307.endless;
-            const LANES(court_for_ever_out) _o308 =
+            const LANES(court_end_around_out) _o307 =
+                LANES(court_end_around)(vz, z, lanes_load(lists->fixed[18]));
+            gap = _o307.gap;
+            nearing = _o307.nearing;
+            const LANES(court_cleared_out) _o308 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o308.berth;
+            const LANES(court_ring_swung_out) _o309 =
+                LANES(court_ring_swung)(berth, circled, climb, climb_0, K(INFINITY), fastest, force, force_bend, force_rate, K(0.0), stride, sway, K(0.0), which, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[147]), lanes_load(lists->fixed[148]), lanes_load(lists->fixed[125]), lanes_load(lists->fixed[110]), lanes_load(lists->fixed[149]));
+            circled = _o309.circled;
+            M endless = _o309.endless;
+            const LANES(court_for_ever_out) _o310 =
                 LANES(court_for_ever)(endless, which);
-            which = _o308.which;
-            const LANES(court_rolled_on_out) _o309 =
+            which = _o310.which;
+            const LANES(court_rolled_on_out) _o311 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o309.clock;
-            circling = _o309.rolling;
+            clock = _o311.clock;
+            circling = _o311.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -3617,9 +3628,9 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o310 =
+        const LANES(court_rejoined_out) _o312 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o310.rolling;
+        rolling = _o312.rolling;
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
         const M packed = lanes_both(rows, leaves);
         if (lanes_any(packed)) {
@@ -3666,7 +3677,7 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f371)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f373)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
@@ -3683,28 +3694,28 @@ static void LANES(court_plain_fix_f371)(LANES(court_plain_lists) *lists, size_t 
     const V p_wire_radius = lanes_load(lists->p_wire_radius + i);
     {
         const V _s0 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[14], lanes_mul(p_ring_radius, p_ring_radius));
-        lanes_store(lists->fixed[15], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[30], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[107], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
-        lanes_store(lists->fixed[108], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[150], p_restitution_speed);
-        lanes_store(lists->fixed[151], _s0);
-        lanes_store(lists->fixed[152], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[153], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        lanes_store(lists->fixed[154], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[19], lanes_mul(p_ring_radius, p_ring_radius));
+        lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[110], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
+        lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[153], p_restitution_speed);
+        lanes_store(lists->fixed[154], _s0);
+        lanes_store(lists->fixed[155], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[156], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        lanes_store(lists->fixed[157], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
     }
 }
 
@@ -3712,7 +3723,7 @@ static void LANES(court_plain_fix_f371)(LANES(court_plain_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_plain_fix_f416)(LANES(court_plain_lists) *lists, size_t i)
+static void LANES(court_plain_fix_f418)(LANES(court_plain_lists) *lists, size_t i)
 {
     const V p_backboard_friction = lanes_load(lists->slow_p_backboard_friction + i);
     const V p_backboard_restitution = lanes_load(lists->slow_p_backboard_restitution + i);
@@ -3739,41 +3750,41 @@ static void LANES(court_plain_fix_f416)(LANES(court_plain_lists) *lists, size_t 
         const V _s3 = lanes_add(K(1.0), p_backboard_restitution);
         const V _s4 = lanes_sub(K(1.0), p_bridge_restitution);
         const V _s5 = lanes_add(K(1.0), p_bridge_restitution);
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[18], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[44], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[107], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
-        lanes_store(lists->fixed[108], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[123], lanes_mul(K(0.4), p_gravity));
-        lanes_store(lists->fixed[127], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
-        lanes_store(lists->fixed[147], lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)));
-        lanes_store(lists->fixed[153], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        lanes_store(lists->fixed[155], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[156], _s0);
-        lanes_store(lists->fixed[157], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[158], lanes_mul(p_ring_friction, _s1));
-        lanes_store(lists->fixed[159], lanes_mul(_s1, _s0));
-        lanes_store(lists->fixed[160], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        lanes_store(lists->fixed[161], _s2);
-        lanes_store(lists->fixed[162], lanes_mul(_s2, _s2));
-        lanes_store(lists->fixed[163], lanes_mul(p_backboard_friction, _s3));
-        lanes_store(lists->fixed[164], lanes_mul(_s3, _s2));
-        lanes_store(lists->fixed[165], _s4);
-        lanes_store(lists->fixed[166], lanes_mul(_s4, _s4));
-        lanes_store(lists->fixed[167], lanes_mul(p_bridge_friction, _s5));
-        lanes_store(lists->fixed[168], lanes_mul(_s5, _s4));
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[23], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[49], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[110], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
+        lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[126], lanes_mul(K(0.4), p_gravity));
+        lanes_store(lists->fixed[130], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
+        lanes_store(lists->fixed[150], lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)));
+        lanes_store(lists->fixed[156], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        lanes_store(lists->fixed[158], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[159], _s0);
+        lanes_store(lists->fixed[160], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[161], lanes_mul(p_ring_friction, _s1));
+        lanes_store(lists->fixed[162], lanes_mul(_s1, _s0));
+        lanes_store(lists->fixed[163], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        lanes_store(lists->fixed[164], _s2);
+        lanes_store(lists->fixed[165], lanes_mul(_s2, _s2));
+        lanes_store(lists->fixed[166], lanes_mul(p_backboard_friction, _s3));
+        lanes_store(lists->fixed[167], lanes_mul(_s3, _s2));
+        lanes_store(lists->fixed[168], _s4);
+        lanes_store(lists->fixed[169], lanes_mul(_s4, _s4));
+        lanes_store(lists->fixed[170], lanes_mul(p_bridge_friction, _s5));
+        lanes_store(lists->fixed[171], lanes_mul(_s5, _s4));
     }
 }
 
@@ -3786,7 +3797,7 @@ static void LANES(court_plain_slow)(LANES(court_plain_lists) *lists, size_t slow
     for (size_t i = 0; i < slow_shots; i += LANES_WIDTH) {
         const M rows = lanes_first(slow_shots - i);
         if (LANES_SELDOM(varying))
-            LANES(court_plain_fix_f416)(lists, i);
+            LANES(court_plain_fix_f418)(lists, i);
         V held = lanes_load(lists->slow_held + i);
         V mode = lanes_load(lists->slow_mode + i);
         V outcome = lanes_load(lists->slow_outcome + i);
@@ -3801,237 +3812,237 @@ static void LANES(court_plain_slow)(LANES(court_plain_lists) *lists, size_t slow
         V x = lanes_load(lists->slow_x + i);
         V y = lanes_load(lists->slow_y + i);
         V z = lanes_load(lists->slow_z + i);
-        const LANES(court_ring_normal_out) _o417 =
-            LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[107]));
-        V nx = _o417.nx;
-        V ny = _o417.ny;
-        V nz = _o417.nz;
-        const LANES(court_here_out) _o418 =
+        const LANES(court_ring_normal_out) _o419 =
+            LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[110]));
+        V nx = _o419.nx;
+        V ny = _o419.ny;
+        V nz = _o419.nz;
+        const LANES(court_here_out) _o420 =
             LANES(court_here)(K(1.0), which);
-        M here = _o418.here;
-        const M _m419 = lanes_both(rows, here);
+        M here = _o420.here;
+        const M _m421 = lanes_both(rows, here);
         {
-            const LANES(court_backboard_normal_out) _o420 =
-                LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[9]));
-            nx = lanes_select(_m419, _o420.nx, nx);
-            ny = lanes_select(_m419, _o420.ny, ny);
-            nz = lanes_select(_m419, _o420.nz, nz);
+            const LANES(court_backboard_normal_out) _o422 =
+                LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[15]));
+            nx = lanes_select(_m421, _o422.nx, nx);
+            ny = lanes_select(_m421, _o422.ny, ny);
+            nz = lanes_select(_m421, _o422.nz, nz);
         }
-        const LANES(court_here_out) _o421 =
+        const LANES(court_here_out) _o423 =
             LANES(court_here)(K(2.0), which);
-        here = _o421.here;
-        const M _m422 = lanes_both(rows, here);
+        here = _o423.here;
+        const M _m424 = lanes_both(rows, here);
         {
-            const LANES(court_bridge_normal_out) _o423 =
-                LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[10]));
-            nx = lanes_select(_m422, _o423.nx, nx);
-            ny = lanes_select(_m422, _o423.ny, ny);
-            nz = lanes_select(_m422, _o423.nz, nz);
+            const LANES(court_bridge_normal_out) _o425 =
+                LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[16]));
+            nx = lanes_select(_m424, _o425.nx, nx);
+            ny = lanes_select(_m424, _o425.ny, ny);
+            nz = lanes_select(_m424, _o425.nz, nz);
         }
-        const LANES(court_nearly_out) _o424 =
-            LANES(court_nearly)(nx, ny, nz, vx, vy, vz, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[153]));
-        M nearly = _o424.nearly;
-        const LANES(court_gripped_out) _o425 =
-            LANES(court_gripped)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[0]));
-        V rolled_x = _o425.rolled_x;
-        V rolled_y = _o425.rolled_y;
-        V rolled_z = _o425.rolled_z;
-        V slip = _o425.slip;
-        V bounce = _o425.bounce;
-        const LANES(court_here_out) _o426 =
+        const LANES(court_nearly_out) _o426 =
+            LANES(court_nearly)(nx, ny, nz, vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[156]));
+        M nearly = _o426.nearly;
+        const LANES(court_gripped_out) _o427 =
+            LANES(court_gripped)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[6]));
+        V rolled_x = _o427.rolled_x;
+        V rolled_y = _o427.rolled_y;
+        V rolled_z = _o427.rolled_z;
+        V slip = _o427.slip;
+        V bounce = _o427.bounce;
+        const LANES(court_here_out) _o428 =
             LANES(court_here)(K(0.0), which);
-        here = _o426.here;
-        const M _m427 = lanes_both(rows, here);
-        if (lanes_any(_m427)) {
-            const LANES(court_ring_turning_out) _o428 =
-                LANES(court_ring_turning)(rolled_x, rolled_y, rolled_z, x, y, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[107]));
-            V turning_x = _o428.turning_x;
-            V turning_y = _o428.turning_y;
-            V turning_z = _o428.turning_z;
-            const LANES(court_pressed_on_out) _o429 =
-                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[155]), lanes_load(lists->fixed[123]));
-            V press = _o429.press;
-            V weight = _o429.weight;
-            V drag = _o429.drag;
-            V thrust_x = _o429.thrust_x;
-            V thrust_y = _o429.thrust_y;
-            V thrust_z = _o429.thrust_z;
-            const LANES(court_alone_out) _o430 =
+        here = _o428.here;
+        const M _m429 = lanes_both(rows, here);
+        if (lanes_any(_m429)) {
+            const LANES(court_ring_turning_out) _o430 =
+                LANES(court_ring_turning)(rolled_x, rolled_y, rolled_z, x, y, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[110]));
+            V turning_x = _o430.turning_x;
+            V turning_y = _o430.turning_y;
+            V turning_z = _o430.turning_z;
+            const LANES(court_pressed_on_out) _o431 =
+                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[158]), lanes_load(lists->fixed[126]));
+            V press = _o431.press;
+            V weight = _o431.weight;
+            V drag = _o431.drag;
+            V thrust_x = _o431.thrust_x;
+            V thrust_y = _o431.thrust_y;
+            V thrust_z = _o431.thrust_z;
+            const LANES(court_alone_out) _o432 =
                 LANES(court_alone)();
-            V nearest = _o430.nearest;
-            V wedge = _o430.wedge;
-            const LANES(court_backboard_closing_out) _o431 =
-                LANES(court_backboard_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-            V gap = _o431.gap;
-            V nearing = _o431.nearing;
-            V swerve = _o431.swerve;
-            V facing = _o431.facing;
-            const LANES(court_neared_body_out) _o432 =
-                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o432.nearest;
-            wedge = _o432.wedge;
-            const LANES(court_bridge_closing_out) _o433 =
-                LANES(court_bridge_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-            gap = _o433.gap;
-            nearing = _o433.nearing;
-            swerve = _o433.swerve;
-            facing = _o433.facing;
+            V nearest = _o432.nearest;
+            V wedge = _o432.wedge;
+            const LANES(court_backboard_closing_out) _o433 =
+                LANES(court_backboard_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+            V gap = _o433.gap;
+            V nearing = _o433.nearing;
+            V swerve = _o433.swerve;
+            V facing = _o433.facing;
             const LANES(court_neared_body_out) _o434 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o434.nearest;
             wedge = _o434.wedge;
-            const LANES(court_end_beside_out) _o435 =
-                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[13]));
+            const LANES(court_bridge_closing_out) _o435 =
+                LANES(court_bridge_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
             gap = _o435.gap;
-            const LANES(court_neared_out) _o436 =
-                LANES(court_neared)(gap, nearest);
-            nearest = _o436.nearest;
-            const LANES(court_ring_parting_out) _o437 =
-                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[147]));
-            V lift = _o437.lift;
-            const LANES(court_ring_impact_settling_out) _o438 =
-                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[156]), lanes_load(lists->fixed[157]), lanes_load(lists->fixed[158]), lanes_load(lists->fixed[159]), lanes_load(lists->fixed[127]), lanes_load(lists->fixed[160]));
-            M settles = _o438.settles;
-            M lodges = _o438.lodges;
-            M slides = _o438.slides;
-            M parts = _o438.parts;
-            M unsure = _o438.unsure;
-            const LANES(court_settled_out) _o439 =
-                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
-            mode = lanes_select(_m427, _o439.mode, mode);
-            held = lanes_select(_m427, _o439.held, held);
-            outcome = lanes_select(_m427, _o439.outcome, outcome);
-            slip_left = lanes_select(_m427, _o439.slip_left, slip_left);
-        }
-        const LANES(court_here_out) _o440 =
-            LANES(court_here)(K(1.0), which);
-        here = _o440.here;
-        const M _m441 = lanes_both(rows, here);
-        if (lanes_any(_m441)) {
-            const LANES(court_backboard_turning_out) _o442 =
-                LANES(court_backboard_turning)(rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[9]));
-            V turning_x = _o442.turning_x;
-            V turning_y = _o442.turning_y;
-            V turning_z = _o442.turning_z;
-            const LANES(court_pressed_on_out) _o443 =
-                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[155]), lanes_load(lists->fixed[123]));
-            V press = _o443.press;
-            V weight = _o443.weight;
-            V drag = _o443.drag;
-            V thrust_x = _o443.thrust_x;
-            V thrust_y = _o443.thrust_y;
-            V thrust_z = _o443.thrust_z;
-            const LANES(court_alone_out) _o444 =
-                LANES(court_alone)();
-            V nearest = _o444.nearest;
-            V wedge = _o444.wedge;
-            const LANES(court_ring_closing_out) _o445 =
-                LANES(court_ring_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]));
-            V gap = _o445.gap;
-            V nearing = _o445.nearing;
-            V swerve = _o445.swerve;
-            V facing = _o445.facing;
-            const LANES(court_neared_body_out) _o446 =
+            nearing = _o435.nearing;
+            swerve = _o435.swerve;
+            facing = _o435.facing;
+            const LANES(court_neared_body_out) _o436 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o446.nearest;
-            wedge = _o446.wedge;
-            const LANES(court_bridge_closing_out) _o447 =
-                LANES(court_bridge_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-            gap = _o447.gap;
-            nearing = _o447.nearing;
-            swerve = _o447.swerve;
-            facing = _o447.facing;
+            nearest = _o436.nearest;
+            wedge = _o436.wedge;
+            const LANES(court_end_beside_out) _o437 =
+                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
+            gap = _o437.gap;
+            const LANES(court_neared_out) _o438 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o438.nearest;
+            const LANES(court_ring_parting_out) _o439 =
+                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[49]), lanes_load(lists->fixed[150]));
+            V lift = _o439.lift;
+            const LANES(court_ring_impact_settling_out) _o440 =
+                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[159]), lanes_load(lists->fixed[160]), lanes_load(lists->fixed[161]), lanes_load(lists->fixed[162]), lanes_load(lists->fixed[130]), lanes_load(lists->fixed[163]));
+            M settles = _o440.settles;
+            M lodges = _o440.lodges;
+            M slides = _o440.slides;
+            M parts = _o440.parts;
+            M unsure = _o440.unsure;
+            const LANES(court_settled_out) _o441 =
+                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+            mode = lanes_select(_m429, _o441.mode, mode);
+            held = lanes_select(_m429, _o441.held, held);
+            outcome = lanes_select(_m429, _o441.outcome, outcome);
+            slip_left = lanes_select(_m429, _o441.slip_left, slip_left);
+        }
+        const LANES(court_here_out) _o442 =
+            LANES(court_here)(K(1.0), which);
+        here = _o442.here;
+        const M _m443 = lanes_both(rows, here);
+        if (lanes_any(_m443)) {
+            const LANES(court_backboard_turning_out) _o444 =
+                LANES(court_backboard_turning)(rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[15]));
+            V turning_x = _o444.turning_x;
+            V turning_y = _o444.turning_y;
+            V turning_z = _o444.turning_z;
+            const LANES(court_pressed_on_out) _o445 =
+                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[158]), lanes_load(lists->fixed[126]));
+            V press = _o445.press;
+            V weight = _o445.weight;
+            V drag = _o445.drag;
+            V thrust_x = _o445.thrust_x;
+            V thrust_y = _o445.thrust_y;
+            V thrust_z = _o445.thrust_z;
+            const LANES(court_alone_out) _o446 =
+                LANES(court_alone)();
+            V nearest = _o446.nearest;
+            V wedge = _o446.wedge;
+            const LANES(court_ring_closing_out) _o447 =
+                LANES(court_ring_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]));
+            V gap = _o447.gap;
+            V nearing = _o447.nearing;
+            V swerve = _o447.swerve;
+            V facing = _o447.facing;
             const LANES(court_neared_body_out) _o448 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o448.nearest;
             wedge = _o448.wedge;
-            const LANES(court_end_beside_out) _o449 =
-                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[13]));
+            const LANES(court_bridge_closing_out) _o449 =
+                LANES(court_bridge_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
             gap = _o449.gap;
-            const LANES(court_neared_out) _o450 =
-                LANES(court_neared)(gap, nearest);
-            nearest = _o450.nearest;
-            const LANES(court_backboard_parting_out) _o451 =
-                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[9]));
-            V lift = _o451.lift;
-            const LANES(court_ring_impact_settling_out) _o452 =
-                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[161]), lanes_load(lists->fixed[162]), lanes_load(lists->fixed[163]), lanes_load(lists->fixed[164]), lanes_load(lists->fixed[127]), lanes_load(lists->fixed[160]));
-            M settles = _o452.settles;
-            M lodges = _o452.lodges;
-            M slides = _o452.slides;
-            M parts = _o452.parts;
-            M unsure = _o452.unsure;
-            const LANES(court_settled_out) _o453 =
-                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
-            mode = lanes_select(_m441, _o453.mode, mode);
-            held = lanes_select(_m441, _o453.held, held);
-            outcome = lanes_select(_m441, _o453.outcome, outcome);
-            slip_left = lanes_select(_m441, _o453.slip_left, slip_left);
-        }
-        const LANES(court_here_out) _o454 =
-            LANES(court_here)(K(2.0), which);
-        here = _o454.here;
-        const M _m455 = lanes_both(rows, here);
-        if (lanes_any(_m455)) {
-            const LANES(court_bridge_turning_out) _o456 =
-                LANES(court_bridge_turning)(rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[10]));
-            V turning_x = _o456.turning_x;
-            V turning_y = _o456.turning_y;
-            V turning_z = _o456.turning_z;
-            const LANES(court_pressed_on_out) _o457 =
-                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[155]), lanes_load(lists->fixed[123]));
-            V press = _o457.press;
-            V weight = _o457.weight;
-            V drag = _o457.drag;
-            V thrust_x = _o457.thrust_x;
-            V thrust_y = _o457.thrust_y;
-            V thrust_z = _o457.thrust_z;
-            const LANES(court_alone_out) _o458 =
-                LANES(court_alone)();
-            V nearest = _o458.nearest;
-            V wedge = _o458.wedge;
-            const LANES(court_ring_closing_out) _o459 =
-                LANES(court_ring_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]));
-            V gap = _o459.gap;
-            V nearing = _o459.nearing;
-            V swerve = _o459.swerve;
-            V facing = _o459.facing;
-            const LANES(court_neared_body_out) _o460 =
+            nearing = _o449.nearing;
+            swerve = _o449.swerve;
+            facing = _o449.facing;
+            const LANES(court_neared_body_out) _o450 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o460.nearest;
-            wedge = _o460.wedge;
-            const LANES(court_backboard_closing_out) _o461 =
-                LANES(court_backboard_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-            gap = _o461.gap;
-            nearing = _o461.nearing;
-            swerve = _o461.swerve;
-            facing = _o461.facing;
+            nearest = _o450.nearest;
+            wedge = _o450.wedge;
+            const LANES(court_end_beside_out) _o451 =
+                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
+            gap = _o451.gap;
+            const LANES(court_neared_out) _o452 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o452.nearest;
+            const LANES(court_backboard_parting_out) _o453 =
+                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[15]));
+            V lift = _o453.lift;
+            const LANES(court_ring_impact_settling_out) _o454 =
+                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[164]), lanes_load(lists->fixed[165]), lanes_load(lists->fixed[166]), lanes_load(lists->fixed[167]), lanes_load(lists->fixed[130]), lanes_load(lists->fixed[163]));
+            M settles = _o454.settles;
+            M lodges = _o454.lodges;
+            M slides = _o454.slides;
+            M parts = _o454.parts;
+            M unsure = _o454.unsure;
+            const LANES(court_settled_out) _o455 =
+                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
+            mode = lanes_select(_m443, _o455.mode, mode);
+            held = lanes_select(_m443, _o455.held, held);
+            outcome = lanes_select(_m443, _o455.outcome, outcome);
+            slip_left = lanes_select(_m443, _o455.slip_left, slip_left);
+        }
+        const LANES(court_here_out) _o456 =
+            LANES(court_here)(K(2.0), which);
+        here = _o456.here;
+        const M _m457 = lanes_both(rows, here);
+        if (lanes_any(_m457)) {
+            const LANES(court_bridge_turning_out) _o458 =
+                LANES(court_bridge_turning)(rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[16]));
+            V turning_x = _o458.turning_x;
+            V turning_y = _o458.turning_y;
+            V turning_z = _o458.turning_z;
+            const LANES(court_pressed_on_out) _o459 =
+                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[158]), lanes_load(lists->fixed[126]));
+            V press = _o459.press;
+            V weight = _o459.weight;
+            V drag = _o459.drag;
+            V thrust_x = _o459.thrust_x;
+            V thrust_y = _o459.thrust_y;
+            V thrust_z = _o459.thrust_z;
+            const LANES(court_alone_out) _o460 =
+                LANES(court_alone)();
+            V nearest = _o460.nearest;
+            V wedge = _o460.wedge;
+            const LANES(court_ring_closing_out) _o461 =
+                LANES(court_ring_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]));
+            V gap = _o461.gap;
+            V nearing = _o461.nearing;
+            V swerve = _o461.swerve;
+            V facing = _o461.facing;
             const LANES(court_neared_body_out) _o462 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o462.nearest;
             wedge = _o462.wedge;
-            const LANES(court_end_beside_out) _o463 =
-                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[13]));
+            const LANES(court_backboard_closing_out) _o463 =
+                LANES(court_backboard_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
             gap = _o463.gap;
-            const LANES(court_neared_out) _o464 =
-                LANES(court_neared)(gap, nearest);
+            nearing = _o463.nearing;
+            swerve = _o463.swerve;
+            facing = _o463.facing;
+            const LANES(court_neared_body_out) _o464 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o464.nearest;
-            const LANES(court_bridge_parting_out) _o465 =
-                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[10]));
-            V lift = _o465.lift;
-            const LANES(court_ring_impact_settling_out) _o466 =
-                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[165]), lanes_load(lists->fixed[166]), lanes_load(lists->fixed[167]), lanes_load(lists->fixed[168]), lanes_load(lists->fixed[127]), lanes_load(lists->fixed[160]));
-            M settles = _o466.settles;
-            M lodges = _o466.lodges;
-            M slides = _o466.slides;
-            M parts = _o466.parts;
-            M unsure = _o466.unsure;
-            const LANES(court_settled_out) _o467 =
+            wedge = _o464.wedge;
+            const LANES(court_end_beside_out) _o465 =
+                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
+            gap = _o465.gap;
+            const LANES(court_neared_out) _o466 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o466.nearest;
+            const LANES(court_bridge_parting_out) _o467 =
+                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[16]));
+            V lift = _o467.lift;
+            const LANES(court_ring_impact_settling_out) _o468 =
+                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[168]), lanes_load(lists->fixed[169]), lanes_load(lists->fixed[170]), lanes_load(lists->fixed[171]), lanes_load(lists->fixed[130]), lanes_load(lists->fixed[163]));
+            M settles = _o468.settles;
+            M lodges = _o468.lodges;
+            M slides = _o468.slides;
+            M parts = _o468.parts;
+            M unsure = _o468.unsure;
+            const LANES(court_settled_out) _o469 =
                 LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, K(0.0), unsure);
-            mode = lanes_select(_m455, _o467.mode, mode);
-            held = lanes_select(_m455, _o467.held, held);
-            outcome = lanes_select(_m455, _o467.outcome, outcome);
-            slip_left = lanes_select(_m455, _o467.slip_left, slip_left);
+            mode = lanes_select(_m457, _o469.mode, mode);
+            held = lanes_select(_m457, _o469.held, held);
+            outcome = lanes_select(_m457, _o469.outcome, outcome);
+            slip_left = lanes_select(_m457, _o469.slip_left, slip_left);
         }
         lanes_store(lists->slow_held + i, held);
         lanes_store(lists->slow_mode + i, mode);
@@ -4098,6 +4109,7 @@ static void LANES(court_plain)(const court_job *job)
 
         /* A new shot is looked at once. */
         for (size_t i = fresh; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
                 LANES(court_plain_fix_f1)(lists, i);
             V last = lanes_load(lists->last + i);
@@ -4114,15 +4126,22 @@ static void LANES(court_plain)(const court_job *job)
             const LANES(court_finite_state_out) _o2 =
                 LANES(court_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
             M finite = _o2.finite;
-            const LANES(court_valid_out) _o3 =
-                LANES(court_valid)(last, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]));
+            const LANES(court_aside_out) _o3 =
+                LANES(court_aside)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]));
+            M near = _o3.near;
             V valid = _o3.valid;
-            const LANES(court_admitted_out) _o4 =
+            const M _m4 = lanes_both(rows, near);
+            if (lanes_any(_m4)) {
+                const LANES(court_valid_out) _o5 =
+                    LANES(court_valid)(last, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[0]));
+                valid = lanes_select(_m4, _o5.valid, valid);
+            }
+            const LANES(court_admitted_out) _o6 =
                 LANES(court_admitted)(K(INFINITY), finite, permitted, valid);
-            V outcome = _o4.outcome;
-            const LANES(court_passing_start_out) _o5 =
-                LANES(court_passing_start)(last, outcome, K(0.0), x, y, z, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[14]));
-            V through = _o5.through;
+            V outcome = _o6.outcome;
+            const LANES(court_passing_start_out) _o7 =
+                LANES(court_passing_start)(last, outcome, K(0.0), x, y, z, lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]));
+            V through = _o7.through;
             lanes_store(lists->outcome + i, outcome);
             lanes_store(lists->through + i, through);
         }
@@ -4142,7 +4161,7 @@ static void LANES(court_plain)(const court_job *job)
             const M rows = lanes_first(shots - i);
             LANES(court_ahead)(job, begun + i);
             if (LANES_SELDOM(varying))
-                LANES(court_plain_fix_f6)(lists, i);
+                LANES(court_plain_fix_f8)(lists, i);
             V last = lanes_load(lists->last + i);
             V mode = lanes_load(lists->mode + i);
             V vx = lanes_load(lists->vx + i);
@@ -4151,58 +4170,58 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_error_bounds_out) _o7 =
+            const LANES(court_error_bounds_out) _o9 =
                 LANES(court_error_bounds)(K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0));
-            V time_error = _o7.time_error;
-            const LANES(court_scale_out) _o8 =
-                LANES(court_scale)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]));
-            V extent = _o8.extent;
-            V speed = _o8.speed;
-            V excess = _o8.excess;
-            const LANES(court_opening_out) _o9 =
+            V time_error = _o9.time_error;
+            const LANES(court_scale_out) _o10 =
+                LANES(court_scale)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[20]));
+            V extent = _o10.extent;
+            V speed = _o10.speed;
+            V excess = _o10.excess;
+            const LANES(court_opening_out) _o11 =
                 LANES(court_opening)(excess, K(0.0), K(0.0));
-            V when = _o9.when;
-            V which = _o9.which;
-            const LANES(court_limited_out) _o10 =
+            V when = _o11.when;
+            V which = _o11.which;
+            const LANES(court_limited_out) _o12 =
                 LANES(court_limited)(time_limit);
-            M limited = _o10.limited;
-            const LANES(court_kept_out) _o11 =
+            M limited = _o12.limited;
+            const LANES(court_kept_out) _o13 =
                 LANES(court_kept)(mode, when);
-            M kept = _o11.kept;
-            when = _o11.when;
-            M rests = _o11.rests;
-            M rolling = _o11.rolling;
-            V began = _o11.began;
-            const LANES(court_left_out) _o12 =
+            M kept = _o13.kept;
+            when = _o13.when;
+            M rests = _o13.rests;
+            M rolling = _o13.rolling;
+            V began = _o13.began;
+            const LANES(court_left_out) _o14 =
                 LANES(court_left)(K(3.0), last);
-            V leaving = _o12.leaving;
-            const LANES(court_end_arrival_out) _o13 =
-                LANES(court_end_arrival)(leaving, z, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]), lanes_load(lists->fixed[20]));
-            V time = _o13.time;
-            V rate = _o13.rate;
-            V bend = _o13.bend;
-            const LANES(court_meeting_plane_out) _o14 =
+            V leaving = _o14.leaving;
+            const LANES(court_end_arrival_out) _o15 =
+                LANES(court_end_arrival)(leaving, z, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]));
+            V time = _o15.time;
+            V rate = _o15.rate;
+            V bend = _o15.bend;
+            const LANES(court_meeting_plane_out) _o16 =
                 LANES(court_meeting_plane)(bend, rate, time);
-            M arrives = _o14.arrives;
-            const LANES(court_timely_out) _o15 =
+            M arrives = _o16.arrives;
+            const LANES(court_timely_out) _o17 =
                 LANES(court_timely)(arrives, K(0.0), K(0.0), time, when);
-            M possible = _o15.possible;
-            const M _m16 = lanes_both(rows, possible);
+            M possible = _o17.possible;
+            const M _m18 = lanes_both(rows, possible);
             {
-                const LANES(court_sooner_out) _o17 =
+                const LANES(court_sooner_out) _o19 =
                     LANES(court_sooner)(arrives, K(3.0), time, when, which);
-                when = lanes_select(_m16, _o17.when, when);
-                which = lanes_select(_m16, _o17.which, which);
+                when = lanes_select(_m18, _o19.when, when);
+                which = lanes_select(_m18, _o19.which, which);
             }
-            const LANES(court_horizon_out) _o18 =
-                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[15]));
-            V until = _o18.horizon;
-            const LANES(court_ring_clear_out) _o19 =
-                LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]));
-            V clear = _o19.clear;
-            const LANES(court_opens_in_flight_out) _o20 =
+            const LANES(court_horizon_out) _o20 =
+                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
+            V until = _o20.horizon;
+            const LANES(court_ring_clear_out) _o21 =
+                LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]));
+            V clear = _o21.clear;
+            const LANES(court_opens_in_flight_out) _o22 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o20.open;
+            M open = _o22.open;
             lanes_store(lists->began + i, began);
             lanes_store(lists->extent + i, extent);
             lanes_store(lists->kept + i, lanes_select(kept, K(1.0), K(0.0)));
@@ -4242,7 +4261,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_plain_fix_f21)(lists, i);
+                LANES(court_plain_fix_f23)(lists, i);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
             V speed = lanes_load(lists->open_speed + i);
@@ -4253,82 +4272,82 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_beginning_out) _o22 =
+            const LANES(court_beginning_out) _o24 =
                 LANES(court_beginning)();
-            V share = _o22.share;
-            V arrival = _o22.arrival;
-            M certain = _o22.certain;
-            const LANES(court_left_out) _o23 =
+            V share = _o24.share;
+            V arrival = _o24.arrival;
+            M certain = _o24.certain;
+            const LANES(court_left_out) _o25 =
                 LANES(court_left)(K(0.0), last);
-            V leaving = _o23.leaving;
-            const LANES(court_ring_opened_out) _o24 =
+            V leaving = _o25.leaving;
+            const LANES(court_ring_opened_out) _o26 =
                 LANES(court_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[2]), singles_load(lists->fixed_single[3]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[5]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[7]), singles_load(lists->fixed_single[8]), singles_load(lists->fixed_single[9]));
-            S onset = _o24.t;
-            S wide_end = _o24.end;
-            M searching = _o24.searching;
-            S wide_low1 = _o24.low1;
-            S wide_high1 = _o24.high1;
-            S wide_low2 = _o24.low2;
-            S wide_high2 = _o24.high2;
-            S lapsed = _o24.latest;
-            M sound = _o24.sound;
-            const LANES(court_opened_out) _o25 =
+            S onset = _o26.t;
+            S wide_end = _o26.end;
+            M searching = _o26.searching;
+            S wide_low1 = _o26.low1;
+            S wide_high1 = _o26.high1;
+            S wide_low2 = _o26.low2;
+            S wide_high2 = _o26.high2;
+            S lapsed = _o26.latest;
+            M sound = _o26.sound;
+            const LANES(court_opened_out) _o27 =
                 LANES(court_opened)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _o25.time;
-            const LANES(court_ring_started_out) _o26 =
-                LANES(court_ring_started)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[1]));
-            V rho_start = _o26.rho_start;
-            V parting = _o26.parting;
-            V drift = _o26.drift;
-            const LANES(court_flight_out) _o27 =
-                LANES(court_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[30]));
-            V near_x = _o27.x;
-            V near_y = _o27.y;
-            V near_z = _o27.z;
-            V near_vz = _o27.vz;
-            const LANES(court_ring_grain_out) _o28 =
+            V since = _o27.time;
+            const LANES(court_ring_started_out) _o28 =
+                LANES(court_ring_started)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]));
+            V rho_start = _o28.rho_start;
+            V parting = _o28.parting;
+            V drift = _o28.drift;
+            const LANES(court_flight_out) _o29 =
+                LANES(court_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]));
+            V near_x = _o29.x;
+            V near_y = _o29.y;
+            V near_z = _o29.z;
+            V near_vz = _o29.vz;
+            const LANES(court_ring_grain_out) _o30 =
                 LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[10]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[11]), singles_load(lists->fixed_single[12]), singles_load(lists->fixed_single[13]), singles_load(lists->fixed_single[14]), singles_load(lists->fixed_single[15]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[16]), singles_load(lists->fixed_single[17]), singles_load(lists->fixed_single[18]));
-            S short_share = _o28.share;
-            S short_t = _o28.t;
-            S short_end = _o28.end;
-            S short_x = _o28.x;
-            S short_y = _o28.y;
-            S short_z = _o28.z;
-            S short_vx = _o28.vx;
-            S short_vy = _o28.vy;
-            S short_vz = _o28.vz;
-            S short_steady = _o28.steady;
-            S short_swing = _o28.swing;
-            S short_rho_start = _o28.rho_start;
-            S short_ceiling = _o28.ceiling;
-            S short_flat = _o28.flat;
-            S short_tilt = _o28.tilt;
-            S short_jerk = _o28.jerk;
-            S short_grit = _o28.grit;
-            S short_parting = _o28.parting;
-            S short_drift = _o28.drift;
-            S short_rate_margin = _o28.rate_margin;
-            S short_low1 = _o28.low1;
-            S short_high1 = _o28.high1;
-            S short_low2 = _o28.low2;
-            S short_high2 = _o28.high2;
-            M fits = _o28.fits;
-            const LANES(court_coarse_out) _o29 =
+            S short_share = _o30.share;
+            S short_t = _o30.t;
+            S short_end = _o30.end;
+            S short_x = _o30.x;
+            S short_y = _o30.y;
+            S short_z = _o30.z;
+            S short_vx = _o30.vx;
+            S short_vy = _o30.vy;
+            S short_vz = _o30.vz;
+            S short_steady = _o30.steady;
+            S short_swing = _o30.swing;
+            S short_rho_start = _o30.rho_start;
+            S short_ceiling = _o30.ceiling;
+            S short_flat = _o30.flat;
+            S short_tilt = _o30.tilt;
+            S short_jerk = _o30.jerk;
+            S short_grit = _o30.grit;
+            S short_parting = _o30.parting;
+            S short_drift = _o30.drift;
+            S short_rate_margin = _o30.rate_margin;
+            S short_low1 = _o30.low1;
+            S short_high1 = _o30.high1;
+            S short_low2 = _o30.low2;
+            S short_high2 = _o30.high2;
+            M fits = _o30.fits;
+            const LANES(court_coarse_out) _o31 =
                 LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
-            M leaping = _o29.leaping;
-            searching = _o29.searching;
-            M served = _o29.served;
-            V ceiling = _o29.ceiling;
-            V flat = _o29.flat;
-            V tilt = _o29.tilt;
-            const M _m30 = lanes_both(rows, leaping);
-            if (lanes_any(_m30)) {
-                const LANES(court_ring_leap_out) _o31 =
+            M leaping = _o31.leaping;
+            searching = _o31.searching;
+            M served = _o31.served;
+            V ceiling = _o31.ceiling;
+            V flat = _o31.flat;
+            V tilt = _o31.tilt;
+            const M _m32 = lanes_both(rows, leaping);
+            if (lanes_any(_m32)) {
+                const LANES(court_ring_leap_out) _o33 =
                     LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
-                short_t = singles_select(singles_of(_m30), _o31.t, short_t);
-                short_end = singles_select(singles_of(_m30), _o31.end, short_end);
-                certain = lanes_choose(_m30, _o31.certain, certain);
-                leaping = lanes_choose(_m30, _o31.leaping, leaping);
+                short_t = singles_select(singles_of(_m32), _o33.t, short_t);
+                short_end = singles_select(singles_of(_m32), _o33.end, short_end);
+                certain = lanes_choose(_m32, _o33.certain, certain);
+                leaping = lanes_choose(_m32, _o33.leaping, leaping);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
@@ -4432,7 +4451,7 @@ static void LANES(court_plain)(const court_job *job)
                     short_y = singles_expand(lists->open_leaping_short_y + taken, idle, short_y);
                     short_z = singles_expand(lists->open_leaping_short_z + taken, idle, short_z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_plain_fix_f32)(lists, taken, idle);
+                        LANES(court_plain_fix_f34)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_leaping_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -4441,12 +4460,12 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(court_ring_leap_out) _o33 =
+                const LANES(court_ring_leap_out) _o35 =
                     LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
-                short_t = _o33.t;
-                short_end = _o33.end;
-                M certain = _o33.certain;
-                leaping = _o33.leaping;
+                short_t = _o35.t;
+                short_end = _o35.end;
+                M certain = _o35.certain;
+                leaping = _o35.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -4489,11 +4508,11 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_leapt_out) _o34 =
+            const LANES(court_leapt_out) _o36 =
                 LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o34.arrival;
-            V t = _o34.t;
-            searching = _o34.searching;
+            arrival = _o36.arrival;
+            V t = _o36.t;
+            searching = _o36.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -4526,7 +4545,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_searching_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_plain_fix_f35)(lists, i);
+                LANES(court_plain_fix_f37)(lists, i);
             V arrival = lanes_load(lists->open_searching_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
             V extent = lanes_load(lists->open_searching_extent + i);
@@ -4541,33 +4560,33 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(court_ring_prepare_out) _o36 =
-                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[26]));
-            V steady = _o36.steady;
-            V swing = _o36.swing;
-            V rho_start = _o36.rho_start;
-            V low0 = _o36.low0;
-            V high0 = _o36.high0;
-            V low1 = _o36.low1;
-            V high1 = _o36.high1;
-            V low2 = _o36.low2;
-            V high2 = _o36.high2;
-            V ceiling = _o36.ceiling;
-            V latest = _o36.latest;
-            const LANES(court_allowance_out) _o37 =
-                LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[16]));
-            V position_level = _o37.position_level;
-            V velocity_level = _o37.velocity_level;
-            const LANES(court_ring_margins_out) _o38 =
-                LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]));
-            V flat = _o38.margin;
-            V tilt = _o38.leaving_margin;
-            V rate_slack = _o38.rate_margin;
-            const LANES(court_ring_enter_out) _o39 =
+            const LANES(court_ring_prepare_out) _o38 =
+                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]));
+            V steady = _o38.steady;
+            V swing = _o38.swing;
+            V rho_start = _o38.rho_start;
+            V low0 = _o38.low0;
+            V high0 = _o38.high0;
+            V low1 = _o38.low1;
+            V high1 = _o38.high1;
+            V low2 = _o38.low2;
+            V high2 = _o38.high2;
+            V ceiling = _o38.ceiling;
+            V latest = _o38.latest;
+            const LANES(court_allowance_out) _o39 =
+                LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[21]));
+            V position_level = _o39.position_level;
+            V velocity_level = _o39.velocity_level;
+            const LANES(court_ring_margins_out) _o40 =
+                LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]));
+            V flat = _o40.margin;
+            V tilt = _o40.leaving_margin;
+            V rate_slack = _o40.rate_margin;
+            const LANES(court_ring_enter_out) _o41 =
                 LANES(court_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o39.t;
-            V end = _o39.end;
-            M searching = _o39.searching;
+            t = _o41.t;
+            V end = _o41.end;
+            M searching = _o41.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_rho_start + i, rho_start);
@@ -4678,7 +4697,7 @@ static void LANES(court_plain)(const court_job *job)
                     y = lanes_expand(lists->open_searching_searching_y + taken, idle, y);
                     z = lanes_expand(lists->open_searching_searching_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_plain_fix_f40)(lists, taken, idle);
+                        LANES(court_plain_fix_f42)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_searching_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -4687,52 +4706,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o41 =
+                const LANES(court_nearby_out) _o43 =
                     LANES(court_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o41.leaving;
-                V margin = _o41.margin;
-                const LANES(court_ring_advance_out) _o42 =
-                    LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]));
-                V gap = _o42.gap;
-                V rate = _o42.rate;
-                V bend = _o42.bend;
-                V step = _o42.step;
-                V next = _o42.next;
-                V clearance = _o42.clearance;
-                const LANES(court_struck_out) _o43 =
+                V leaving = _o43.leaving;
+                V margin = _o43.margin;
+                const LANES(court_ring_advance_out) _o44 =
+                    LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[49]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[51]));
+                V gap = _o44.gap;
+                V rate = _o44.rate;
+                V bend = _o44.bend;
+                V step = _o44.step;
+                V next = _o44.next;
+                V clearance = _o44.clearance;
+                const LANES(court_struck_out) _o45 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o43.hit;
-                M sure = _o43.sure;
-                M vague = _o43.vague;
-                const M _m44 = lanes_both(active, vague);
-                if (lanes_any(_m44)) {
-                    const LANES(court_finer_out) _o45 =
+                M hit = _o45.hit;
+                M sure = _o45.sure;
+                M vague = _o45.vague;
+                const M _m46 = lanes_both(active, vague);
+                if (lanes_any(_m46)) {
+                    const LANES(court_finer_out) _o47 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m44, _o45.share, share);
-                    const LANES(court_allowance_out) _o46 =
-                        LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[16]));
-                    V position_level = _o46.position_level;
-                    V velocity_level = _o46.velocity_level;
-                    const LANES(court_ring_margins_out) _o47 =
-                        LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]));
-                    flat = lanes_select(_m44, _o47.margin, flat);
-                    tilt = lanes_select(_m44, _o47.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m44, _o47.rate_margin, rate_slack);
+                    share = lanes_select(_m46, _o47.share, share);
+                    const LANES(court_allowance_out) _o48 =
+                        LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[21]));
+                    V position_level = _o48.position_level;
+                    V velocity_level = _o48.velocity_level;
+                    const LANES(court_ring_margins_out) _o49 =
+                        LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]));
+                    flat = lanes_select(_m46, _o49.margin, flat);
+                    tilt = lanes_select(_m46, _o49.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m46, _o49.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o48 =
+                const LANES(court_advanced_out) _o50 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o48.arrival;
-                certain = _o48.certain;
-                M exhausted = _o48.exhausted;
-                searching = _o48.searching;
-                t = _o48.t;
-                const M _m49 = lanes_both(active, exhausted);
+                arrival = _o50.arrival;
+                certain = _o50.certain;
+                M exhausted = _o50.exhausted;
+                searching = _o50.searching;
+                t = _o50.t;
+                const M _m51 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_ring_enter_out) _o50 =
+                    const LANES(court_ring_enter_out) _o52 =
                         LANES(court_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m49, _o50.t, t);
-                    end = lanes_select(_m49, _o50.end, end);
-                    searching = lanes_choose(_m49, _o50.searching, searching);
+                    t = lanes_select(_m51, _o52.t, t);
+                    end = lanes_select(_m51, _o52.end, end);
+                    searching = lanes_choose(_m51, _o52.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -4776,7 +4795,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_plain_fix_f51)(lists, i);
+                LANES(court_plain_fix_f53)(lists, i);
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
@@ -4790,36 +4809,36 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o52 =
+            const LANES(court_found_out) _o54 =
                 LANES(court_found)(arrival);
-            M arrives = _o52.arrives;
-            M refining = _o52.refining;
-            const LANES(court_nearby_out) _o53 =
+            M arrives = _o54.arrives;
+            M refining = _o54.refining;
+            const LANES(court_nearby_out) _o55 =
                 LANES(court_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o53.leaving;
-            const M _m54 = lanes_both(rows, refining);
-            if (lanes_any(_m54)) {
-                const LANES(court_ring_refine_out) _o55 =
-                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[8]));
-                V refined = _o55.time;
-                V gap = _o55.gap;
-                V rate = _o55.rate;
-                const LANES(court_polished_out) _o56 =
+            V leaving = _o55.leaving;
+            const M _m56 = lanes_both(rows, refining);
+            if (lanes_any(_m56)) {
+                const LANES(court_ring_refine_out) _o57 =
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[14]));
+                V refined = _o57.time;
+                V gap = _o57.gap;
+                V rate = _o57.rate;
+                const LANES(court_polished_out) _o58 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m54, _o56.arrival, arrival);
-                refining = lanes_choose(_m54, _o56.refining, refining);
+                arrival = lanes_select(_m56, _o58.arrival, arrival);
+                refining = lanes_choose(_m56, _o58.refining, refining);
             }
-            const M _m57 = lanes_both(rows, refining);
-            if (lanes_any(_m57)) {
-                const LANES(court_ring_refine_out) _o58 =
-                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[8]));
-                V refined = _o58.time;
-                V gap = _o58.gap;
-                V rate = _o58.rate;
-                const LANES(court_polished_out) _o59 =
+            const M _m59 = lanes_both(rows, refining);
+            if (lanes_any(_m59)) {
+                const LANES(court_ring_refine_out) _o60 =
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[14]));
+                V refined = _o60.time;
+                V gap = _o60.gap;
+                V rate = _o60.rate;
+                const LANES(court_polished_out) _o61 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m57, _o59.arrival, arrival);
-                refining = lanes_choose(_m57, _o59.refining, refining);
+                arrival = lanes_select(_m59, _o61.arrival, arrival);
+                refining = lanes_choose(_m59, _o61.refining, refining);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -4878,7 +4897,7 @@ static void LANES(court_plain)(const court_job *job)
                     y = lanes_expand(lists->open_refining_y + taken, idle, y);
                     z = lanes_expand(lists->open_refining_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_plain_fix_f60)(lists, taken, idle);
+                        LANES(court_plain_fix_f62)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -4887,15 +4906,15 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_ring_refine_out) _o61 =
-                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[8]));
-                V refined = _o61.time;
-                V gap = _o61.gap;
-                V rate = _o61.rate;
-                const LANES(court_polished_out) _o62 =
+                const LANES(court_ring_refine_out) _o63 =
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[14]));
+                V refined = _o63.time;
+                V gap = _o63.gap;
+                V rate = _o63.rate;
+                const LANES(court_polished_out) _o64 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o62.arrival;
-                refining = _o62.refining;
+                arrival = _o64.arrival;
+                refining = _o64.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -4919,13 +4938,13 @@ static void LANES(court_plain)(const court_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_landed_out) _o63 =
+            const LANES(court_landed_out) _o65 =
                 LANES(court_landed)(arrival);
-            V time = _o63.time;
-            const LANES(court_sooner_out) _o64 =
+            V time = _o65.time;
+            const LANES(court_sooner_out) _o66 =
                 LANES(court_sooner)(arrives, K(0.0), time, when, which);
-            when = _o64.when;
-            which = _o64.which;
+            when = _o66.when;
+            which = _o66.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -4940,7 +4959,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_plain_fix_f65)(lists, i);
+                LANES(court_plain_fix_f67)(lists, i);
             V extent = lanes_load(lists->extent + i);
             M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
             V last = lanes_load(lists->last + i);
@@ -4953,30 +4972,30 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o66 =
-                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[15]));
-            V until = _o66.horizon;
-            V pad = _o66.pad;
-            const LANES(court_halved_out) _o67 =
-                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), K(0.0), pad, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[48]));
-            V middle_x = _o67.middle_x;
-            V reach_x = _o67.reach_x;
-            V later_middle_x = _o67.later_middle_x;
-            V later_reach_x = _o67.later_reach_x;
-            V middle_y = _o67.middle_y;
-            V reach_y = _o67.reach_y;
-            V later_middle_y = _o67.later_middle_y;
-            V later_reach_y = _o67.later_reach_y;
-            V middle_z = _o67.middle_z;
-            V reach_z = _o67.reach_z;
-            V later_middle_z = _o67.later_middle_z;
-            V later_reach_z = _o67.later_reach_z;
-            const LANES(court_backboard_near_out) _o68 =
-                LANES(court_backboard_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, lanes_load(lists->fixed[49]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[51]), lanes_load(lists->fixed[52]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[54]));
-            M reachable = _o68.near;
-            const LANES(court_reachable_in_flight_out) _o69 =
+            const LANES(court_horizon_out) _o68 =
+                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
+            V until = _o68.horizon;
+            V pad = _o68.pad;
+            const LANES(court_halved_out) _o69 =
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), K(0.0), pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[52]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[53]));
+            V middle_x = _o69.middle_x;
+            V reach_x = _o69.reach_x;
+            V later_middle_x = _o69.later_middle_x;
+            V later_reach_x = _o69.later_reach_x;
+            V middle_y = _o69.middle_y;
+            V reach_y = _o69.reach_y;
+            V later_middle_y = _o69.later_middle_y;
+            V later_reach_y = _o69.later_reach_y;
+            V middle_z = _o69.middle_z;
+            V reach_z = _o69.reach_z;
+            V later_middle_z = _o69.later_middle_z;
+            V later_reach_z = _o69.later_reach_z;
+            const LANES(court_backboard_near_out) _o70 =
+                LANES(court_backboard_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, lanes_load(lists->fixed[54]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[55]), lanes_load(lists->fixed[56]), lanes_load(lists->fixed[57]), lanes_load(lists->fixed[58]));
+            M reachable = _o70.near;
+            const LANES(court_reachable_in_flight_out) _o71 =
                 LANES(court_reachable_in_flight)(kept, reachable);
-            reachable = _o69.reachable;
+            reachable = _o71.reachable;
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
                 lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -5008,7 +5027,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(reachable_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_plain_fix_f70)(lists, i);
+                LANES(court_plain_fix_f72)(lists, i);
             V extent = lanes_load(lists->reachable_extent + i);
             V last = lanes_load(lists->reachable_last + i);
             V speed = lanes_load(lists->reachable_speed + i);
@@ -5019,84 +5038,84 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_horizon_out) _o71 =
-                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[15]));
-            V until = _o71.horizon;
-            const LANES(court_backboard_prepare_out) _o72 =
-                LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[55]), lanes_load(lists->fixed[56]), lanes_load(lists->fixed[57]), lanes_load(lists->fixed[58]), lanes_load(lists->fixed[59]), lanes_load(lists->fixed[60]), lanes_load(lists->fixed[61]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[62]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[63]), lanes_load(lists->fixed[64]), lanes_load(lists->fixed[65]));
-            V low0 = _o72.low0;
-            V high0 = _o72.high0;
-            V low1 = _o72.low1;
-            V high1 = _o72.high1;
-            V ceiling = _o72.ceiling;
-            V latest = _o72.latest;
-            const LANES(court_beginning_out) _o73 =
+            const LANES(court_horizon_out) _o73 =
+                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
+            V until = _o73.horizon;
+            const LANES(court_backboard_prepare_out) _o74 =
+                LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[59]), lanes_load(lists->fixed[60]), lanes_load(lists->fixed[61]), lanes_load(lists->fixed[62]), lanes_load(lists->fixed[63]), lanes_load(lists->fixed[64]), lanes_load(lists->fixed[65]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[66]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]));
+            V low0 = _o74.low0;
+            V high0 = _o74.high0;
+            V low1 = _o74.low1;
+            V high1 = _o74.high1;
+            V ceiling = _o74.ceiling;
+            V latest = _o74.latest;
+            const LANES(court_beginning_out) _o75 =
                 LANES(court_beginning)();
-            V share = _o73.share;
-            V arrival = _o73.arrival;
-            M certain = _o73.certain;
-            const LANES(court_allowance_out) _o74 =
-                LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[16]));
-            V position_level = _o74.position_level;
-            V velocity_level = _o74.velocity_level;
-            const LANES(court_backboard_margins_out) _o75 =
-                LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[66]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]), lanes_load(lists->fixed[70]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]));
-            V flat = _o75.margin;
-            V tilt = _o75.leaving_margin;
-            V rate_slack = _o75.rate_margin;
-            const LANES(court_backboard_enter_out) _o76 =
+            V share = _o75.share;
+            V arrival = _o75.arrival;
+            M certain = _o75.certain;
+            const LANES(court_allowance_out) _o76 =
+                LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[21]));
+            V position_level = _o76.position_level;
+            V velocity_level = _o76.velocity_level;
+            const LANES(court_backboard_margins_out) _o77 =
+                LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[70]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[80]));
+            V flat = _o77.margin;
+            V tilt = _o77.leaving_margin;
+            V rate_slack = _o77.rate_margin;
+            const LANES(court_backboard_enter_out) _o78 =
                 LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o76.t;
-            V end = _o76.end;
-            M searching = _o76.searching;
-            const M _m77 = lanes_both(rows, searching);
-            if (lanes_any(_m77)) {
-                const LANES(court_nearby_out) _o78 =
+            V t = _o78.t;
+            V end = _o78.end;
+            M searching = _o78.searching;
+            const M _m79 = lanes_both(rows, searching);
+            if (lanes_any(_m79)) {
+                const LANES(court_nearby_out) _o80 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o78.leaving;
-                V margin = _o78.margin;
-                const LANES(court_backboard_advance_out) _o79 =
-                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[79]));
-                V gap = _o79.gap;
-                V rate = _o79.rate;
-                V bend = _o79.bend;
-                V step = _o79.step;
-                V next = _o79.next;
-                V clearance = _o79.clearance;
-                const LANES(court_struck_or_still_out) _o80 =
+                V leaving = _o80.leaving;
+                V margin = _o80.margin;
+                const LANES(court_backboard_advance_out) _o81 =
+                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[83]));
+                V gap = _o81.gap;
+                V rate = _o81.rate;
+                V bend = _o81.bend;
+                V step = _o81.step;
+                V next = _o81.next;
+                V clearance = _o81.clearance;
+                const LANES(court_struck_or_still_out) _o82 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o80.hit;
-                M sure = _o80.sure;
-                M vague = _o80.vague;
-                const M _m81 = lanes_both(_m77, vague);
-                if (lanes_any(_m81)) {
-                    const LANES(court_finer_out) _o82 =
+                M hit = _o82.hit;
+                M sure = _o82.sure;
+                M vague = _o82.vague;
+                const M _m83 = lanes_both(_m79, vague);
+                if (lanes_any(_m83)) {
+                    const LANES(court_finer_out) _o84 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m81, _o82.share, share);
-                    const LANES(court_allowance_out) _o83 =
-                        LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[16]));
-                    V position_level = _o83.position_level;
-                    V velocity_level = _o83.velocity_level;
-                    const LANES(court_backboard_margins_out) _o84 =
-                        LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[66]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]), lanes_load(lists->fixed[70]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]));
-                    flat = lanes_select(_m81, _o84.margin, flat);
-                    tilt = lanes_select(_m81, _o84.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m81, _o84.rate_margin, rate_slack);
+                    share = lanes_select(_m83, _o84.share, share);
+                    const LANES(court_allowance_out) _o85 =
+                        LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[21]));
+                    V position_level = _o85.position_level;
+                    V velocity_level = _o85.velocity_level;
+                    const LANES(court_backboard_margins_out) _o86 =
+                        LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[70]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[80]));
+                    flat = lanes_select(_m83, _o86.margin, flat);
+                    tilt = lanes_select(_m83, _o86.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m83, _o86.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o85 =
+                const LANES(court_advanced_out) _o87 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = lanes_select(_m77, _o85.arrival, arrival);
-                certain = lanes_choose(_m77, _o85.certain, certain);
-                M exhausted = _o85.exhausted;
-                searching = lanes_choose(_m77, _o85.searching, searching);
-                t = lanes_select(_m77, _o85.t, t);
-                const M _m86 = lanes_both(_m77, exhausted);
+                arrival = lanes_select(_m79, _o87.arrival, arrival);
+                certain = lanes_choose(_m79, _o87.certain, certain);
+                M exhausted = _o87.exhausted;
+                searching = lanes_choose(_m79, _o87.searching, searching);
+                t = lanes_select(_m79, _o87.t, t);
+                const M _m88 = lanes_both(_m79, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o87 =
+                    const LANES(court_backboard_enter_out) _o89 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m86, _o87.t, t);
-                    end = lanes_select(_m86, _o87.end, end);
-                    searching = lanes_choose(_m86, _o87.searching, searching);
+                    t = lanes_select(_m88, _o89.t, t);
+                    end = lanes_select(_m88, _o89.end, end);
+                    searching = lanes_choose(_m88, _o89.searching, searching);
                 }
             }
             lanes_store(lists->reachable_arrival + i, arrival);
@@ -5198,7 +5217,7 @@ static void LANES(court_plain)(const court_job *job)
                     y = lanes_expand(lists->reachable_searching_y + taken, idle, y);
                     z = lanes_expand(lists->reachable_searching_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_plain_fix_f88)(lists, taken, idle);
+                        LANES(court_plain_fix_f90)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = reachable_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -5207,52 +5226,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o89 =
+                const LANES(court_nearby_out) _o91 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o89.leaving;
-                V margin = _o89.margin;
-                const LANES(court_backboard_advance_out) _o90 =
-                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[79]));
-                V gap = _o90.gap;
-                V rate = _o90.rate;
-                V bend = _o90.bend;
-                V step = _o90.step;
-                V next = _o90.next;
-                V clearance = _o90.clearance;
-                const LANES(court_struck_or_still_out) _o91 =
+                V leaving = _o91.leaving;
+                V margin = _o91.margin;
+                const LANES(court_backboard_advance_out) _o92 =
+                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[83]));
+                V gap = _o92.gap;
+                V rate = _o92.rate;
+                V bend = _o92.bend;
+                V step = _o92.step;
+                V next = _o92.next;
+                V clearance = _o92.clearance;
+                const LANES(court_struck_or_still_out) _o93 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o91.hit;
-                M sure = _o91.sure;
-                M vague = _o91.vague;
-                const M _m92 = lanes_both(active, vague);
-                if (lanes_any(_m92)) {
-                    const LANES(court_finer_out) _o93 =
+                M hit = _o93.hit;
+                M sure = _o93.sure;
+                M vague = _o93.vague;
+                const M _m94 = lanes_both(active, vague);
+                if (lanes_any(_m94)) {
+                    const LANES(court_finer_out) _o95 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m92, _o93.share, share);
-                    const LANES(court_allowance_out) _o94 =
-                        LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[16]));
-                    V position_level = _o94.position_level;
-                    V velocity_level = _o94.velocity_level;
-                    const LANES(court_backboard_margins_out) _o95 =
-                        LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[66]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]), lanes_load(lists->fixed[70]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]));
-                    flat = lanes_select(_m92, _o95.margin, flat);
-                    tilt = lanes_select(_m92, _o95.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m92, _o95.rate_margin, rate_slack);
+                    share = lanes_select(_m94, _o95.share, share);
+                    const LANES(court_allowance_out) _o96 =
+                        LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[21]));
+                    V position_level = _o96.position_level;
+                    V velocity_level = _o96.velocity_level;
+                    const LANES(court_backboard_margins_out) _o97 =
+                        LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[70]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[80]));
+                    flat = lanes_select(_m94, _o97.margin, flat);
+                    tilt = lanes_select(_m94, _o97.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m94, _o97.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o96 =
+                const LANES(court_advanced_out) _o98 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o96.arrival;
-                certain = _o96.certain;
-                M exhausted = _o96.exhausted;
-                searching = _o96.searching;
-                t = _o96.t;
-                const M _m97 = lanes_both(active, exhausted);
+                arrival = _o98.arrival;
+                certain = _o98.certain;
+                M exhausted = _o98.exhausted;
+                searching = _o98.searching;
+                t = _o98.t;
+                const M _m99 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o98 =
+                    const LANES(court_backboard_enter_out) _o100 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m97, _o98.t, t);
-                    end = lanes_select(_m97, _o98.end, end);
-                    searching = lanes_choose(_m97, _o98.searching, searching);
+                    t = lanes_select(_m99, _o100.t, t);
+                    end = lanes_select(_m99, _o100.end, end);
+                    searching = lanes_choose(_m99, _o100.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -5286,7 +5305,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(reachable_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_plain_fix_f99)(lists, i);
+                LANES(court_plain_fix_f101)(lists, i);
             V arrival = lanes_load(lists->reachable_arrival + i);
             V ceiling = lanes_load(lists->reachable_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->reachable_certain + i));
@@ -5299,36 +5318,36 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_found_out) _o100 =
+            const LANES(court_found_out) _o102 =
                 LANES(court_found)(arrival);
-            M arrives = _o100.arrives;
-            M refining = _o100.refining;
-            const LANES(court_nearby_out) _o101 =
+            M arrives = _o102.arrives;
+            M refining = _o102.refining;
+            const LANES(court_nearby_out) _o103 =
                 LANES(court_nearby)(flat, K(1.0), last, arrival, tilt);
-            V leaving = _o101.leaving;
-            const M _m102 = lanes_both(rows, refining);
-            if (lanes_any(_m102)) {
-                const LANES(court_backboard_refine_out) _o103 =
-                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[77]));
-                V refined = _o103.time;
-                V gap = _o103.gap;
-                V rate = _o103.rate;
-                const LANES(court_polished_out) _o104 =
+            V leaving = _o103.leaving;
+            const M _m104 = lanes_both(rows, refining);
+            if (lanes_any(_m104)) {
+                const LANES(court_backboard_refine_out) _o105 =
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[81]));
+                V refined = _o105.time;
+                V gap = _o105.gap;
+                V rate = _o105.rate;
+                const LANES(court_polished_out) _o106 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m102, _o104.arrival, arrival);
-                refining = lanes_choose(_m102, _o104.refining, refining);
+                arrival = lanes_select(_m104, _o106.arrival, arrival);
+                refining = lanes_choose(_m104, _o106.refining, refining);
             }
-            const M _m105 = lanes_both(rows, refining);
-            if (lanes_any(_m105)) {
-                const LANES(court_backboard_refine_out) _o106 =
-                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[77]));
-                V refined = _o106.time;
-                V gap = _o106.gap;
-                V rate = _o106.rate;
-                const LANES(court_polished_out) _o107 =
+            const M _m107 = lanes_both(rows, refining);
+            if (lanes_any(_m107)) {
+                const LANES(court_backboard_refine_out) _o108 =
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[81]));
+                V refined = _o108.time;
+                V gap = _o108.gap;
+                V rate = _o108.rate;
+                const LANES(court_polished_out) _o109 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m105, _o107.arrival, arrival);
-                refining = lanes_choose(_m105, _o107.refining, refining);
+                arrival = lanes_select(_m107, _o109.arrival, arrival);
+                refining = lanes_choose(_m107, _o109.refining, refining);
             }
             lanes_store(lists->reachable_arrival + i, arrival);
             lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -5387,7 +5406,7 @@ static void LANES(court_plain)(const court_job *job)
                     y = lanes_expand(lists->reachable_refining_y + taken, idle, y);
                     z = lanes_expand(lists->reachable_refining_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_plain_fix_f108)(lists, taken, idle);
+                        LANES(court_plain_fix_f110)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = reachable_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -5396,15 +5415,15 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_backboard_refine_out) _o109 =
-                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[77]));
-                V refined = _o109.time;
-                V gap = _o109.gap;
-                V rate = _o109.rate;
-                const LANES(court_polished_out) _o110 =
+                const LANES(court_backboard_refine_out) _o111 =
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[81]));
+                V refined = _o111.time;
+                V gap = _o111.gap;
+                V rate = _o111.rate;
+                const LANES(court_polished_out) _o112 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o110.arrival;
-                refining = _o110.refining;
+                arrival = _o112.arrival;
+                refining = _o112.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -5428,13 +5447,13 @@ static void LANES(court_plain)(const court_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->reachable_arrives + i));
             V when = lanes_load(lists->reachable_when + i);
             V which = lanes_load(lists->reachable_which + i);
-            const LANES(court_landed_out) _o111 =
+            const LANES(court_landed_out) _o113 =
                 LANES(court_landed)(arrival);
-            V time = _o111.time;
-            const LANES(court_sooner_out) _o112 =
+            V time = _o113.time;
+            const LANES(court_sooner_out) _o114 =
                 LANES(court_sooner)(arrives, K(1.0), time, when, which);
-            when = _o112.when;
-            which = _o112.which;
+            when = _o114.when;
+            which = _o114.which;
             lanes_store(lists->reachable_when + i, when);
             lanes_store(lists->reachable_which + i, which);
         }
@@ -5449,7 +5468,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_plain_fix_f113)(lists, i);
+                LANES(court_plain_fix_f115)(lists, i);
             V extent = lanes_load(lists->extent + i);
             M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
             V last = lanes_load(lists->last + i);
@@ -5462,30 +5481,30 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o114 =
-                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[15]));
-            V until = _o114.horizon;
-            V pad = _o114.pad;
-            const LANES(court_halved_out) _o115 =
-                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), K(0.0), pad, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[48]));
-            V middle_x = _o115.middle_x;
-            V reach_x = _o115.reach_x;
-            V later_middle_x = _o115.later_middle_x;
-            V later_reach_x = _o115.later_reach_x;
-            V middle_y = _o115.middle_y;
-            V reach_y = _o115.reach_y;
-            V later_middle_y = _o115.later_middle_y;
-            V later_reach_y = _o115.later_reach_y;
-            V middle_z = _o115.middle_z;
-            V reach_z = _o115.reach_z;
-            V later_middle_z = _o115.later_middle_z;
-            V later_reach_z = _o115.later_reach_z;
-            const LANES(court_bridge_near_out) _o116 =
-                LANES(court_bridge_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, lanes_load(lists->fixed[49]), lanes_load(lists->fixed[80]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[84]));
-            M reachable = _o116.near;
-            const LANES(court_reachable_in_flight_out) _o117 =
+            const LANES(court_horizon_out) _o116 =
+                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
+            V until = _o116.horizon;
+            V pad = _o116.pad;
+            const LANES(court_halved_out) _o117 =
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), K(0.0), pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[52]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[53]));
+            V middle_x = _o117.middle_x;
+            V reach_x = _o117.reach_x;
+            V later_middle_x = _o117.later_middle_x;
+            V later_reach_x = _o117.later_reach_x;
+            V middle_y = _o117.middle_y;
+            V reach_y = _o117.reach_y;
+            V later_middle_y = _o117.later_middle_y;
+            V later_reach_y = _o117.later_reach_y;
+            V middle_z = _o117.middle_z;
+            V reach_z = _o117.reach_z;
+            V later_middle_z = _o117.later_middle_z;
+            V later_reach_z = _o117.later_reach_z;
+            const LANES(court_bridge_near_out) _o118 =
+                LANES(court_bridge_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, lanes_load(lists->fixed[54]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[84]), lanes_load(lists->fixed[85]), lanes_load(lists->fixed[86]), lanes_load(lists->fixed[87]));
+            M reachable = _o118.near;
+            const LANES(court_reachable_in_flight_out) _o119 =
                 LANES(court_reachable_in_flight)(kept, reachable);
-            reachable = _o117.reachable;
+            reachable = _o119.reachable;
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
                 lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -5517,7 +5536,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(reachable_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_plain_fix_f118)(lists, i);
+                LANES(court_plain_fix_f120)(lists, i);
             V extent = lanes_load(lists->reachable_extent + i);
             V last = lanes_load(lists->reachable_last + i);
             V speed = lanes_load(lists->reachable_speed + i);
@@ -5528,84 +5547,84 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_horizon_out) _o119 =
-                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[15]));
-            V until = _o119.horizon;
-            const LANES(court_bridge_prepare_out) _o120 =
-                LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[85]), lanes_load(lists->fixed[86]), lanes_load(lists->fixed[87]), lanes_load(lists->fixed[88]), lanes_load(lists->fixed[89]), lanes_load(lists->fixed[90]), lanes_load(lists->fixed[91]), lanes_load(lists->fixed[92]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[93]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[94]), lanes_load(lists->fixed[95]), lanes_load(lists->fixed[96]));
-            V low0 = _o120.low0;
-            V high0 = _o120.high0;
-            V low1 = _o120.low1;
-            V high1 = _o120.high1;
-            V ceiling = _o120.ceiling;
-            V latest = _o120.latest;
-            const LANES(court_beginning_out) _o121 =
+            const LANES(court_horizon_out) _o121 =
+                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
+            V until = _o121.horizon;
+            const LANES(court_bridge_prepare_out) _o122 =
+                LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[88]), lanes_load(lists->fixed[89]), lanes_load(lists->fixed[90]), lanes_load(lists->fixed[91]), lanes_load(lists->fixed[92]), lanes_load(lists->fixed[93]), lanes_load(lists->fixed[94]), lanes_load(lists->fixed[95]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[96]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[97]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]));
+            V low0 = _o122.low0;
+            V high0 = _o122.high0;
+            V low1 = _o122.low1;
+            V high1 = _o122.high1;
+            V ceiling = _o122.ceiling;
+            V latest = _o122.latest;
+            const LANES(court_beginning_out) _o123 =
                 LANES(court_beginning)();
-            V share = _o121.share;
-            V arrival = _o121.arrival;
-            M certain = _o121.certain;
-            const LANES(court_allowance_out) _o122 =
-                LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[16]));
-            V position_level = _o122.position_level;
-            V velocity_level = _o122.velocity_level;
-            const LANES(court_bridge_margins_out) _o123 =
-                LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[66]), lanes_load(lists->fixed[97]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]));
-            V flat = _o123.margin;
-            V tilt = _o123.leaving_margin;
-            V rate_slack = _o123.rate_margin;
-            const LANES(court_bridge_enter_out) _o124 =
+            V share = _o123.share;
+            V arrival = _o123.arrival;
+            M certain = _o123.certain;
+            const LANES(court_allowance_out) _o124 =
+                LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[21]));
+            V position_level = _o124.position_level;
+            V velocity_level = _o124.velocity_level;
+            const LANES(court_bridge_margins_out) _o125 =
+                LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[70]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[109]));
+            V flat = _o125.margin;
+            V tilt = _o125.leaving_margin;
+            V rate_slack = _o125.rate_margin;
+            const LANES(court_bridge_enter_out) _o126 =
                 LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o124.t;
-            V end = _o124.end;
-            M searching = _o124.searching;
-            const M _m125 = lanes_both(rows, searching);
-            if (lanes_any(_m125)) {
-                const LANES(court_nearby_out) _o126 =
+            V t = _o126.t;
+            V end = _o126.end;
+            M searching = _o126.searching;
+            const M _m127 = lanes_both(rows, searching);
+            if (lanes_any(_m127)) {
+                const LANES(court_nearby_out) _o128 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o126.leaving;
-                V margin = _o126.margin;
-                const LANES(court_bridge_advance_out) _o127 =
-                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[97]), lanes_load(lists->fixed[79]));
-                V gap = _o127.gap;
-                V rate = _o127.rate;
-                V bend = _o127.bend;
-                V step = _o127.step;
-                V next = _o127.next;
-                V clearance = _o127.clearance;
-                const LANES(court_struck_or_still_out) _o128 =
+                V leaving = _o128.leaving;
+                V margin = _o128.margin;
+                const LANES(court_bridge_advance_out) _o129 =
+                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[83]));
+                V gap = _o129.gap;
+                V rate = _o129.rate;
+                V bend = _o129.bend;
+                V step = _o129.step;
+                V next = _o129.next;
+                V clearance = _o129.clearance;
+                const LANES(court_struck_or_still_out) _o130 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o128.hit;
-                M sure = _o128.sure;
-                M vague = _o128.vague;
-                const M _m129 = lanes_both(_m125, vague);
-                if (lanes_any(_m129)) {
-                    const LANES(court_finer_out) _o130 =
+                M hit = _o130.hit;
+                M sure = _o130.sure;
+                M vague = _o130.vague;
+                const M _m131 = lanes_both(_m127, vague);
+                if (lanes_any(_m131)) {
+                    const LANES(court_finer_out) _o132 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m129, _o130.share, share);
-                    const LANES(court_allowance_out) _o131 =
-                        LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[16]));
-                    V position_level = _o131.position_level;
-                    V velocity_level = _o131.velocity_level;
-                    const LANES(court_bridge_margins_out) _o132 =
-                        LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[66]), lanes_load(lists->fixed[97]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]));
-                    flat = lanes_select(_m129, _o132.margin, flat);
-                    tilt = lanes_select(_m129, _o132.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m129, _o132.rate_margin, rate_slack);
+                    share = lanes_select(_m131, _o132.share, share);
+                    const LANES(court_allowance_out) _o133 =
+                        LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[21]));
+                    V position_level = _o133.position_level;
+                    V velocity_level = _o133.velocity_level;
+                    const LANES(court_bridge_margins_out) _o134 =
+                        LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[70]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[109]));
+                    flat = lanes_select(_m131, _o134.margin, flat);
+                    tilt = lanes_select(_m131, _o134.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m131, _o134.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o133 =
+                const LANES(court_advanced_out) _o135 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = lanes_select(_m125, _o133.arrival, arrival);
-                certain = lanes_choose(_m125, _o133.certain, certain);
-                M exhausted = _o133.exhausted;
-                searching = lanes_choose(_m125, _o133.searching, searching);
-                t = lanes_select(_m125, _o133.t, t);
-                const M _m134 = lanes_both(_m125, exhausted);
+                arrival = lanes_select(_m127, _o135.arrival, arrival);
+                certain = lanes_choose(_m127, _o135.certain, certain);
+                M exhausted = _o135.exhausted;
+                searching = lanes_choose(_m127, _o135.searching, searching);
+                t = lanes_select(_m127, _o135.t, t);
+                const M _m136 = lanes_both(_m127, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o135 =
+                    const LANES(court_bridge_enter_out) _o137 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m134, _o135.t, t);
-                    end = lanes_select(_m134, _o135.end, end);
-                    searching = lanes_choose(_m134, _o135.searching, searching);
+                    t = lanes_select(_m136, _o137.t, t);
+                    end = lanes_select(_m136, _o137.end, end);
+                    searching = lanes_choose(_m136, _o137.searching, searching);
                 }
             }
             lanes_store(lists->reachable_arrival + i, arrival);
@@ -5707,7 +5726,7 @@ static void LANES(court_plain)(const court_job *job)
                     y = lanes_expand(lists->reachable_searching_y + taken, idle, y);
                     z = lanes_expand(lists->reachable_searching_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_plain_fix_f136)(lists, taken, idle);
+                        LANES(court_plain_fix_f138)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = reachable_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -5716,52 +5735,52 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o137 =
+                const LANES(court_nearby_out) _o139 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o137.leaving;
-                V margin = _o137.margin;
-                const LANES(court_bridge_advance_out) _o138 =
-                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[97]), lanes_load(lists->fixed[79]));
-                V gap = _o138.gap;
-                V rate = _o138.rate;
-                V bend = _o138.bend;
-                V step = _o138.step;
-                V next = _o138.next;
-                V clearance = _o138.clearance;
-                const LANES(court_struck_or_still_out) _o139 =
+                V leaving = _o139.leaving;
+                V margin = _o139.margin;
+                const LANES(court_bridge_advance_out) _o140 =
+                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[83]));
+                V gap = _o140.gap;
+                V rate = _o140.rate;
+                V bend = _o140.bend;
+                V step = _o140.step;
+                V next = _o140.next;
+                V clearance = _o140.clearance;
+                const LANES(court_struck_or_still_out) _o141 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o139.hit;
-                M sure = _o139.sure;
-                M vague = _o139.vague;
-                const M _m140 = lanes_both(active, vague);
-                if (lanes_any(_m140)) {
-                    const LANES(court_finer_out) _o141 =
+                M hit = _o141.hit;
+                M sure = _o141.sure;
+                M vague = _o141.vague;
+                const M _m142 = lanes_both(active, vague);
+                if (lanes_any(_m142)) {
+                    const LANES(court_finer_out) _o143 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m140, _o141.share, share);
-                    const LANES(court_allowance_out) _o142 =
-                        LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[16]));
-                    V position_level = _o142.position_level;
-                    V velocity_level = _o142.velocity_level;
-                    const LANES(court_bridge_margins_out) _o143 =
-                        LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[66]), lanes_load(lists->fixed[97]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]));
-                    flat = lanes_select(_m140, _o143.margin, flat);
-                    tilt = lanes_select(_m140, _o143.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m140, _o143.rate_margin, rate_slack);
+                    share = lanes_select(_m142, _o143.share, share);
+                    const LANES(court_allowance_out) _o144 =
+                        LANES(court_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[21]));
+                    V position_level = _o144.position_level;
+                    V velocity_level = _o144.velocity_level;
+                    const LANES(court_bridge_margins_out) _o145 =
+                        LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[70]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[109]));
+                    flat = lanes_select(_m142, _o145.margin, flat);
+                    tilt = lanes_select(_m142, _o145.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m142, _o145.rate_margin, rate_slack);
                 }
-                const LANES(court_advanced_out) _o144 =
+                const LANES(court_advanced_out) _o146 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o144.arrival;
-                certain = _o144.certain;
-                M exhausted = _o144.exhausted;
-                searching = _o144.searching;
-                t = _o144.t;
-                const M _m145 = lanes_both(active, exhausted);
+                arrival = _o146.arrival;
+                certain = _o146.certain;
+                M exhausted = _o146.exhausted;
+                searching = _o146.searching;
+                t = _o146.t;
+                const M _m147 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o146 =
+                    const LANES(court_bridge_enter_out) _o148 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m145, _o146.t, t);
-                    end = lanes_select(_m145, _o146.end, end);
-                    searching = lanes_choose(_m145, _o146.searching, searching);
+                    t = lanes_select(_m147, _o148.t, t);
+                    end = lanes_select(_m147, _o148.end, end);
+                    searching = lanes_choose(_m147, _o148.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -5795,7 +5814,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(reachable_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_plain_fix_f147)(lists, i);
+                LANES(court_plain_fix_f149)(lists, i);
             V arrival = lanes_load(lists->reachable_arrival + i);
             V ceiling = lanes_load(lists->reachable_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->reachable_certain + i));
@@ -5808,36 +5827,36 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_found_out) _o148 =
+            const LANES(court_found_out) _o150 =
                 LANES(court_found)(arrival);
-            M arrives = _o148.arrives;
-            M refining = _o148.refining;
-            const LANES(court_nearby_out) _o149 =
+            M arrives = _o150.arrives;
+            M refining = _o150.refining;
+            const LANES(court_nearby_out) _o151 =
                 LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o149.leaving;
-            const M _m150 = lanes_both(rows, refining);
-            if (lanes_any(_m150)) {
-                const LANES(court_bridge_refine_out) _o151 =
-                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[77]));
-                V refined = _o151.time;
-                V gap = _o151.gap;
-                V rate = _o151.rate;
-                const LANES(court_polished_out) _o152 =
+            V leaving = _o151.leaving;
+            const M _m152 = lanes_both(rows, refining);
+            if (lanes_any(_m152)) {
+                const LANES(court_bridge_refine_out) _o153 =
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[81]));
+                V refined = _o153.time;
+                V gap = _o153.gap;
+                V rate = _o153.rate;
+                const LANES(court_polished_out) _o154 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m150, _o152.arrival, arrival);
-                refining = lanes_choose(_m150, _o152.refining, refining);
+                arrival = lanes_select(_m152, _o154.arrival, arrival);
+                refining = lanes_choose(_m152, _o154.refining, refining);
             }
-            const M _m153 = lanes_both(rows, refining);
-            if (lanes_any(_m153)) {
-                const LANES(court_bridge_refine_out) _o154 =
-                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[77]));
-                V refined = _o154.time;
-                V gap = _o154.gap;
-                V rate = _o154.rate;
-                const LANES(court_polished_out) _o155 =
+            const M _m155 = lanes_both(rows, refining);
+            if (lanes_any(_m155)) {
+                const LANES(court_bridge_refine_out) _o156 =
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[81]));
+                V refined = _o156.time;
+                V gap = _o156.gap;
+                V rate = _o156.rate;
+                const LANES(court_polished_out) _o157 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m153, _o155.arrival, arrival);
-                refining = lanes_choose(_m153, _o155.refining, refining);
+                arrival = lanes_select(_m155, _o157.arrival, arrival);
+                refining = lanes_choose(_m155, _o157.refining, refining);
             }
             lanes_store(lists->reachable_arrival + i, arrival);
             lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -5896,7 +5915,7 @@ static void LANES(court_plain)(const court_job *job)
                     y = lanes_expand(lists->reachable_refining_y + taken, idle, y);
                     z = lanes_expand(lists->reachable_refining_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_plain_fix_f156)(lists, taken, idle);
+                        LANES(court_plain_fix_f158)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = reachable_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -5905,15 +5924,15 @@ static void LANES(court_plain)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_bridge_refine_out) _o157 =
-                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[77]));
-                V refined = _o157.time;
-                V gap = _o157.gap;
-                V rate = _o157.rate;
-                const LANES(court_polished_out) _o158 =
+                const LANES(court_bridge_refine_out) _o159 =
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[81]));
+                V refined = _o159.time;
+                V gap = _o159.gap;
+                V rate = _o159.rate;
+                const LANES(court_polished_out) _o160 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o158.arrival;
-                refining = _o158.refining;
+                arrival = _o160.arrival;
+                refining = _o160.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -5937,13 +5956,13 @@ static void LANES(court_plain)(const court_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->reachable_arrives + i));
             V when = lanes_load(lists->reachable_when + i);
             V which = lanes_load(lists->reachable_which + i);
-            const LANES(court_landed_out) _o159 =
+            const LANES(court_landed_out) _o161 =
                 LANES(court_landed)(arrival);
-            V time = _o159.time;
-            const LANES(court_sooner_out) _o160 =
+            V time = _o161.time;
+            const LANES(court_sooner_out) _o162 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o160.when;
-            which = _o160.which;
+            when = _o162.when;
+            which = _o162.which;
             lanes_store(lists->reachable_when + i, when);
             lanes_store(lists->reachable_which + i, which);
         }
@@ -5977,16 +5996,16 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m161 = lanes_both(rows, limited);
-            if (lanes_any(_m161)) {
-                const LANES(court_expiry_out) _o162 =
+            const M _m163 = lanes_both(rows, limited);
+            if (lanes_any(_m163)) {
+                const LANES(court_expiry_out) _o164 =
                     LANES(court_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
-                V time = _o162.time;
-                M arrives = _o162.arrives;
-                const LANES(court_sooner_out) _o163 =
+                V time = _o164.time;
+                M arrives = _o164.arrives;
+                const LANES(court_sooner_out) _o165 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m161, _o163.when, when);
-                which = lanes_select(_m161, _o163.which, which);
+                when = lanes_select(_m163, _o165.when, when);
+                which = lanes_select(_m163, _o165.which, which);
             }
             lanes_store(lists->when + i, when);
             lanes_store(lists->which + i, which);
@@ -6054,7 +6073,7 @@ static void LANES(court_plain)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_plain_fix_f371)(lists, i);
+                LANES(court_plain_fix_f373)(lists, i);
             const V p_ring_friction = lanes_load(lists->p_ring_friction + (i & varying));
             const V p_ring_restitution = lanes_load(lists->p_ring_restitution + (i & varying));
             V began = lanes_load(lists->began + i);
@@ -6085,69 +6104,69 @@ static void LANES(court_plain)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o372 =
+            const LANES(court_departed_out) _o374 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o372.moves;
-            M ends = _o372.ends;
-            M touches = _o372.touches;
-            V reached = _o372.reached;
-            const LANES(court_body_of_out) _o373 =
+            M moves = _o374.moves;
+            M ends = _o374.ends;
+            M touches = _o374.touches;
+            V reached = _o374.reached;
+            const LANES(court_body_of_out) _o375 =
                 LANES(court_body_of)(which);
-            V body = _o373.body;
-            const M _m374 = lanes_both(rows, moves);
-            if (lanes_any(_m374)) {
-                const LANES(court_passing_out) _o375 =
-                    LANES(court_passing)(through, when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[14]));
-                through = lanes_select(_m374, _o375.through, through);
-                const LANES(court_flight_out) _o376 =
-                    LANES(court_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[30]));
-                x = lanes_select(_m374, _o376.x, x);
-                y = lanes_select(_m374, _o376.y, y);
-                z = lanes_select(_m374, _o376.z, z);
-                vx = lanes_select(_m374, _o376.vx, vx);
-                vy = lanes_select(_m374, _o376.vy, vy);
-                vz = lanes_select(_m374, _o376.vz, vz);
-                const LANES(court_ticked_out) _o377 =
+            V body = _o375.body;
+            const M _m376 = lanes_both(rows, moves);
+            if (lanes_any(_m376)) {
+                const LANES(court_passing_out) _o377 =
+                    LANES(court_passing)(through, when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[19]));
+                through = lanes_select(_m376, _o377.through, through);
+                const LANES(court_flight_out) _o378 =
+                    LANES(court_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]));
+                x = lanes_select(_m376, _o378.x, x);
+                y = lanes_select(_m376, _o378.y, y);
+                z = lanes_select(_m376, _o378.z, z);
+                vx = lanes_select(_m376, _o378.vx, vx);
+                vy = lanes_select(_m376, _o378.vy, vy);
+                vz = lanes_select(_m376, _o378.vz, vz);
+                const LANES(court_ticked_out) _o379 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m374, _o377.clock, clock);
+                clock = lanes_select(_m376, _o379.clock, clock);
             }
-            const M _m378 = lanes_both(rows, limited);
-            if (lanes_any(_m378)) {
-                const LANES(court_expired_out) _o379 =
-                    LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m378, _o379.clock, clock);
-                body = lanes_select(_m378, _o379.body, body);
-                reached = lanes_select(_m378, _o379.reached, reached);
-                ends = lanes_choose(_m378, _o379.ends, ends);
-            }
-            const M _m380 = lanes_both(rows, kept);
+            const M _m380 = lanes_both(rows, limited);
             if (lanes_any(_m380)) {
-                const LANES(court_kept_on_out) _o381 =
-                    LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, rolls, which);
+                const LANES(court_expired_out) _o381 =
+                    LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
+                clock = lanes_select(_m380, _o381.clock, clock);
                 body = lanes_select(_m380, _o381.body, body);
                 reached = lanes_select(_m380, _o381.reached, reached);
                 ends = lanes_choose(_m380, _o381.ends, ends);
-                last = lanes_select(_m380, _o381.last, last);
-                mode = lanes_select(_m380, _o381.mode, mode);
-                held = lanes_select(_m380, _o381.held, held);
-                rolls = lanes_select(_m380, _o381.rolls, rolls);
             }
-            const LANES(court_here_out) _o382 =
+            const M _m382 = lanes_both(rows, kept);
+            if (lanes_any(_m382)) {
+                const LANES(court_kept_on_out) _o383 =
+                    LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, rolls, which);
+                body = lanes_select(_m382, _o383.body, body);
+                reached = lanes_select(_m382, _o383.reached, reached);
+                ends = lanes_choose(_m382, _o383.ends, ends);
+                last = lanes_select(_m382, _o383.last, last);
+                mode = lanes_select(_m382, _o383.mode, mode);
+                held = lanes_select(_m382, _o383.held, held);
+                rolls = lanes_select(_m382, _o383.rolls, rolls);
+            }
+            const LANES(court_here_out) _o384 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o382.here;
-            const M _m383 = lanes_both(rows, here);
+            M here = _o384.here;
+            const M _m385 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o384 =
-                    LANES(court_end_bounds)(x, y, lanes_load(lists->fixed[1]));
-                V g0 = _o384.g0;
-                const LANES(court_end_reached_out) _o385 =
+                const LANES(court_end_bounds_out) _o386 =
+                    LANES(court_end_bounds)(x, y, lanes_load(lists->fixed[7]));
+                V g0 = _o386.g0;
+                const LANES(court_end_reached_out) _o387 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m383, _o385.reached, reached);
+                reached = lanes_select(_m385, _o387.reached, reached);
             }
-            const LANES(court_accounted_out) _o386 =
+            const LANES(court_accounted_out) _o388 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o386.contacts;
-            V outcome = _o386.outcome;
+            contacts = _o388.contacts;
+            V outcome = _o388.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -6160,116 +6179,116 @@ static void LANES(court_plain)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o387 =
+            const LANES(court_meeting_out) _o389 =
                 LANES(court_meeting)(K(0.0), ends, touches);
-            M meeting = _o387.meeting;
-            const LANES(court_unslowed_out) _o388 =
+            M meeting = _o389.meeting;
+            const LANES(court_unslowed_out) _o390 =
                 LANES(court_unslowed)();
-            M slow = _o388.slow;
-            const M _m389 = lanes_both(rows, meeting);
-            if (lanes_any(_m389)) {
-                const LANES(court_end_normal_out) _o390 =
+            M slow = _o390.slow;
+            const M _m391 = lanes_both(rows, meeting);
+            if (lanes_any(_m391)) {
+                const LANES(court_end_normal_out) _o392 =
                     LANES(court_end_normal)();
-                V nx = _o390.nx;
-                V ny = _o390.ny;
-                V nz = _o390.nz;
-                const LANES(court_here_out) _o391 =
+                V nx = _o392.nx;
+                V ny = _o392.ny;
+                V nz = _o392.nz;
+                const LANES(court_here_out) _o393 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o391.here;
-                const M _m392 = lanes_both(_m389, here);
+                M here = _o393.here;
+                const M _m394 = lanes_both(_m391, here);
                 {
-                    const LANES(court_ring_normal_out) _o393 =
-                        LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[107]));
-                    nx = lanes_select(_m392, _o393.nx, nx);
-                    ny = lanes_select(_m392, _o393.ny, ny);
-                    nz = lanes_select(_m392, _o393.nz, nz);
-                    const LANES(court_counted_out) _o394 =
+                    const LANES(court_ring_normal_out) _o395 =
+                        LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[110]));
+                    nx = lanes_select(_m394, _o395.nx, nx);
+                    ny = lanes_select(_m394, _o395.ny, ny);
+                    nz = lanes_select(_m394, _o395.nz, nz);
+                    const LANES(court_counted_out) _o396 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m392, _o394.count, count_0);
+                    count_0 = lanes_select(_m394, _o396.count, count_0);
                 }
-                const LANES(court_here_out) _o395 =
+                const LANES(court_here_out) _o397 =
                     LANES(court_here)(K(1.0), which);
-                here = _o395.here;
-                const M _m396 = lanes_both(_m389, here);
+                here = _o397.here;
+                const M _m398 = lanes_both(_m391, here);
                 {
-                    const LANES(court_backboard_normal_out) _o397 =
-                        LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[9]));
-                    nx = lanes_select(_m396, _o397.nx, nx);
-                    ny = lanes_select(_m396, _o397.ny, ny);
-                    nz = lanes_select(_m396, _o397.nz, nz);
-                    const LANES(court_counted_out) _o398 =
+                    const LANES(court_backboard_normal_out) _o399 =
+                        LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[15]));
+                    nx = lanes_select(_m398, _o399.nx, nx);
+                    ny = lanes_select(_m398, _o399.ny, ny);
+                    nz = lanes_select(_m398, _o399.nz, nz);
+                    const LANES(court_counted_out) _o400 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m396, _o398.count, count_1);
+                    count_1 = lanes_select(_m398, _o400.count, count_1);
                 }
-                const LANES(court_here_out) _o399 =
+                const LANES(court_here_out) _o401 =
                     LANES(court_here)(K(2.0), which);
-                here = _o399.here;
-                const M _m400 = lanes_both(_m389, here);
+                here = _o401.here;
+                const M _m402 = lanes_both(_m391, here);
                 {
-                    const LANES(court_bridge_normal_out) _o401 =
-                        LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[10]));
-                    nx = lanes_select(_m400, _o401.nx, nx);
-                    ny = lanes_select(_m400, _o401.ny, ny);
-                    nz = lanes_select(_m400, _o401.nz, nz);
-                    const LANES(court_counted_out) _o402 =
+                    const LANES(court_bridge_normal_out) _o403 =
+                        LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[16]));
+                    nx = lanes_select(_m402, _o403.nx, nx);
+                    ny = lanes_select(_m402, _o403.ny, ny);
+                    nz = lanes_select(_m402, _o403.nz, nz);
+                    const LANES(court_counted_out) _o404 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m400, _o402.count, count_2);
+                    count_2 = lanes_select(_m402, _o404.count, count_2);
                 }
-                const LANES(court_untaken_out) _o403 =
+                const LANES(court_untaken_out) _o405 =
                     LANES(court_untaken)();
-                M struck_0 = _o403.mine;
-                const LANES(court_ring_impact_taken_out) _o404 =
+                M struck_0 = _o405.mine;
+                const LANES(court_ring_impact_taken_out) _o406 =
                     LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
-                V its_0_ring_impact = _o404.its_0;
-                V its_1_ring_impact = _o404.its_1;
+                V its_0_ring_impact = _o406.its_0;
+                V its_1_ring_impact = _o406.its_1;
                 {
-                    const double *const _t406[][2] = {
+                    const double *const _t408[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t407[][1] = {
+                    static const double _t409[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k405 = 0; _k405 < 3; _k405++) {
-                        const V own_1 = lanes_load(_t406[_k405][0] + (i & varying));
-                        const V own_2 = lanes_load(_t406[_k405][1] + (i & varying));
-                        const V own_index = K(_t407[_k405][0]);
-                        const LANES(court_here_out) _o408 =
+                    for (size_t _k407 = 0; _k407 < 3; _k407++) {
+                        const V own_1 = lanes_load(_t408[_k407][0] + (i & varying));
+                        const V own_2 = lanes_load(_t408[_k407][1] + (i & varying));
+                        const V own_index = K(_t409[_k407][0]);
+                        const LANES(court_here_out) _o410 =
                             LANES(court_here)(own_index, which);
-                        M here = _o408.here;
-                        const M _m409 = lanes_both(_m389, here);
-                        if (lanes_any(_m409)) {
-                            const LANES(court_ring_impact_taken_out) _o410 =
+                        M here = _o410.here;
+                        const M _m411 = lanes_both(_m391, here);
+                        if (lanes_any(_m411)) {
+                            const LANES(court_ring_impact_taken_out) _o412 =
                                 LANES(court_ring_impact_taken)(own_2, own_1);
-                            struck_0 = lanes_choose(_m409, _o410.mine, struck_0);
-                            its_0_ring_impact = lanes_select(_m409, _o410.its_0, its_0_ring_impact);
-                            its_1_ring_impact = lanes_select(_m409, _o410.its_1, its_1_ring_impact);
+                            struck_0 = lanes_choose(_m411, _o412.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m411, _o412.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m411, _o412.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m411 = lanes_both(_m389, struck_0);
-                if (lanes_any(_m411)) {
-                    const LANES(court_ring_impact_out) _o412 =
-                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[150]), lanes_load(lists->fixed[151]), lanes_load(lists->fixed[152]));
-                    vx = lanes_select(_m411, _o412.vx, vx);
-                    vy = lanes_select(_m411, _o412.vy, vy);
-                    vz = lanes_select(_m411, _o412.vz, vz);
-                    wx = lanes_select(_m411, _o412.wx, wx);
-                    wy = lanes_select(_m411, _o412.wy, wy);
-                    wz = lanes_select(_m411, _o412.wz, wz);
+                const M _m413 = lanes_both(_m391, struck_0);
+                if (lanes_any(_m413)) {
+                    const LANES(court_ring_impact_out) _o414 =
+                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[153]), lanes_load(lists->fixed[154]), lanes_load(lists->fixed[155]));
+                    vx = lanes_select(_m413, _o414.vx, vx);
+                    vy = lanes_select(_m413, _o414.vy, vy);
+                    vz = lanes_select(_m413, _o414.vz, vz);
+                    wx = lanes_select(_m413, _o414.wx, wx);
+                    wy = lanes_select(_m413, _o414.wy, wy);
+                    wz = lanes_select(_m413, _o414.wz, wz);
                 }
-                const M _m413 = lanes_both(_m389, touches);
+                const M _m415 = lanes_both(_m391, touches);
                 {
-                    const LANES(court_touched_out) _o414 =
+                    const LANES(court_touched_out) _o416 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m413, _o414.first, first);
-                    last = lanes_select(_m413, _o414.last, last);
-                    const LANES(court_slowed_out) _o415 =
-                        LANES(court_slowed)(nx, ny, nz, K(0.0), vx, vy, vz, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[153]), lanes_load(lists->fixed[154]));
-                    slow = lanes_choose(_m413, _o415.slow, slow);
+                    first = lanes_select(_m415, _o416.first, first);
+                    last = lanes_select(_m415, _o416.last, last);
+                    const LANES(court_slowed_out) _o417 =
+                        LANES(court_slowed)(nx, ny, nz, K(0.0), vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[156]), lanes_load(lists->fixed[157]));
+                    slow = lanes_choose(_m415, _o417.slow, slow);
                 }
             }
             lanes_store(lists->clock + i, clock);
@@ -6994,7 +7013,7 @@ typedef struct {
     LANES(court_column) slow_y;
     LANES(court_column) slow_z;
     /* What kernels make of parameters alone. */
-    _Alignas(64) double fixed[180][LANES_WIDTH];
+    _Alignas(64) double fixed[183][LANES_WIDTH];
     _Alignas(64) float fixed_single[26][LANES_WIDTH];
 } LANES(court_bounded_lists);
 
@@ -7491,68 +7510,68 @@ static void LANES(court_bounded_fix)(LANES(court_bounded_lists) *lists)
     const V p_tangential_restitution = lanes_load(lists->p_tangential_restitution);
     const V p_wire_radius = lanes_load(lists->p_wire_radius);
     {
-        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s1 = lanes_add(p_board_distance, p_board_thickness);
-        const V _s2 = lanes_abs(p_board_bottom);
-        const V _s3 = lanes_abs(p_board_top);
-        const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), _s2), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_thickness)), _s3);
-        const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s4, lanes_abs(p_bridge_depth)), lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius));
-        const V _s6 = lanes_div(K(1.0), p_gravity);
-        const V _s7 = lanes_neg(p_gravity);
-        const V _s8 = lanes_neg(_s6);
-        const V _s9 = lanes_sub(p_ring_radius, _s0);
-        const V _s10 = lanes_mul(K(1.00006103515625), _s0);
-        const V _s11 = lanes_add(p_ring_radius, _s10);
-        const V _s12 = lanes_mul(_s11, _s11);
-        const V _s13 = lanes_mul(K(9.313225746154785e-10), _s12);
-        const V _s14 = lanes_sub(p_ring_radius, _s10);
-        const V _s15 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s16 = lanes_max(_s14, _s15);
-        const V _s17 = lanes_mul(_s16, _s16);
-        const V _s18 = lanes_div(K(1.0), _s16);
-        const V _s19 = lanes_div(_s10, _s16);
-        const V _s20 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s21 = lanes_mul(K(0.5), p_board_thickness);
-        const V _s22 = lanes_add(p_board_distance, _s21);
-        const V _s23 = lanes_mul(K(0.5), p_board_bottom);
-        const V _s24 = lanes_mul(K(0.5), p_board_top);
-        const V _s25 = lanes_add(_s23, _s24);
-        const V _s26 = lanes_add(p_ball_radius, _s21);
-        const V _s27 = lanes_add(p_ball_radius, _s24);
-        const V _s28 = lanes_sub(_s27, _s23);
-        const V _s29 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s30 = lanes_min(_s29, _s26);
-        const V _s31 = lanes_min(_s28, _s30);
-        const V _s32 = lanes_mul(K(6.103515625e-05), _s31);
-        const V _s33 = lanes_abs(_s7);
-        const V _s34 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s31));
-        const V _s35 = lanes_mul(K(1.25), _s33);
-        const V _s36 = lanes_max(_s26, _s29);
-        const V _s37 = lanes_mul(K(0.5), p_board_distance);
-        const V _s38 = lanes_mul(K(0.5), p_ring_radius);
-        const V _s39 = lanes_add(_s37, _s38);
-        const V _s40 = lanes_mul(K(0.5), p_bridge_depth);
-        const V _s41 = lanes_add(p_ball_radius, _s37);
-        const V _s42 = lanes_add(p_ball_radius, _s40);
-        const V _s43 = lanes_add(p_ball_radius, p_bridge_half_width);
-        const V _s44 = lanes_sub(_s41, _s38);
-        const V _s45 = lanes_min(_s43, _s44);
-        const V _s46 = lanes_min(_s42, _s45);
+        const V _s0 = lanes_abs(p_board_bottom);
+        const V _s1 = lanes_abs(p_board_top);
+        const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), _s0), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_thickness)), _s1);
+        const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s2, lanes_abs(p_bridge_depth)), lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius));
+        const V _s4 = lanes_mul(K(0.5), p_board_thickness);
+        const V _s5 = lanes_add(p_board_distance, _s4);
+        const V _s6 = lanes_add(p_ball_radius, _s4);
+        const V _s7 = lanes_mul(K(0.5), p_board_distance);
+        const V _s8 = lanes_mul(K(0.5), p_ring_radius);
+        const V _s9 = lanes_add(_s7, _s8);
+        const V _s10 = lanes_add(p_ball_radius, _s7);
+        const V _s11 = lanes_sub(_s10, _s8);
+        const V _s12 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s13 = lanes_add(p_board_distance, p_board_thickness);
+        const V _s14 = lanes_div(K(1.0), p_gravity);
+        const V _s15 = lanes_neg(p_gravity);
+        const V _s16 = lanes_neg(_s14);
+        const V _s17 = lanes_sub(p_ring_radius, _s12);
+        const V _s18 = lanes_mul(K(1.00006103515625), _s12);
+        const V _s19 = lanes_add(p_ring_radius, _s18);
+        const V _s20 = lanes_mul(_s19, _s19);
+        const V _s21 = lanes_mul(K(9.313225746154785e-10), _s20);
+        const V _s22 = lanes_sub(p_ring_radius, _s18);
+        const V _s23 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s24 = lanes_max(_s22, _s23);
+        const V _s25 = lanes_mul(_s24, _s24);
+        const V _s26 = lanes_div(K(1.0), _s24);
+        const V _s27 = lanes_div(_s18, _s24);
+        const V _s28 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s29 = lanes_mul(K(0.5), p_board_bottom);
+        const V _s30 = lanes_mul(K(0.5), p_board_top);
+        const V _s31 = lanes_add(_s29, _s30);
+        const V _s32 = lanes_add(p_ball_radius, _s30);
+        const V _s33 = lanes_sub(_s32, _s29);
+        const V _s34 = lanes_add(p_ball_radius, p_board_half_width);
+        const V _s35 = lanes_min(_s34, _s6);
+        const V _s36 = lanes_min(_s33, _s35);
+        const V _s37 = lanes_mul(K(6.103515625e-05), _s36);
+        const V _s38 = lanes_abs(_s15);
+        const V _s39 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s36));
+        const V _s40 = lanes_mul(K(1.25), _s38);
+        const V _s41 = lanes_max(_s6, _s34);
+        const V _s42 = lanes_mul(K(0.5), p_bridge_depth);
+        const V _s43 = lanes_add(p_ball_radius, _s42);
+        const V _s44 = lanes_add(p_ball_radius, p_bridge_half_width);
+        const V _s45 = lanes_min(_s44, _s11);
+        const V _s46 = lanes_min(_s43, _s45);
         const V _s47 = lanes_mul(K(6.103515625e-05), _s46);
         const V _s48 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s46));
-        const V _s49 = lanes_max(_s44, _s43);
+        const V _s49 = lanes_max(_s11, _s44);
         const V _s50 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
         const V _s51 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
         const V _s52 = lanes_add(lanes_add(_s51, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
         const V _s53 = lanes_add(_s51, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
-        const V _s54 = lanes_add(lanes_add(_s51, lanes_mul(K(1.4210854715202004e-14), _s2)), lanes_mul(K(1.4210854715202004e-14), _s3));
+        const V _s54 = lanes_add(lanes_add(_s51, lanes_mul(K(1.4210854715202004e-14), _s0)), lanes_mul(K(1.4210854715202004e-14), _s1));
         const V _s55 = lanes_add(lanes_add(_s51, lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius));
         const V _s56 = lanes_add(_s51, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
         const V _s57 = lanes_add(lanes_add(_s51, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
         const V _s58 = lanes_neg(p_board_half_width);
         const V _s59 = lanes_max(K(0.0), _s58);
         const V _s60 = lanes_max(_s59, _s58);
-        const V _s61 = lanes_neg(_s1);
+        const V _s61 = lanes_neg(_s13);
         const V _s62 = lanes_max(K(0.0), _s61);
         const V _s63 = lanes_max(_s62, p_board_distance);
         const V _s64 = lanes_neg(p_board_distance);
@@ -7571,186 +7590,189 @@ static void LANES(court_bounded_fix)(LANES(court_bounded_lists) *lists)
         const V _s77 = lanes_add(K(1.0), p_backboard_restitution);
         const V _s78 = lanes_sub(K(1.0), p_bridge_restitution);
         const V _s79 = lanes_add(K(1.0), p_bridge_restitution);
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[8], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[9], _s1);
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[11], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
-        lanes_store(lists->fixed[12], _s5);
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[14], lanes_mul(p_ring_radius, p_ring_radius));
-        lanes_store(lists->fixed[15], _s6);
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[18], _s7);
-        lanes_store(lists->fixed[19], _s8);
-        lanes_store(lists->fixed[20], lanes_mul(K(0.5), _s8));
-        lanes_store(lists->fixed[21], lanes_mul(K(6.667843360785852e-16), p_end_depth));
-        lanes_store(lists->fixed[22], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), _s9));
-        lanes_store(lists->fixed[23], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[24], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[25], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[26], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[27], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[28], _s10);
-        lanes_store(lists->fixed[29], lanes_mul(K(5.820766091346741e-11), _s11));
-        lanes_store(lists->fixed[30], lanes_mul(K(65536.0), _s11));
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[32], _s12);
-        lanes_store(lists->fixed[33], _s13);
-        lanes_store(lists->fixed[34], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[35], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[36], _s17);
-        lanes_store(lists->fixed[37], lanes_mul(_s16, _s17));
-        lanes_store(lists->fixed[38], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[39], lanes_add(_s13, _s17));
-        lanes_store(lists->fixed[40], lanes_mul(_s18, lanes_mul(_s18, _s18)));
-        lanes_store(lists->fixed[41], _s11);
-        lanes_store(lists->fixed[42], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s11));
-        lanes_store(lists->fixed[43], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[44], lanes_max(K(1.0), _s19));
-        lanes_store(lists->fixed[45], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[46], lanes_mul(K(9.094947017729282e-13), _s11));
-        lanes_store(lists->fixed[47], _s16);
-        lanes_store(lists->fixed[48], lanes_abs(K(0.0)));
-        lanes_store(lists->fixed[49], lanes_mul(K(0.0625), p_gravity));
-        lanes_store(lists->fixed[50], lanes_mul(K(1.0000000009313226), _s20));
-        lanes_store(lists->fixed[51], lanes_neg(_s22));
-        lanes_store(lists->fixed[52], lanes_mul(K(1.0000000009313226), _s21));
-        lanes_store(lists->fixed[53], lanes_mul(K(1.0000000009313226), p_board_half_width));
-        lanes_store(lists->fixed[54], _s25);
-        lanes_store(lists->fixed[55], lanes_mul(K(1.0000000009313226), lanes_sub(_s24, _s23)));
-        lanes_store(lists->fixed[56], _s24);
-        lanes_store(lists->fixed[57], _s23);
+        lanes_store(lists->fixed[0], _s3);
+        lanes_store(lists->fixed[1], lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius));
+        lanes_store(lists->fixed[2], lanes_neg(_s5));
+        lanes_store(lists->fixed[3], _s6);
+        lanes_store(lists->fixed[4], lanes_neg(_s9));
+        lanes_store(lists->fixed[5], _s11);
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[14], lanes_mul(_s12, _s12));
+        lanes_store(lists->fixed[15], _s13);
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[17], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[19], lanes_mul(p_ring_radius, p_ring_radius));
+        lanes_store(lists->fixed[20], _s14);
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[23], _s15);
+        lanes_store(lists->fixed[24], _s16);
+        lanes_store(lists->fixed[25], lanes_mul(K(0.5), _s16));
+        lanes_store(lists->fixed[26], lanes_mul(K(6.667843360785852e-16), p_end_depth));
+        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), _s17));
+        lanes_store(lists->fixed[28], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[30], lanes_mul(K(2.0), p_wire_radius));
+        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[32], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[33], _s18);
+        lanes_store(lists->fixed[34], lanes_mul(K(5.820766091346741e-11), _s19));
+        lanes_store(lists->fixed[35], lanes_mul(K(65536.0), _s19));
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[37], _s20);
+        lanes_store(lists->fixed[38], _s21);
+        lanes_store(lists->fixed[39], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[40], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s12));
+        lanes_store(lists->fixed[41], _s25);
+        lanes_store(lists->fixed[42], lanes_mul(_s24, _s25));
+        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[44], lanes_add(_s21, _s25));
+        lanes_store(lists->fixed[45], lanes_mul(_s26, lanes_mul(_s26, _s26)));
+        lanes_store(lists->fixed[46], _s19);
+        lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s12), _s19));
+        lanes_store(lists->fixed[48], lanes_mul(K(5.00030517578125), _s12));
+        lanes_store(lists->fixed[49], lanes_max(K(1.0), _s27));
+        lanes_store(lists->fixed[50], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[51], lanes_mul(K(9.094947017729282e-13), _s19));
+        lanes_store(lists->fixed[52], _s24);
+        lanes_store(lists->fixed[53], lanes_abs(K(0.0)));
+        lanes_store(lists->fixed[54], lanes_mul(K(0.0625), p_gravity));
+        lanes_store(lists->fixed[55], lanes_mul(K(1.0000000009313226), _s28));
+        lanes_store(lists->fixed[56], lanes_mul(K(1.0000000009313226), _s4));
+        lanes_store(lists->fixed[57], lanes_mul(K(1.0000000009313226), p_board_half_width));
         lanes_store(lists->fixed[58], _s31);
-        lanes_store(lists->fixed[59], lanes_add(_s26, _s32));
-        lanes_store(lists->fixed[60], _s22);
-        lanes_store(lists->fixed[61], lanes_add(_s29, _s32));
-        lanes_store(lists->fixed[62], lanes_sub(lanes_add(_s27, _s32), _s23));
-        lanes_store(lists->fixed[63], lanes_mul(_s35, _s34));
-        lanes_store(lists->fixed[64], lanes_abs(_s25));
-        lanes_store(lists->fixed[65], lanes_max(_s36, _s28));
-        lanes_store(lists->fixed[66], lanes_mul(K(1.52587890625e-05), _s31));
-        lanes_store(lists->fixed[67], lanes_mul(K(5.55653613398821e-16), _s20));
-        lanes_store(lists->fixed[68], _s34);
-        lanes_store(lists->fixed[69], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        lanes_store(lists->fixed[70], lanes_mul(K(2.001953125), _s34));
-        lanes_store(lists->fixed[71], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        lanes_store(lists->fixed[72], lanes_add(lanes_mul(K(2.220446049250313e-16), _s2), lanes_mul(K(2.220446049250313e-16), _s3)));
-        lanes_store(lists->fixed[73], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s34, _s34)));
-        lanes_store(lists->fixed[74], lanes_mul(K(12.01171875), _s34));
-        lanes_store(lists->fixed[75], lanes_mul(K(6.667843360785852e-15), _s34));
-        lanes_store(lists->fixed[76], lanes_mul(K(6.005859375), _s34));
-        lanes_store(lists->fixed[77], lanes_mul(K(2.667137344314341e-15), _s34));
-        lanes_store(lists->fixed[78], _s20);
-        lanes_store(lists->fixed[79], _s33);
-        lanes_store(lists->fixed[80], lanes_mul(K(0.5), _s33));
-        lanes_store(lists->fixed[81], lanes_neg(_s39));
-        lanes_store(lists->fixed[82], lanes_mul(K(1.0000000009313226), lanes_sub(_s37, _s38)));
-        lanes_store(lists->fixed[83], lanes_mul(K(1.0000000009313226), p_bridge_half_width));
-        lanes_store(lists->fixed[84], lanes_sub(p_wire_radius, _s40));
-        lanes_store(lists->fixed[85], lanes_mul(K(1.0000000009313226), _s40));
-        lanes_store(lists->fixed[86], _s37);
-        lanes_store(lists->fixed[87], _s40);
-        lanes_store(lists->fixed[88], _s38);
-        lanes_store(lists->fixed[89], _s46);
-        lanes_store(lists->fixed[90], lanes_sub(lanes_add(_s41, _s47), _s38));
-        lanes_store(lists->fixed[91], _s39);
-        lanes_store(lists->fixed[92], lanes_add(_s43, _s47));
-        lanes_store(lists->fixed[93], lanes_add(_s42, _s47));
-        lanes_store(lists->fixed[94], lanes_mul(_s35, _s48));
-        lanes_store(lists->fixed[95], lanes_abs(lanes_sub(_s40, p_wire_radius)));
-        lanes_store(lists->fixed[96], lanes_max(_s49, _s42));
-        lanes_store(lists->fixed[97], lanes_mul(K(1.52587890625e-05), _s46));
-        lanes_store(lists->fixed[98], _s48);
-        lanes_store(lists->fixed[99], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
-        lanes_store(lists->fixed[100], lanes_mul(K(2.001953125), _s48));
-        lanes_store(lists->fixed[101], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
-        lanes_store(lists->fixed[102], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
-        lanes_store(lists->fixed[103], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s48, _s48)));
-        lanes_store(lists->fixed[104], lanes_mul(K(12.01171875), _s48));
-        lanes_store(lists->fixed[105], lanes_mul(K(6.667843360785852e-15), _s48));
-        lanes_store(lists->fixed[106], lanes_mul(K(6.005859375), _s48));
-        lanes_store(lists->fixed[107], lanes_mul(K(2.667137344314341e-15), _s48));
-        lanes_store(lists->fixed[108], lanes_div(K(1.0), _s0));
-        lanes_store(lists->fixed[109], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[110], _s50);
-        lanes_store(lists->fixed[111], lanes_neg(_s50));
-        lanes_store(lists->fixed[112], lanes_mul(K(1.4551915228366852e-11), p_ball_radius));
-        lanes_store(lists->fixed[113], _s52);
-        lanes_store(lists->fixed[114], lanes_neg(_s52));
-        lanes_store(lists->fixed[115], _s53);
-        lanes_store(lists->fixed[116], lanes_neg(_s53));
-        lanes_store(lists->fixed[117], _s54);
-        lanes_store(lists->fixed[118], lanes_neg(_s54));
-        lanes_store(lists->fixed[119], _s55);
-        lanes_store(lists->fixed[120], lanes_neg(_s55));
-        lanes_store(lists->fixed[121], _s56);
-        lanes_store(lists->fixed[122], lanes_neg(_s56));
-        lanes_store(lists->fixed[123], _s57);
-        lanes_store(lists->fixed[124], lanes_neg(_s57));
-        lanes_store(lists->fixed[125], lanes_mul(K(0.6), p_gravity));
-        lanes_store(lists->fixed[126], lanes_mul(K(0.015625), p_gravity));
-        lanes_store(lists->fixed[127], lanes_mul(K(0.4), p_gravity));
-        lanes_store(lists->fixed[128], lanes_mul(p_backboard_friction, p_backboard_friction));
-        lanes_store(lists->fixed[129], lanes_mul(p_bridge_friction, p_bridge_friction));
-        lanes_store(lists->fixed[130], lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        lanes_store(lists->fixed[131], lanes_mul(K(5.684341886080802e-14), p_gravity));
-        lanes_store(lists->fixed[132], _s0);
-        lanes_store(lists->fixed[133], p_bridge_depth);
-        lanes_store(lists->fixed[134], lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
-        lanes_store(lists->fixed[135], lanes_mul(K(2.384185791015625e-07), p_ball_radius));
-        lanes_store(lists->fixed[136], lanes_mul(K(0.3333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[137], lanes_mul(K(0.25), p_ring_radius));
-        lanes_store(lists->fixed[138], lanes_mul(K(0.2), p_ring_radius));
-        lanes_store(lists->fixed[139], lanes_mul(K(0.16666666666666666), p_ring_radius));
-        lanes_store(lists->fixed[140], lanes_mul(K(0.14285714285714285), p_ring_radius));
-        lanes_store(lists->fixed[141], lanes_mul(K(0.125), p_ring_radius));
-        lanes_store(lists->fixed[142], lanes_mul(K(0.1111111111111111), p_ring_radius));
-        lanes_store(lists->fixed[143], lanes_mul(K(0.1), p_ring_radius));
-        lanes_store(lists->fixed[144], lanes_mul(K(0.09090909090909091), p_ring_radius));
-        lanes_store(lists->fixed[145], lanes_mul(K(0.08333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[146], lanes_sqrt(lanes_div(p_gravity, _s0)));
-        lanes_store(lists->fixed[147], lanes_div(K(1.0), _s9));
-        lanes_store(lists->fixed[148], lanes_mul(K(0.8), p_gravity));
-        lanes_store(lists->fixed[149], lanes_mul(p_ring_friction, p_ring_friction));
-        lanes_store(lists->fixed[150], lanes_sqrt(lanes_add(lanes_mul(_s60, _s60), lanes_mul(_s63, _s63))));
-        lanes_store(lists->fixed[151], lanes_sqrt(lanes_add(lanes_mul(_s66, _s66), lanes_mul(_s69, _s69))));
-        lanes_store(lists->fixed[152], lanes_mul(K(0.000244140625), _s0));
-        lanes_store(lists->fixed[153], lanes_mul(K(0.00390625), p_gravity));
-        lanes_store(lists->fixed[154], lanes_mul(lanes_mul(K(0.000244140625), _s70), _s0));
-        lanes_store(lists->fixed[155], lanes_mul(K(6.0), _s70));
-        lanes_store(lists->fixed[156], lanes_mul(K(0.0078125), p_gravity));
-        lanes_store(lists->fixed[157], lanes_max(K(0.0), p_gravity));
-        lanes_store(lists->fixed[158], lanes_mul(K(8.0), _s6));
-        lanes_store(lists->fixed[159], lanes_add(lanes_add(lanes_add(lanes_add(_s71, p_ring_radius), p_wire_radius), _s2), _s3));
-        lanes_store(lists->fixed[160], lanes_div(K(1.0), lanes_min(_s72, _s0)));
-        lanes_store(lists->fixed[161], p_restitution_speed);
-        lanes_store(lists->fixed[162], _s73);
-        lanes_store(lists->fixed[163], lanes_mul(_s73, _s73));
-        lanes_store(lists->fixed[164], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        lanes_store(lists->fixed[165], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
-        lanes_store(lists->fixed[166], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[167], _s74);
-        lanes_store(lists->fixed[168], lanes_mul(_s74, _s74));
-        lanes_store(lists->fixed[169], lanes_mul(p_ring_friction, _s75));
-        lanes_store(lists->fixed[170], lanes_mul(_s75, _s74));
-        lanes_store(lists->fixed[171], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        lanes_store(lists->fixed[172], _s76);
-        lanes_store(lists->fixed[173], lanes_mul(_s76, _s76));
-        lanes_store(lists->fixed[174], lanes_mul(p_backboard_friction, _s77));
-        lanes_store(lists->fixed[175], lanes_mul(_s77, _s76));
-        lanes_store(lists->fixed[176], _s78);
-        lanes_store(lists->fixed[177], lanes_mul(_s78, _s78));
-        lanes_store(lists->fixed[178], lanes_mul(p_bridge_friction, _s79));
-        lanes_store(lists->fixed[179], lanes_mul(_s79, _s78));
+        lanes_store(lists->fixed[59], lanes_mul(K(1.0000000009313226), lanes_sub(_s30, _s29)));
+        lanes_store(lists->fixed[60], _s30);
+        lanes_store(lists->fixed[61], _s29);
+        lanes_store(lists->fixed[62], _s36);
+        lanes_store(lists->fixed[63], lanes_add(_s6, _s37));
+        lanes_store(lists->fixed[64], _s5);
+        lanes_store(lists->fixed[65], lanes_add(_s34, _s37));
+        lanes_store(lists->fixed[66], lanes_sub(lanes_add(_s32, _s37), _s29));
+        lanes_store(lists->fixed[67], lanes_mul(_s40, _s39));
+        lanes_store(lists->fixed[68], lanes_abs(_s31));
+        lanes_store(lists->fixed[69], lanes_max(_s41, _s33));
+        lanes_store(lists->fixed[70], lanes_mul(K(1.52587890625e-05), _s36));
+        lanes_store(lists->fixed[71], lanes_mul(K(5.55653613398821e-16), _s28));
+        lanes_store(lists->fixed[72], _s39);
+        lanes_store(lists->fixed[73], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        lanes_store(lists->fixed[74], lanes_mul(K(2.001953125), _s39));
+        lanes_store(lists->fixed[75], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        lanes_store(lists->fixed[76], lanes_add(lanes_mul(K(2.220446049250313e-16), _s0), lanes_mul(K(2.220446049250313e-16), _s1)));
+        lanes_store(lists->fixed[77], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s39, _s39)));
+        lanes_store(lists->fixed[78], lanes_mul(K(12.01171875), _s39));
+        lanes_store(lists->fixed[79], lanes_mul(K(6.667843360785852e-15), _s39));
+        lanes_store(lists->fixed[80], lanes_mul(K(6.005859375), _s39));
+        lanes_store(lists->fixed[81], lanes_mul(K(2.667137344314341e-15), _s39));
+        lanes_store(lists->fixed[82], _s28);
+        lanes_store(lists->fixed[83], _s38);
+        lanes_store(lists->fixed[84], lanes_mul(K(0.5), _s38));
+        lanes_store(lists->fixed[85], lanes_mul(K(1.0000000009313226), lanes_sub(_s7, _s8)));
+        lanes_store(lists->fixed[86], lanes_mul(K(1.0000000009313226), p_bridge_half_width));
+        lanes_store(lists->fixed[87], lanes_sub(p_wire_radius, _s42));
+        lanes_store(lists->fixed[88], lanes_mul(K(1.0000000009313226), _s42));
+        lanes_store(lists->fixed[89], _s7);
+        lanes_store(lists->fixed[90], _s42);
+        lanes_store(lists->fixed[91], _s8);
+        lanes_store(lists->fixed[92], _s46);
+        lanes_store(lists->fixed[93], lanes_sub(lanes_add(_s10, _s47), _s8));
+        lanes_store(lists->fixed[94], _s9);
+        lanes_store(lists->fixed[95], lanes_add(_s44, _s47));
+        lanes_store(lists->fixed[96], lanes_add(_s43, _s47));
+        lanes_store(lists->fixed[97], lanes_mul(_s40, _s48));
+        lanes_store(lists->fixed[98], lanes_abs(lanes_sub(_s42, p_wire_radius)));
+        lanes_store(lists->fixed[99], lanes_max(_s49, _s43));
+        lanes_store(lists->fixed[100], lanes_mul(K(1.52587890625e-05), _s46));
+        lanes_store(lists->fixed[101], _s48);
+        lanes_store(lists->fixed[102], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
+        lanes_store(lists->fixed[103], lanes_mul(K(2.001953125), _s48));
+        lanes_store(lists->fixed[104], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
+        lanes_store(lists->fixed[105], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
+        lanes_store(lists->fixed[106], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s48, _s48)));
+        lanes_store(lists->fixed[107], lanes_mul(K(12.01171875), _s48));
+        lanes_store(lists->fixed[108], lanes_mul(K(6.667843360785852e-15), _s48));
+        lanes_store(lists->fixed[109], lanes_mul(K(6.005859375), _s48));
+        lanes_store(lists->fixed[110], lanes_mul(K(2.667137344314341e-15), _s48));
+        lanes_store(lists->fixed[111], lanes_div(K(1.0), _s12));
+        lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[113], _s50);
+        lanes_store(lists->fixed[114], lanes_neg(_s50));
+        lanes_store(lists->fixed[115], lanes_mul(K(1.4551915228366852e-11), p_ball_radius));
+        lanes_store(lists->fixed[116], _s52);
+        lanes_store(lists->fixed[117], lanes_neg(_s52));
+        lanes_store(lists->fixed[118], _s53);
+        lanes_store(lists->fixed[119], lanes_neg(_s53));
+        lanes_store(lists->fixed[120], _s54);
+        lanes_store(lists->fixed[121], lanes_neg(_s54));
+        lanes_store(lists->fixed[122], _s55);
+        lanes_store(lists->fixed[123], lanes_neg(_s55));
+        lanes_store(lists->fixed[124], _s56);
+        lanes_store(lists->fixed[125], lanes_neg(_s56));
+        lanes_store(lists->fixed[126], _s57);
+        lanes_store(lists->fixed[127], lanes_neg(_s57));
+        lanes_store(lists->fixed[128], lanes_mul(K(0.6), p_gravity));
+        lanes_store(lists->fixed[129], lanes_mul(K(0.015625), p_gravity));
+        lanes_store(lists->fixed[130], lanes_mul(K(0.4), p_gravity));
+        lanes_store(lists->fixed[131], lanes_mul(p_backboard_friction, p_backboard_friction));
+        lanes_store(lists->fixed[132], lanes_mul(p_bridge_friction, p_bridge_friction));
+        lanes_store(lists->fixed[133], lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        lanes_store(lists->fixed[134], lanes_mul(K(5.684341886080802e-14), p_gravity));
+        lanes_store(lists->fixed[135], _s12);
+        lanes_store(lists->fixed[136], p_bridge_depth);
+        lanes_store(lists->fixed[137], lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
+        lanes_store(lists->fixed[138], lanes_mul(K(2.384185791015625e-07), p_ball_radius));
+        lanes_store(lists->fixed[139], lanes_mul(K(0.3333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[140], lanes_mul(K(0.25), p_ring_radius));
+        lanes_store(lists->fixed[141], lanes_mul(K(0.2), p_ring_radius));
+        lanes_store(lists->fixed[142], lanes_mul(K(0.16666666666666666), p_ring_radius));
+        lanes_store(lists->fixed[143], lanes_mul(K(0.14285714285714285), p_ring_radius));
+        lanes_store(lists->fixed[144], lanes_mul(K(0.125), p_ring_radius));
+        lanes_store(lists->fixed[145], lanes_mul(K(0.1111111111111111), p_ring_radius));
+        lanes_store(lists->fixed[146], lanes_mul(K(0.1), p_ring_radius));
+        lanes_store(lists->fixed[147], lanes_mul(K(0.09090909090909091), p_ring_radius));
+        lanes_store(lists->fixed[148], lanes_mul(K(0.08333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[149], lanes_sqrt(lanes_div(p_gravity, _s12)));
+        lanes_store(lists->fixed[150], lanes_div(K(1.0), _s17));
+        lanes_store(lists->fixed[151], lanes_mul(K(0.8), p_gravity));
+        lanes_store(lists->fixed[152], lanes_mul(p_ring_friction, p_ring_friction));
+        lanes_store(lists->fixed[153], lanes_sqrt(lanes_add(lanes_mul(_s60, _s60), lanes_mul(_s63, _s63))));
+        lanes_store(lists->fixed[154], lanes_sqrt(lanes_add(lanes_mul(_s66, _s66), lanes_mul(_s69, _s69))));
+        lanes_store(lists->fixed[155], lanes_mul(K(0.000244140625), _s12));
+        lanes_store(lists->fixed[156], lanes_mul(K(0.00390625), p_gravity));
+        lanes_store(lists->fixed[157], lanes_mul(lanes_mul(K(0.000244140625), _s70), _s12));
+        lanes_store(lists->fixed[158], lanes_mul(K(6.0), _s70));
+        lanes_store(lists->fixed[159], lanes_mul(K(0.0078125), p_gravity));
+        lanes_store(lists->fixed[160], lanes_max(K(0.0), p_gravity));
+        lanes_store(lists->fixed[161], lanes_mul(K(8.0), _s14));
+        lanes_store(lists->fixed[162], lanes_add(lanes_add(lanes_add(lanes_add(_s71, p_ring_radius), p_wire_radius), _s0), _s1));
+        lanes_store(lists->fixed[163], lanes_div(K(1.0), lanes_min(_s72, _s12)));
+        lanes_store(lists->fixed[164], p_restitution_speed);
+        lanes_store(lists->fixed[165], _s73);
+        lanes_store(lists->fixed[166], lanes_mul(_s73, _s73));
+        lanes_store(lists->fixed[167], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        lanes_store(lists->fixed[168], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+        lanes_store(lists->fixed[169], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[170], _s74);
+        lanes_store(lists->fixed[171], lanes_mul(_s74, _s74));
+        lanes_store(lists->fixed[172], lanes_mul(p_ring_friction, _s75));
+        lanes_store(lists->fixed[173], lanes_mul(_s75, _s74));
+        lanes_store(lists->fixed[174], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        lanes_store(lists->fixed[175], _s76);
+        lanes_store(lists->fixed[176], lanes_mul(_s76, _s76));
+        lanes_store(lists->fixed[177], lanes_mul(p_backboard_friction, _s77));
+        lanes_store(lists->fixed[178], lanes_mul(_s77, _s76));
+        lanes_store(lists->fixed[179], _s78);
+        lanes_store(lists->fixed[180], lanes_mul(_s78, _s78));
+        lanes_store(lists->fixed[181], lanes_mul(p_bridge_friction, _s79));
+        lanes_store(lists->fixed[182], lanes_mul(_s79, _s78));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -7813,24 +7835,32 @@ static void LANES(court_bounded_fix_f1)(LANES(court_bounded_lists) *lists, size_
     const V p_ring_radius = lanes_load(lists->p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->p_wire_radius + i);
     {
-        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_thickness)), lanes_abs(p_board_top));
-        const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s1, lanes_abs(p_bridge_depth)), lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius));
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[8], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[11], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
-        lanes_store(lists->fixed[12], _s2);
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[14], lanes_mul(p_ring_radius, p_ring_radius));
+        const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_thickness)), lanes_abs(p_board_top));
+        const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s0, lanes_abs(p_bridge_depth)), lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius));
+        const V _s2 = lanes_mul(K(0.5), p_board_thickness);
+        const V _s3 = lanes_mul(K(0.5), p_board_distance);
+        const V _s4 = lanes_mul(K(0.5), p_ring_radius);
+        const V _s5 = lanes_add(p_ball_radius, p_wire_radius);
+        lanes_store(lists->fixed[0], _s1);
+        lanes_store(lists->fixed[1], lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius));
+        lanes_store(lists->fixed[2], lanes_neg(lanes_add(p_board_distance, _s2)));
+        lanes_store(lists->fixed[3], lanes_add(p_ball_radius, _s2));
+        lanes_store(lists->fixed[4], lanes_neg(lanes_add(_s3, _s4)));
+        lanes_store(lists->fixed[5], lanes_sub(lanes_add(p_ball_radius, _s3), _s4));
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[14], lanes_mul(_s5, _s5));
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[17], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[19], lanes_mul(p_ring_radius, p_ring_radius));
     }
 }
 
@@ -7838,7 +7868,7 @@ static void LANES(court_bounded_fix_f1)(LANES(court_bounded_lists) *lists, size_
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f6)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f8)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_end_depth = lanes_load(lists->p_end_depth + i);
@@ -7857,34 +7887,34 @@ static void LANES(court_bounded_fix_f6)(LANES(court_bounded_lists) *lists, size_
         const V _s8 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s9 = lanes_max(_s7, _s8);
         const V _s10 = lanes_mul(_s9, _s9);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[8], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[15], _s1);
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[18], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[19], _s2);
-        lanes_store(lists->fixed[20], lanes_mul(K(0.5), _s2));
-        lanes_store(lists->fixed[21], lanes_mul(K(6.667843360785852e-16), p_end_depth));
-        lanes_store(lists->fixed[22], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[23], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[24], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[25], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[26], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[27], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[28], _s3);
-        lanes_store(lists->fixed[29], lanes_mul(K(5.820766091346741e-11), _s4));
-        lanes_store(lists->fixed[30], lanes_mul(K(65536.0), _s4));
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[32], _s5);
-        lanes_store(lists->fixed[33], _s6);
-        lanes_store(lists->fixed[34], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[35], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[36], _s10);
-        lanes_store(lists->fixed[37], lanes_mul(_s9, _s10));
-        lanes_store(lists->fixed[38], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[39], lanes_add(_s6, _s10));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[20], _s1);
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[23], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[24], _s2);
+        lanes_store(lists->fixed[25], lanes_mul(K(0.5), _s2));
+        lanes_store(lists->fixed[26], lanes_mul(K(6.667843360785852e-16), p_end_depth));
+        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[28], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[30], lanes_mul(K(2.0), p_wire_radius));
+        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[32], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[33], _s3);
+        lanes_store(lists->fixed[34], lanes_mul(K(5.820766091346741e-11), _s4));
+        lanes_store(lists->fixed[35], lanes_mul(K(65536.0), _s4));
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[37], _s5);
+        lanes_store(lists->fixed[38], _s6);
+        lanes_store(lists->fixed[39], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[40], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[41], _s10);
+        lanes_store(lists->fixed[42], lanes_mul(_s9, _s10));
+        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[44], lanes_add(_s6, _s10));
     }
 }
 
@@ -7892,23 +7922,23 @@ static void LANES(court_bounded_fix_f6)(LANES(court_bounded_lists) *lists, size_
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f27)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f29)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
     const V p_ring_radius = lanes_load(lists->open_p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
     {
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[15], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[22], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, lanes_add(p_ball_radius, p_wire_radius))));
-        lanes_store(lists->fixed[23], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[24], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[25], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[26], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[27], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, lanes_add(p_ball_radius, p_wire_radius))));
+        lanes_store(lists->fixed[28], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[30], lanes_mul(K(2.0), p_wire_radius));
+        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[32], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -7957,7 +7987,7 @@ static void LANES(court_bounded_fix_f27)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f41)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f43)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_leaping_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_leaping_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -7993,7 +8023,7 @@ static void LANES(court_bounded_fix_f41)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f44)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f46)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_searching_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_searching_p_gravity + i);
@@ -8008,26 +8038,26 @@ static void LANES(court_bounded_fix_f44)(LANES(court_bounded_lists) *lists, size
         const V _s5 = lanes_max(_s3, _s4);
         const V _s6 = lanes_div(K(1.0), _s5);
         const V _s7 = lanes_div(_s1, _s5);
-        lanes_store(lists->fixed[15], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[22], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[23], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[24], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[25], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[26], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[27], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[28], _s1);
-        lanes_store(lists->fixed[32], lanes_mul(_s2, _s2));
-        lanes_store(lists->fixed[34], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[35], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[36], lanes_mul(_s5, _s5));
-        lanes_store(lists->fixed[38], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[40], lanes_mul(_s6, lanes_mul(_s6, _s6)));
-        lanes_store(lists->fixed[41], _s2);
-        lanes_store(lists->fixed[42], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[43], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[44], lanes_max(K(1.0), _s7));
+        lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[28], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[30], lanes_mul(K(2.0), p_wire_radius));
+        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[32], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[33], _s1);
+        lanes_store(lists->fixed[37], lanes_mul(_s2, _s2));
+        lanes_store(lists->fixed[39], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[40], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[41], lanes_mul(_s5, _s5));
+        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[45], lanes_mul(_s6, lanes_mul(_s6, _s6)));
+        lanes_store(lists->fixed[46], _s2);
+        lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[48], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[49], lanes_max(K(1.0), _s7));
     }
 }
 
@@ -8035,7 +8065,7 @@ static void LANES(court_bounded_fix_f44)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f49)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f51)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_searching_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_searching_searching_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -8053,18 +8083,18 @@ static void LANES(court_bounded_fix_f49)(LANES(court_bounded_lists) *lists, size
         const V _s4 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s5 = lanes_max(_s3, _s4);
         const V _s6 = lanes_div(_s1, _s5);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[8], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[28], _s1);
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[41], _s2);
-        lanes_store(lists->fixed[42], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[43], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[44], lanes_max(K(1.0), _s6));
-        lanes_store(lists->fixed[45], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[46], lanes_mul(K(9.094947017729282e-13), _s2));
-        lanes_store(lists->fixed[47], _s5);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[33], _s1);
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[46], _s2);
+        lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[48], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[49], lanes_max(K(1.0), _s6));
+        lanes_store(lists->fixed[50], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[51], lanes_mul(K(9.094947017729282e-13), _s2));
+        lanes_store(lists->fixed[52], _s5);
     }
 }
 
@@ -8072,7 +8102,7 @@ static void LANES(court_bounded_fix_f49)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f62)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f64)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
@@ -8080,10 +8110,10 @@ static void LANES(court_bounded_fix_f62)(LANES(court_bounded_lists) *lists, size
     const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
     {
         const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[8], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -8091,7 +8121,7 @@ static void LANES(court_bounded_fix_f62)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f71)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f73)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -8103,10 +8133,10 @@ static void LANES(court_bounded_fix_f71)(LANES(court_bounded_lists) *lists, size
     lanes_store(lists->turning_p_wire_radius, p_wire_radius);
     {
         const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[8], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -8114,7 +8144,7 @@ static void LANES(court_bounded_fix_f71)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f74)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f76)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
@@ -8127,12 +8157,12 @@ static void LANES(court_bounded_fix_f74)(LANES(court_bounded_lists) *lists, size
         const V _s3 = lanes_sub(p_ring_radius, _s1);
         const V _s4 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s5 = lanes_div(_s1, lanes_max(_s3, _s4));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[28], _s1);
-        lanes_store(lists->fixed[41], _s2);
-        lanes_store(lists->fixed[42], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[43], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[44], lanes_max(K(1.0), _s5));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[33], _s1);
+        lanes_store(lists->fixed[46], _s2);
+        lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[48], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[49], lanes_max(K(1.0), _s5));
     }
 }
 
@@ -8140,7 +8170,7 @@ static void LANES(court_bounded_fix_f74)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f82)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f84)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
@@ -8153,17 +8183,17 @@ static void LANES(court_bounded_fix_f82)(LANES(court_bounded_lists) *lists, size
         const V _s0 = lanes_mul(K(0.5), p_board_thickness);
         const V _s1 = lanes_mul(K(0.5), p_board_bottom);
         const V _s2 = lanes_mul(K(0.5), p_board_top);
-        lanes_store(lists->fixed[15], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[48], lanes_abs(K(0.0)));
-        lanes_store(lists->fixed[49], lanes_mul(K(0.0625), p_gravity));
-        lanes_store(lists->fixed[50], lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
-        lanes_store(lists->fixed[51], lanes_neg(lanes_add(p_board_distance, _s0)));
-        lanes_store(lists->fixed[52], lanes_mul(K(1.0000000009313226), _s0));
-        lanes_store(lists->fixed[53], lanes_mul(K(1.0000000009313226), p_board_half_width));
-        lanes_store(lists->fixed[54], lanes_add(_s1, _s2));
-        lanes_store(lists->fixed[55], lanes_mul(K(1.0000000009313226), lanes_sub(_s2, _s1)));
+        lanes_store(lists->fixed[2], lanes_neg(lanes_add(p_board_distance, _s0)));
+        lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[53], lanes_abs(K(0.0)));
+        lanes_store(lists->fixed[54], lanes_mul(K(0.0625), p_gravity));
+        lanes_store(lists->fixed[55], lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
+        lanes_store(lists->fixed[56], lanes_mul(K(1.0000000009313226), _s0));
+        lanes_store(lists->fixed[57], lanes_mul(K(1.0000000009313226), p_board_half_width));
+        lanes_store(lists->fixed[58], lanes_add(_s1, _s2));
+        lanes_store(lists->fixed[59], lanes_mul(K(1.0000000009313226), lanes_sub(_s2, _s1)));
     }
 }
 
@@ -8171,7 +8201,7 @@ static void LANES(court_bounded_fix_f82)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f87)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f89)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->reachable_p_board_bottom + i);
@@ -8181,55 +8211,55 @@ static void LANES(court_bounded_fix_f87)(LANES(court_bounded_lists) *lists, size
     const V p_board_top = lanes_load(lists->reachable_p_board_top + i);
     const V p_gravity = lanes_load(lists->reachable_p_gravity + i);
     {
-        const V _s0 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s1 = lanes_mul(K(0.5), p_board_thickness);
-        const V _s2 = lanes_mul(K(0.5), p_board_bottom);
-        const V _s3 = lanes_mul(K(0.5), p_board_top);
-        const V _s4 = lanes_add(p_ball_radius, _s1);
-        const V _s5 = lanes_add(p_ball_radius, _s3);
-        const V _s6 = lanes_sub(_s5, _s2);
+        const V _s0 = lanes_mul(K(0.5), p_board_thickness);
+        const V _s1 = lanes_add(p_ball_radius, _s0);
+        const V _s2 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s3 = lanes_mul(K(0.5), p_board_bottom);
+        const V _s4 = lanes_mul(K(0.5), p_board_top);
+        const V _s5 = lanes_add(p_ball_radius, _s4);
+        const V _s6 = lanes_sub(_s5, _s3);
         const V _s7 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s8 = lanes_min(_s7, _s4);
+        const V _s8 = lanes_min(_s7, _s1);
         const V _s9 = lanes_min(_s6, _s8);
         const V _s10 = lanes_mul(K(6.103515625e-05), _s9);
         const V _s11 = lanes_abs(lanes_neg(p_gravity));
         const V _s12 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s9));
-        const V _s13 = lanes_max(_s4, _s7);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[15], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[23], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[56], _s3);
-        lanes_store(lists->fixed[57], _s2);
-        lanes_store(lists->fixed[58], _s9);
-        lanes_store(lists->fixed[59], lanes_add(_s4, _s10));
-        lanes_store(lists->fixed[60], lanes_add(p_board_distance, _s1));
-        lanes_store(lists->fixed[61], lanes_add(_s7, _s10));
-        lanes_store(lists->fixed[62], lanes_sub(lanes_add(_s5, _s10), _s2));
-        lanes_store(lists->fixed[63], lanes_mul(lanes_mul(K(1.25), _s11), _s12));
-        lanes_store(lists->fixed[64], lanes_abs(lanes_add(_s2, _s3)));
-        lanes_store(lists->fixed[65], lanes_max(_s13, _s6));
-        lanes_store(lists->fixed[66], lanes_mul(K(1.52587890625e-05), _s9));
-        lanes_store(lists->fixed[67], lanes_mul(K(5.55653613398821e-16), _s0));
-        lanes_store(lists->fixed[68], _s12);
-        lanes_store(lists->fixed[69], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        lanes_store(lists->fixed[70], lanes_mul(K(2.001953125), _s12));
-        lanes_store(lists->fixed[71], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        lanes_store(lists->fixed[72], lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
-        lanes_store(lists->fixed[73], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s12, _s12)));
-        lanes_store(lists->fixed[74], lanes_mul(K(12.01171875), _s12));
-        lanes_store(lists->fixed[75], lanes_mul(K(6.667843360785852e-15), _s12));
-        lanes_store(lists->fixed[76], lanes_mul(K(6.005859375), _s12));
-        lanes_store(lists->fixed[77], lanes_mul(K(2.667137344314341e-15), _s12));
-        lanes_store(lists->fixed[78], _s0);
-        lanes_store(lists->fixed[79], _s11);
-        lanes_store(lists->fixed[80], lanes_mul(K(0.5), _s11));
+        const V _s13 = lanes_max(_s1, _s7);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[28], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[60], _s4);
+        lanes_store(lists->fixed[61], _s3);
+        lanes_store(lists->fixed[62], _s9);
+        lanes_store(lists->fixed[63], lanes_add(_s1, _s10));
+        lanes_store(lists->fixed[64], lanes_add(p_board_distance, _s0));
+        lanes_store(lists->fixed[65], lanes_add(_s7, _s10));
+        lanes_store(lists->fixed[66], lanes_sub(lanes_add(_s5, _s10), _s3));
+        lanes_store(lists->fixed[67], lanes_mul(lanes_mul(K(1.25), _s11), _s12));
+        lanes_store(lists->fixed[68], lanes_abs(lanes_add(_s3, _s4)));
+        lanes_store(lists->fixed[69], lanes_max(_s13, _s6));
+        lanes_store(lists->fixed[70], lanes_mul(K(1.52587890625e-05), _s9));
+        lanes_store(lists->fixed[71], lanes_mul(K(5.55653613398821e-16), _s2));
+        lanes_store(lists->fixed[72], _s12);
+        lanes_store(lists->fixed[73], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        lanes_store(lists->fixed[74], lanes_mul(K(2.001953125), _s12));
+        lanes_store(lists->fixed[75], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        lanes_store(lists->fixed[76], lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
+        lanes_store(lists->fixed[77], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s12, _s12)));
+        lanes_store(lists->fixed[78], lanes_mul(K(12.01171875), _s12));
+        lanes_store(lists->fixed[79], lanes_mul(K(6.667843360785852e-15), _s12));
+        lanes_store(lists->fixed[80], lanes_mul(K(6.005859375), _s12));
+        lanes_store(lists->fixed[81], lanes_mul(K(2.667137344314341e-15), _s12));
+        lanes_store(lists->fixed[82], _s2);
+        lanes_store(lists->fixed[83], _s11);
+        lanes_store(lists->fixed[84], lanes_mul(K(0.5), _s11));
     }
 }
 
@@ -8237,7 +8267,7 @@ static void LANES(court_bounded_fix_f87)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f107)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f109)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->reachable_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_bottom = lanes_expand(lists->reachable_searching_p_board_bottom + taken, idle, lanes_load(lists->turning_p_board_bottom));
@@ -8254,34 +8284,34 @@ static void LANES(court_bounded_fix_f107)(LANES(court_bounded_lists) *lists, siz
     lanes_store(lists->turning_p_board_top, p_board_top);
     lanes_store(lists->turning_p_gravity, p_gravity);
     {
-        const V _s0 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s1 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
+        const V _s0 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
+        const V _s1 = lanes_mul(p_ball_radius, p_ball_radius);
         const V _s2 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
         const V _s3 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s4 = lanes_min(_s3, _s1);
+        const V _s4 = lanes_min(_s3, _s0);
         const V _s5 = lanes_abs(lanes_neg(p_gravity));
         const V _s6 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s2, _s4)));
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[67], lanes_mul(K(5.55653613398821e-16), _s0));
-        lanes_store(lists->fixed[68], _s6);
-        lanes_store(lists->fixed[69], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        lanes_store(lists->fixed[70], lanes_mul(K(2.001953125), _s6));
-        lanes_store(lists->fixed[71], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        lanes_store(lists->fixed[72], lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
-        lanes_store(lists->fixed[73], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s6, _s6)));
-        lanes_store(lists->fixed[74], lanes_mul(K(12.01171875), _s6));
-        lanes_store(lists->fixed[75], lanes_mul(K(6.667843360785852e-15), _s6));
-        lanes_store(lists->fixed[76], lanes_mul(K(6.005859375), _s6));
-        lanes_store(lists->fixed[77], lanes_mul(K(2.667137344314341e-15), _s6));
-        lanes_store(lists->fixed[78], _s0);
-        lanes_store(lists->fixed[79], _s5);
-        lanes_store(lists->fixed[80], lanes_mul(K(0.5), _s5));
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[71], lanes_mul(K(5.55653613398821e-16), _s1));
+        lanes_store(lists->fixed[72], _s6);
+        lanes_store(lists->fixed[73], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        lanes_store(lists->fixed[74], lanes_mul(K(2.001953125), _s6));
+        lanes_store(lists->fixed[75], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        lanes_store(lists->fixed[76], lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
+        lanes_store(lists->fixed[77], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s6, _s6)));
+        lanes_store(lists->fixed[78], lanes_mul(K(12.01171875), _s6));
+        lanes_store(lists->fixed[79], lanes_mul(K(6.667843360785852e-15), _s6));
+        lanes_store(lists->fixed[80], lanes_mul(K(6.005859375), _s6));
+        lanes_store(lists->fixed[81], lanes_mul(K(2.667137344314341e-15), _s6));
+        lanes_store(lists->fixed[82], _s1);
+        lanes_store(lists->fixed[83], _s5);
+        lanes_store(lists->fixed[84], lanes_mul(K(0.5), _s5));
     }
 }
 
@@ -8289,7 +8319,7 @@ static void LANES(court_bounded_fix_f107)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f119)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f121)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->reachable_p_board_bottom + i);
@@ -8299,14 +8329,14 @@ static void LANES(court_bounded_fix_f119)(LANES(court_bounded_lists) *lists, siz
     const V p_board_top = lanes_load(lists->reachable_p_board_top + i);
     const V p_gravity = lanes_load(lists->reachable_p_gravity + i);
     {
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[78], lanes_mul(p_ball_radius, p_ball_radius));
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[82], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -8314,7 +8344,7 @@ static void LANES(court_bounded_fix_f119)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f129)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f131)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->reachable_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_bottom = lanes_expand(lists->reachable_refining_p_board_bottom + taken, idle, lanes_load(lists->turning_p_board_bottom));
@@ -8331,14 +8361,14 @@ static void LANES(court_bounded_fix_f129)(LANES(court_bounded_lists) *lists, siz
     lanes_store(lists->turning_p_board_top, p_board_top);
     lanes_store(lists->turning_p_gravity, p_gravity);
     {
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[78], lanes_mul(p_ball_radius, p_ball_radius));
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[82], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -8346,7 +8376,7 @@ static void LANES(court_bounded_fix_f129)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f132)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f134)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->reachable_p_board_bottom + i);
@@ -8361,18 +8391,18 @@ static void LANES(court_bounded_fix_f132)(LANES(court_bounded_lists) *lists, siz
         const V _s2 = lanes_add(p_ball_radius, p_board_half_width);
         const V _s3 = lanes_min(_s2, _s0);
         const V _s4 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s1, _s3)));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[67], lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)));
-        lanes_store(lists->fixed[68], _s4);
-        lanes_store(lists->fixed[69], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        lanes_store(lists->fixed[70], lanes_mul(K(2.001953125), _s4));
-        lanes_store(lists->fixed[71], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        lanes_store(lists->fixed[72], lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
-        lanes_store(lists->fixed[73], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s4, _s4)));
-        lanes_store(lists->fixed[74], lanes_mul(K(12.01171875), _s4));
-        lanes_store(lists->fixed[75], lanes_mul(K(6.667843360785852e-15), _s4));
-        lanes_store(lists->fixed[76], lanes_mul(K(6.005859375), _s4));
-        lanes_store(lists->fixed[77], lanes_mul(K(2.667137344314341e-15), _s4));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[71], lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)));
+        lanes_store(lists->fixed[72], _s4);
+        lanes_store(lists->fixed[73], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        lanes_store(lists->fixed[74], lanes_mul(K(2.001953125), _s4));
+        lanes_store(lists->fixed[75], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        lanes_store(lists->fixed[76], lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
+        lanes_store(lists->fixed[77], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s4, _s4)));
+        lanes_store(lists->fixed[78], lanes_mul(K(12.01171875), _s4));
+        lanes_store(lists->fixed[79], lanes_mul(K(6.667843360785852e-15), _s4));
+        lanes_store(lists->fixed[80], lanes_mul(K(6.005859375), _s4));
+        lanes_store(lists->fixed[81], lanes_mul(K(2.667137344314341e-15), _s4));
     }
 }
 
@@ -8380,7 +8410,7 @@ static void LANES(court_bounded_fix_f132)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f140)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f142)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_distance = lanes_load(lists->p_board_distance + i);
@@ -8393,17 +8423,17 @@ static void LANES(court_bounded_fix_f140)(LANES(court_bounded_lists) *lists, siz
         const V _s0 = lanes_mul(K(0.5), p_board_distance);
         const V _s1 = lanes_mul(K(0.5), p_ring_radius);
         const V _s2 = lanes_mul(K(0.5), p_bridge_depth);
-        lanes_store(lists->fixed[15], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[48], lanes_abs(K(0.0)));
-        lanes_store(lists->fixed[49], lanes_mul(K(0.0625), p_gravity));
-        lanes_store(lists->fixed[50], lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
-        lanes_store(lists->fixed[81], lanes_neg(lanes_add(_s0, _s1)));
-        lanes_store(lists->fixed[82], lanes_mul(K(1.0000000009313226), lanes_sub(_s0, _s1)));
-        lanes_store(lists->fixed[83], lanes_mul(K(1.0000000009313226), p_bridge_half_width));
-        lanes_store(lists->fixed[84], lanes_sub(p_wire_radius, _s2));
-        lanes_store(lists->fixed[85], lanes_mul(K(1.0000000009313226), _s2));
+        lanes_store(lists->fixed[4], lanes_neg(lanes_add(_s0, _s1)));
+        lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[53], lanes_abs(K(0.0)));
+        lanes_store(lists->fixed[54], lanes_mul(K(0.0625), p_gravity));
+        lanes_store(lists->fixed[55], lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
+        lanes_store(lists->fixed[85], lanes_mul(K(1.0000000009313226), lanes_sub(_s0, _s1)));
+        lanes_store(lists->fixed[86], lanes_mul(K(1.0000000009313226), p_bridge_half_width));
+        lanes_store(lists->fixed[87], lanes_sub(p_wire_radius, _s2));
+        lanes_store(lists->fixed[88], lanes_mul(K(1.0000000009313226), _s2));
     }
 }
 
@@ -8411,7 +8441,7 @@ static void LANES(court_bounded_fix_f140)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f145)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f147)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_distance = lanes_load(lists->reachable_p_board_distance + i);
@@ -8421,56 +8451,56 @@ static void LANES(court_bounded_fix_f145)(LANES(court_bounded_lists) *lists, siz
     const V p_ring_radius = lanes_load(lists->reachable_p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->reachable_p_wire_radius + i);
     {
-        const V _s0 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s1 = lanes_abs(lanes_neg(p_gravity));
-        const V _s2 = lanes_mul(K(0.5), p_board_distance);
-        const V _s3 = lanes_mul(K(0.5), p_ring_radius);
-        const V _s4 = lanes_mul(K(0.5), p_bridge_depth);
-        const V _s5 = lanes_add(p_ball_radius, _s2);
-        const V _s6 = lanes_add(p_ball_radius, _s4);
-        const V _s7 = lanes_add(p_ball_radius, p_bridge_half_width);
-        const V _s8 = lanes_sub(_s5, _s3);
-        const V _s9 = lanes_min(_s7, _s8);
-        const V _s10 = lanes_min(_s6, _s9);
+        const V _s0 = lanes_mul(K(0.5), p_board_distance);
+        const V _s1 = lanes_mul(K(0.5), p_ring_radius);
+        const V _s2 = lanes_add(p_ball_radius, _s0);
+        const V _s3 = lanes_sub(_s2, _s1);
+        const V _s4 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s5 = lanes_abs(lanes_neg(p_gravity));
+        const V _s6 = lanes_mul(K(0.5), p_bridge_depth);
+        const V _s7 = lanes_add(p_ball_radius, _s6);
+        const V _s8 = lanes_add(p_ball_radius, p_bridge_half_width);
+        const V _s9 = lanes_min(_s8, _s3);
+        const V _s10 = lanes_min(_s7, _s9);
         const V _s11 = lanes_mul(K(6.103515625e-05), _s10);
         const V _s12 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s10));
-        const V _s13 = lanes_max(_s8, _s7);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[15], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[23], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[67], lanes_mul(K(5.55653613398821e-16), _s0));
-        lanes_store(lists->fixed[78], _s0);
-        lanes_store(lists->fixed[79], _s1);
-        lanes_store(lists->fixed[80], lanes_mul(K(0.5), _s1));
-        lanes_store(lists->fixed[86], _s2);
-        lanes_store(lists->fixed[87], _s4);
-        lanes_store(lists->fixed[88], _s3);
-        lanes_store(lists->fixed[89], _s10);
-        lanes_store(lists->fixed[90], lanes_sub(lanes_add(_s5, _s11), _s3));
-        lanes_store(lists->fixed[91], lanes_add(_s2, _s3));
-        lanes_store(lists->fixed[92], lanes_add(_s7, _s11));
-        lanes_store(lists->fixed[93], lanes_add(_s6, _s11));
-        lanes_store(lists->fixed[94], lanes_mul(lanes_mul(K(1.25), _s1), _s12));
-        lanes_store(lists->fixed[95], lanes_abs(lanes_sub(_s4, p_wire_radius)));
-        lanes_store(lists->fixed[96], lanes_max(_s13, _s6));
-        lanes_store(lists->fixed[97], lanes_mul(K(1.52587890625e-05), _s10));
-        lanes_store(lists->fixed[98], _s12);
-        lanes_store(lists->fixed[99], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
-        lanes_store(lists->fixed[100], lanes_mul(K(2.001953125), _s12));
-        lanes_store(lists->fixed[101], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
-        lanes_store(lists->fixed[102], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
-        lanes_store(lists->fixed[103], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s12, _s12)));
-        lanes_store(lists->fixed[104], lanes_mul(K(12.01171875), _s12));
-        lanes_store(lists->fixed[105], lanes_mul(K(6.667843360785852e-15), _s12));
-        lanes_store(lists->fixed[106], lanes_mul(K(6.005859375), _s12));
-        lanes_store(lists->fixed[107], lanes_mul(K(2.667137344314341e-15), _s12));
+        const V _s13 = lanes_max(_s3, _s8);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[28], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[71], lanes_mul(K(5.55653613398821e-16), _s4));
+        lanes_store(lists->fixed[82], _s4);
+        lanes_store(lists->fixed[83], _s5);
+        lanes_store(lists->fixed[84], lanes_mul(K(0.5), _s5));
+        lanes_store(lists->fixed[89], _s0);
+        lanes_store(lists->fixed[90], _s6);
+        lanes_store(lists->fixed[91], _s1);
+        lanes_store(lists->fixed[92], _s10);
+        lanes_store(lists->fixed[93], lanes_sub(lanes_add(_s2, _s11), _s1));
+        lanes_store(lists->fixed[94], lanes_add(_s0, _s1));
+        lanes_store(lists->fixed[95], lanes_add(_s8, _s11));
+        lanes_store(lists->fixed[96], lanes_add(_s7, _s11));
+        lanes_store(lists->fixed[97], lanes_mul(lanes_mul(K(1.25), _s5), _s12));
+        lanes_store(lists->fixed[98], lanes_abs(lanes_sub(_s6, p_wire_radius)));
+        lanes_store(lists->fixed[99], lanes_max(_s13, _s7));
+        lanes_store(lists->fixed[100], lanes_mul(K(1.52587890625e-05), _s10));
+        lanes_store(lists->fixed[101], _s12);
+        lanes_store(lists->fixed[102], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
+        lanes_store(lists->fixed[103], lanes_mul(K(2.001953125), _s12));
+        lanes_store(lists->fixed[104], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
+        lanes_store(lists->fixed[105], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
+        lanes_store(lists->fixed[106], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s12, _s12)));
+        lanes_store(lists->fixed[107], lanes_mul(K(12.01171875), _s12));
+        lanes_store(lists->fixed[108], lanes_mul(K(6.667843360785852e-15), _s12));
+        lanes_store(lists->fixed[109], lanes_mul(K(6.005859375), _s12));
+        lanes_store(lists->fixed[110], lanes_mul(K(2.667137344314341e-15), _s12));
     }
 }
 
@@ -8478,7 +8508,7 @@ static void LANES(court_bounded_fix_f145)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f165)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f167)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->reachable_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_distance = lanes_expand(lists->reachable_searching_p_board_distance + taken, idle, lanes_load(lists->turning_p_board_distance));
@@ -8495,34 +8525,34 @@ static void LANES(court_bounded_fix_f165)(LANES(court_bounded_lists) *lists, siz
     lanes_store(lists->turning_p_ring_radius, p_ring_radius);
     lanes_store(lists->turning_p_wire_radius, p_wire_radius);
     {
-        const V _s0 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s1 = lanes_abs(lanes_neg(p_gravity));
-        const V _s2 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
-        const V _s3 = lanes_add(p_ball_radius, p_bridge_half_width);
-        const V _s4 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
-        const V _s5 = lanes_min(_s3, _s4);
-        const V _s6 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s2, _s5)));
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[67], lanes_mul(K(5.55653613398821e-16), _s0));
-        lanes_store(lists->fixed[78], _s0);
-        lanes_store(lists->fixed[79], _s1);
-        lanes_store(lists->fixed[80], lanes_mul(K(0.5), _s1));
-        lanes_store(lists->fixed[98], _s6);
-        lanes_store(lists->fixed[99], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
-        lanes_store(lists->fixed[100], lanes_mul(K(2.001953125), _s6));
-        lanes_store(lists->fixed[101], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
-        lanes_store(lists->fixed[102], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
-        lanes_store(lists->fixed[103], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s6, _s6)));
-        lanes_store(lists->fixed[104], lanes_mul(K(12.01171875), _s6));
-        lanes_store(lists->fixed[105], lanes_mul(K(6.667843360785852e-15), _s6));
-        lanes_store(lists->fixed[106], lanes_mul(K(6.005859375), _s6));
-        lanes_store(lists->fixed[107], lanes_mul(K(2.667137344314341e-15), _s6));
+        const V _s0 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
+        const V _s1 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s2 = lanes_abs(lanes_neg(p_gravity));
+        const V _s3 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
+        const V _s4 = lanes_add(p_ball_radius, p_bridge_half_width);
+        const V _s5 = lanes_min(_s4, _s0);
+        const V _s6 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s3, _s5)));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[71], lanes_mul(K(5.55653613398821e-16), _s1));
+        lanes_store(lists->fixed[82], _s1);
+        lanes_store(lists->fixed[83], _s2);
+        lanes_store(lists->fixed[84], lanes_mul(K(0.5), _s2));
+        lanes_store(lists->fixed[101], _s6);
+        lanes_store(lists->fixed[102], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
+        lanes_store(lists->fixed[103], lanes_mul(K(2.001953125), _s6));
+        lanes_store(lists->fixed[104], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
+        lanes_store(lists->fixed[105], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
+        lanes_store(lists->fixed[106], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s6, _s6)));
+        lanes_store(lists->fixed[107], lanes_mul(K(12.01171875), _s6));
+        lanes_store(lists->fixed[108], lanes_mul(K(6.667843360785852e-15), _s6));
+        lanes_store(lists->fixed[109], lanes_mul(K(6.005859375), _s6));
+        lanes_store(lists->fixed[110], lanes_mul(K(2.667137344314341e-15), _s6));
     }
 }
 
@@ -8530,7 +8560,7 @@ static void LANES(court_bounded_fix_f165)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f177)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f179)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_distance = lanes_load(lists->reachable_p_board_distance + i);
@@ -8540,14 +8570,14 @@ static void LANES(court_bounded_fix_f177)(LANES(court_bounded_lists) *lists, siz
     const V p_ring_radius = lanes_load(lists->reachable_p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->reachable_p_wire_radius + i);
     {
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[78], lanes_mul(p_ball_radius, p_ball_radius));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[82], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -8555,7 +8585,7 @@ static void LANES(court_bounded_fix_f177)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f187)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f189)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->reachable_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_distance = lanes_expand(lists->reachable_refining_p_board_distance + taken, idle, lanes_load(lists->turning_p_board_distance));
@@ -8572,14 +8602,14 @@ static void LANES(court_bounded_fix_f187)(LANES(court_bounded_lists) *lists, siz
     lanes_store(lists->turning_p_ring_radius, p_ring_radius);
     lanes_store(lists->turning_p_wire_radius, p_wire_radius);
     {
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[78], lanes_mul(p_ball_radius, p_ball_radius));
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[82], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -8587,7 +8617,7 @@ static void LANES(court_bounded_fix_f187)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f190)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f192)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_distance = lanes_load(lists->reachable_p_board_distance + i);
@@ -8597,23 +8627,23 @@ static void LANES(court_bounded_fix_f190)(LANES(court_bounded_lists) *lists, siz
     const V p_ring_radius = lanes_load(lists->reachable_p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->reachable_p_wire_radius + i);
     {
-        const V _s0 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
-        const V _s1 = lanes_add(p_ball_radius, p_bridge_half_width);
-        const V _s2 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
-        const V _s3 = lanes_min(_s1, _s2);
-        const V _s4 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s0, _s3)));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[67], lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)));
-        lanes_store(lists->fixed[98], _s4);
-        lanes_store(lists->fixed[99], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
-        lanes_store(lists->fixed[100], lanes_mul(K(2.001953125), _s4));
-        lanes_store(lists->fixed[101], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
-        lanes_store(lists->fixed[102], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
-        lanes_store(lists->fixed[103], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s4, _s4)));
-        lanes_store(lists->fixed[104], lanes_mul(K(12.01171875), _s4));
-        lanes_store(lists->fixed[105], lanes_mul(K(6.667843360785852e-15), _s4));
-        lanes_store(lists->fixed[106], lanes_mul(K(6.005859375), _s4));
-        lanes_store(lists->fixed[107], lanes_mul(K(2.667137344314341e-15), _s4));
+        const V _s0 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
+        const V _s1 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
+        const V _s2 = lanes_add(p_ball_radius, p_bridge_half_width);
+        const V _s3 = lanes_min(_s2, _s0);
+        const V _s4 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s1, _s3)));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[71], lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)));
+        lanes_store(lists->fixed[101], _s4);
+        lanes_store(lists->fixed[102], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
+        lanes_store(lists->fixed[103], lanes_mul(K(2.001953125), _s4));
+        lanes_store(lists->fixed[104], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
+        lanes_store(lists->fixed[105], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
+        lanes_store(lists->fixed[106], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s4, _s4)));
+        lanes_store(lists->fixed[107], lanes_mul(K(12.01171875), _s4));
+        lanes_store(lists->fixed[108], lanes_mul(K(6.667843360785852e-15), _s4));
+        lanes_store(lists->fixed[109], lanes_mul(K(6.005859375), _s4));
+        lanes_store(lists->fixed[110], lanes_mul(K(2.667137344314341e-15), _s4));
     }
 }
 
@@ -8621,7 +8651,7 @@ static void LANES(court_bounded_fix_f190)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f202)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f204)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->kept_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->kept_p_board_bottom + i);
@@ -8635,21 +8665,21 @@ static void LANES(court_bounded_fix_f202)(LANES(court_bounded_lists) *lists, siz
     const V p_wire_radius = lanes_load(lists->kept_p_wire_radius + i);
     {
         const V _s0 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[108], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
-        lanes_store(lists->fixed[109], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[110], _s0);
-        lanes_store(lists->fixed[111], lanes_neg(_s0));
-        lanes_store(lists->fixed[112], lanes_mul(K(1.4551915228366852e-11), p_ball_radius));
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[111], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
+        lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[113], _s0);
+        lanes_store(lists->fixed[114], lanes_neg(_s0));
+        lanes_store(lists->fixed[115], lanes_mul(K(1.4551915228366852e-11), p_ball_radius));
     }
 }
 
@@ -8657,7 +8687,7 @@ static void LANES(court_bounded_fix_f202)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f230)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f232)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_backboard_friction = lanes_expand(lists->kept_rolling_p_backboard_friction + taken, idle, lanes_load(lists->turning_p_backboard_friction));
     const V p_ball_radius = lanes_expand(lists->kept_rolling_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
@@ -8695,45 +8725,45 @@ static void LANES(court_bounded_fix_f230)(LANES(court_bounded_lists) *lists, siz
         const V _s4 = lanes_add(lanes_add(_s0, lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius));
         const V _s5 = lanes_add(_s0, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
         const V _s6 = lanes_add(lanes_add(_s0, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[14], lanes_mul(p_ring_radius, p_ring_radius));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[38], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[109], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[110], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
-        lanes_store(lists->fixed[113], _s1);
-        lanes_store(lists->fixed[114], lanes_neg(_s1));
-        lanes_store(lists->fixed[115], _s2);
-        lanes_store(lists->fixed[116], lanes_neg(_s2));
-        lanes_store(lists->fixed[117], _s3);
-        lanes_store(lists->fixed[118], lanes_neg(_s3));
-        lanes_store(lists->fixed[119], _s4);
-        lanes_store(lists->fixed[120], lanes_neg(_s4));
-        lanes_store(lists->fixed[121], _s5);
-        lanes_store(lists->fixed[122], lanes_neg(_s5));
-        lanes_store(lists->fixed[123], _s6);
-        lanes_store(lists->fixed[124], lanes_neg(_s6));
-        lanes_store(lists->fixed[125], lanes_mul(K(0.6), p_gravity));
-        lanes_store(lists->fixed[126], lanes_mul(K(0.015625), p_gravity));
-        lanes_store(lists->fixed[127], lanes_mul(K(0.4), p_gravity));
-        lanes_store(lists->fixed[128], lanes_mul(p_backboard_friction, p_backboard_friction));
-        lanes_store(lists->fixed[129], lanes_mul(p_bridge_friction, p_bridge_friction));
-        lanes_store(lists->fixed[130], lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        lanes_store(lists->fixed[131], lanes_mul(K(5.684341886080802e-14), p_gravity));
-        lanes_store(lists->fixed[132], lanes_add(p_ball_radius, p_wire_radius));
-        lanes_store(lists->fixed[133], p_bridge_depth);
-        lanes_store(lists->fixed[134], lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
-        lanes_store(lists->fixed[135], lanes_mul(K(2.384185791015625e-07), p_ball_radius));
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[19], lanes_mul(p_ring_radius, p_ring_radius));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[113], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
+        lanes_store(lists->fixed[116], _s1);
+        lanes_store(lists->fixed[117], lanes_neg(_s1));
+        lanes_store(lists->fixed[118], _s2);
+        lanes_store(lists->fixed[119], lanes_neg(_s2));
+        lanes_store(lists->fixed[120], _s3);
+        lanes_store(lists->fixed[121], lanes_neg(_s3));
+        lanes_store(lists->fixed[122], _s4);
+        lanes_store(lists->fixed[123], lanes_neg(_s4));
+        lanes_store(lists->fixed[124], _s5);
+        lanes_store(lists->fixed[125], lanes_neg(_s5));
+        lanes_store(lists->fixed[126], _s6);
+        lanes_store(lists->fixed[127], lanes_neg(_s6));
+        lanes_store(lists->fixed[128], lanes_mul(K(0.6), p_gravity));
+        lanes_store(lists->fixed[129], lanes_mul(K(0.015625), p_gravity));
+        lanes_store(lists->fixed[130], lanes_mul(K(0.4), p_gravity));
+        lanes_store(lists->fixed[131], lanes_mul(p_backboard_friction, p_backboard_friction));
+        lanes_store(lists->fixed[132], lanes_mul(p_bridge_friction, p_bridge_friction));
+        lanes_store(lists->fixed[133], lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        lanes_store(lists->fixed[134], lanes_mul(K(5.684341886080802e-14), p_gravity));
+        lanes_store(lists->fixed[135], lanes_add(p_ball_radius, p_wire_radius));
+        lanes_store(lists->fixed[136], p_bridge_depth);
+        lanes_store(lists->fixed[137], lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
+        lanes_store(lists->fixed[138], lanes_mul(K(2.384185791015625e-07), p_ball_radius));
     }
 }
 
@@ -8741,7 +8771,7 @@ static void LANES(court_bounded_fix_f230)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f356)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f358)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->kept_circling_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_bottom = lanes_expand(lists->kept_circling_p_board_bottom + taken, idle, lanes_load(lists->turning_p_board_bottom));
@@ -8784,48 +8814,48 @@ static void LANES(court_bounded_fix_f356)(LANES(court_bounded_lists) *lists, siz
         const V _s11 = lanes_neg(p_bridge_half_width);
         const V _s12 = lanes_max(K(0.0), _s11);
         const V _s13 = lanes_max(_s12, _s11);
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[9], _s1);
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[14], lanes_mul(p_ring_radius, p_ring_radius));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[88], lanes_mul(K(0.5), p_ring_radius));
-        lanes_store(lists->fixed[108], lanes_div(K(1.0), _s0));
-        lanes_store(lists->fixed[109], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[110], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
-        lanes_store(lists->fixed[126], lanes_mul(K(0.015625), p_gravity));
-        lanes_store(lists->fixed[130], lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        lanes_store(lists->fixed[131], lanes_mul(K(5.684341886080802e-14), p_gravity));
-        lanes_store(lists->fixed[132], _s0);
-        lanes_store(lists->fixed[134], lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
-        lanes_store(lists->fixed[135], lanes_mul(K(2.384185791015625e-07), p_ball_radius));
-        lanes_store(lists->fixed[136], lanes_mul(K(0.3333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[137], lanes_mul(K(0.25), p_ring_radius));
-        lanes_store(lists->fixed[138], lanes_mul(K(0.2), p_ring_radius));
-        lanes_store(lists->fixed[139], lanes_mul(K(0.16666666666666666), p_ring_radius));
-        lanes_store(lists->fixed[140], lanes_mul(K(0.14285714285714285), p_ring_radius));
-        lanes_store(lists->fixed[141], lanes_mul(K(0.125), p_ring_radius));
-        lanes_store(lists->fixed[142], lanes_mul(K(0.1111111111111111), p_ring_radius));
-        lanes_store(lists->fixed[143], lanes_mul(K(0.1), p_ring_radius));
-        lanes_store(lists->fixed[144], lanes_mul(K(0.09090909090909091), p_ring_radius));
-        lanes_store(lists->fixed[145], lanes_mul(K(0.08333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[146], lanes_sqrt(lanes_div(p_gravity, _s0)));
-        lanes_store(lists->fixed[147], lanes_div(K(1.0), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[148], lanes_mul(K(0.8), p_gravity));
-        lanes_store(lists->fixed[149], lanes_mul(p_ring_friction, p_ring_friction));
-        lanes_store(lists->fixed[150], lanes_sqrt(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s7, _s7))));
-        lanes_store(lists->fixed[151], lanes_sqrt(lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s13, _s13))));
-        lanes_store(lists->fixed[152], lanes_mul(K(0.000244140625), _s0));
-        lanes_store(lists->fixed[153], lanes_mul(K(0.00390625), p_gravity));
-        lanes_store(lists->fixed[154], lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s0));
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[15], _s1);
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[19], lanes_mul(p_ring_radius, p_ring_radius));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[91], lanes_mul(K(0.5), p_ring_radius));
+        lanes_store(lists->fixed[111], lanes_div(K(1.0), _s0));
+        lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[113], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
+        lanes_store(lists->fixed[129], lanes_mul(K(0.015625), p_gravity));
+        lanes_store(lists->fixed[133], lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        lanes_store(lists->fixed[134], lanes_mul(K(5.684341886080802e-14), p_gravity));
+        lanes_store(lists->fixed[135], _s0);
+        lanes_store(lists->fixed[137], lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
+        lanes_store(lists->fixed[138], lanes_mul(K(2.384185791015625e-07), p_ball_radius));
+        lanes_store(lists->fixed[139], lanes_mul(K(0.3333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[140], lanes_mul(K(0.25), p_ring_radius));
+        lanes_store(lists->fixed[141], lanes_mul(K(0.2), p_ring_radius));
+        lanes_store(lists->fixed[142], lanes_mul(K(0.16666666666666666), p_ring_radius));
+        lanes_store(lists->fixed[143], lanes_mul(K(0.14285714285714285), p_ring_radius));
+        lanes_store(lists->fixed[144], lanes_mul(K(0.125), p_ring_radius));
+        lanes_store(lists->fixed[145], lanes_mul(K(0.1111111111111111), p_ring_radius));
+        lanes_store(lists->fixed[146], lanes_mul(K(0.1), p_ring_radius));
+        lanes_store(lists->fixed[147], lanes_mul(K(0.09090909090909091), p_ring_radius));
+        lanes_store(lists->fixed[148], lanes_mul(K(0.08333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[149], lanes_sqrt(lanes_div(p_gravity, _s0)));
+        lanes_store(lists->fixed[150], lanes_div(K(1.0), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[151], lanes_mul(K(0.8), p_gravity));
+        lanes_store(lists->fixed[152], lanes_mul(p_ring_friction, p_ring_friction));
+        lanes_store(lists->fixed[153], lanes_sqrt(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s7, _s7))));
+        lanes_store(lists->fixed[154], lanes_sqrt(lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s13, _s13))));
+        lanes_store(lists->fixed[155], lanes_mul(K(0.000244140625), _s0));
+        lanes_store(lists->fixed[156], lanes_mul(K(0.00390625), p_gravity));
+        lanes_store(lists->fixed[157], lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s0));
     }
 }
 
@@ -8833,7 +8863,7 @@ static void LANES(court_bounded_fix_f356)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f425)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f427)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->kept_leaves_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->kept_leaves_p_board_bottom + i);
@@ -8856,42 +8886,42 @@ static void LANES(court_bounded_fix_f425)(LANES(court_bounded_lists) *lists, siz
         const V _s5 = lanes_add(lanes_add(_s1, lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius));
         const V _s6 = lanes_add(_s1, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
         const V _s7 = lanes_add(lanes_add(_s1, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[18], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[38], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[45], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[108], lanes_div(K(1.0), _s0));
-        lanes_store(lists->fixed[109], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[113], _s2);
-        lanes_store(lists->fixed[114], lanes_neg(_s2));
-        lanes_store(lists->fixed[115], _s3);
-        lanes_store(lists->fixed[116], lanes_neg(_s3));
-        lanes_store(lists->fixed[117], _s4);
-        lanes_store(lists->fixed[118], lanes_neg(_s4));
-        lanes_store(lists->fixed[119], _s5);
-        lanes_store(lists->fixed[120], lanes_neg(_s5));
-        lanes_store(lists->fixed[121], _s6);
-        lanes_store(lists->fixed[122], lanes_neg(_s6));
-        lanes_store(lists->fixed[123], _s7);
-        lanes_store(lists->fixed[124], lanes_neg(_s7));
-        lanes_store(lists->fixed[131], lanes_mul(K(5.684341886080802e-14), p_gravity));
-        lanes_store(lists->fixed[132], _s0);
-        lanes_store(lists->fixed[133], p_bridge_depth);
-        lanes_store(lists->fixed[155], lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)));
-        lanes_store(lists->fixed[156], lanes_mul(K(0.0078125), p_gravity));
-        lanes_store(lists->fixed[157], lanes_max(K(0.0), p_gravity));
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[23], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[50], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[111], lanes_div(K(1.0), _s0));
+        lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[116], _s2);
+        lanes_store(lists->fixed[117], lanes_neg(_s2));
+        lanes_store(lists->fixed[118], _s3);
+        lanes_store(lists->fixed[119], lanes_neg(_s3));
+        lanes_store(lists->fixed[120], _s4);
+        lanes_store(lists->fixed[121], lanes_neg(_s4));
+        lanes_store(lists->fixed[122], _s5);
+        lanes_store(lists->fixed[123], lanes_neg(_s5));
+        lanes_store(lists->fixed[124], _s6);
+        lanes_store(lists->fixed[125], lanes_neg(_s6));
+        lanes_store(lists->fixed[126], _s7);
+        lanes_store(lists->fixed[127], lanes_neg(_s7));
+        lanes_store(lists->fixed[134], lanes_mul(K(5.684341886080802e-14), p_gravity));
+        lanes_store(lists->fixed[135], _s0);
+        lanes_store(lists->fixed[136], p_bridge_depth);
+        lanes_store(lists->fixed[158], lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)));
+        lanes_store(lists->fixed[159], lanes_mul(K(0.0078125), p_gravity));
+        lanes_store(lists->fixed[160], lanes_max(K(0.0), p_gravity));
     }
 }
 
@@ -8904,7 +8934,7 @@ static void LANES(court_bounded_leaves)(LANES(court_bounded_lists) *lists, size_
     for (size_t i = 0; i < kept_leaves_shots; i += LANES_WIDTH) {
         const M rows = lanes_first(kept_leaves_shots - i);
         if (LANES_SELDOM(varying))
-            LANES(court_bounded_fix_f425)(lists, i);
+            LANES(court_bounded_fix_f427)(lists, i);
         V clock_error = lanes_load(lists->kept_leaves_clock_error + i);
         V doubt = lanes_load(lists->kept_leaves_doubt + i);
         V dvx = lanes_load(lists->kept_leaves_dvx + i);
@@ -8927,226 +8957,226 @@ static void LANES(court_bounded_leaves)(LANES(court_bounded_lists) *lists, size_
         V x = lanes_load(lists->kept_leaves_x + i);
         V y = lanes_load(lists->kept_leaves_y + i);
         V z = lanes_load(lists->kept_leaves_z + i);
-        const LANES(court_error_bounds_out) _o426 =
+        const LANES(court_error_bounds_out) _o428 =
             LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-        V position_error = _o426.position_error;
-        V velocity_error = _o426.velocity_error;
-        const LANES(court_holding_out) _o427 =
+        V position_error = _o428.position_error;
+        V velocity_error = _o428.velocity_error;
+        const LANES(court_holding_out) _o429 =
             LANES(court_holding)(held, K(0.0));
-        M here = _o427.here;
-        const M _m428 = lanes_both(rows, here);
-        if (lanes_any(_m428)) {
-            const LANES(court_ring_tube_out) _o429 =
-                LANES(court_ring_tube)(lanes_load(lists->fixed[108]));
-            per_reach = lanes_select(_m428, _o429.per_reach, per_reach);
-            const LANES(court_ring_parting_out) _o430 =
-                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[155]));
-            lift = lanes_select(_m428, _o430.lift, lift);
-            surge = lanes_select(_m428, _o430.surge, surge);
-            snap = lanes_select(_m428, _o430.snap, snap);
+        M here = _o429.here;
+        const M _m430 = lanes_both(rows, here);
+        if (lanes_any(_m430)) {
+            const LANES(court_ring_tube_out) _o431 =
+                LANES(court_ring_tube)(lanes_load(lists->fixed[111]));
+            per_reach = lanes_select(_m430, _o431.per_reach, per_reach);
+            const LANES(court_ring_parting_out) _o432 =
+                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[158]));
+            lift = lanes_select(_m430, _o432.lift, lift);
+            surge = lanes_select(_m430, _o432.surge, surge);
+            snap = lanes_select(_m430, _o432.snap, snap);
         }
-        const LANES(court_holding_out) _o431 =
+        const LANES(court_holding_out) _o433 =
             LANES(court_holding)(held, K(1.0));
-        here = _o431.here;
-        const M _m432 = lanes_both(rows, here);
-        if (lanes_any(_m432)) {
-            const LANES(court_backboard_tube_out) _o433 =
-                LANES(court_backboard_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[114]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[115]), lanes_load(lists->fixed[116]), lanes_load(lists->fixed[117]), lanes_load(lists->fixed[118]), lanes_load(lists->fixed[109]));
-            per_reach = lanes_select(_m432, _o433.per_reach, per_reach);
-            const LANES(court_backboard_parting_out) _o434 =
-                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[9]));
-            lift = lanes_select(_m432, _o434.lift, lift);
-            surge = lanes_select(_m432, _o434.surge, surge);
-            snap = lanes_select(_m432, _o434.snap, snap);
+        here = _o433.here;
+        const M _m434 = lanes_both(rows, here);
+        if (lanes_any(_m434)) {
+            const LANES(court_backboard_tube_out) _o435 =
+                LANES(court_backboard_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[116]), lanes_load(lists->fixed[117]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[118]), lanes_load(lists->fixed[119]), lanes_load(lists->fixed[120]), lanes_load(lists->fixed[121]), lanes_load(lists->fixed[112]));
+            per_reach = lanes_select(_m434, _o435.per_reach, per_reach);
+            const LANES(court_backboard_parting_out) _o436 =
+                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[15]));
+            lift = lanes_select(_m434, _o436.lift, lift);
+            surge = lanes_select(_m434, _o436.surge, surge);
+            snap = lanes_select(_m434, _o436.snap, snap);
         }
-        const LANES(court_holding_out) _o435 =
+        const LANES(court_holding_out) _o437 =
             LANES(court_holding)(held, K(2.0));
-        here = _o435.here;
-        const M _m436 = lanes_both(rows, here);
-        if (lanes_any(_m436)) {
-            const LANES(court_bridge_tube_out) _o437 =
-                LANES(court_bridge_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[119]), lanes_load(lists->fixed[120]), lanes_load(lists->fixed[121]), lanes_load(lists->fixed[122]), lanes_load(lists->fixed[123]), lanes_load(lists->fixed[124]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[109]));
-            per_reach = lanes_select(_m436, _o437.per_reach, per_reach);
-            const LANES(court_bridge_parting_out) _o438 =
-                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[10]));
-            lift = lanes_select(_m436, _o438.lift, lift);
-            surge = lanes_select(_m436, _o438.surge, surge);
-            snap = lanes_select(_m436, _o438.snap, snap);
+        here = _o437.here;
+        const M _m438 = lanes_both(rows, here);
+        if (lanes_any(_m438)) {
+            const LANES(court_bridge_tube_out) _o439 =
+                LANES(court_bridge_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[122]), lanes_load(lists->fixed[123]), lanes_load(lists->fixed[124]), lanes_load(lists->fixed[125]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[127]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[112]));
+            per_reach = lanes_select(_m438, _o439.per_reach, per_reach);
+            const LANES(court_bridge_parting_out) _o440 =
+                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[16]));
+            lift = lanes_select(_m438, _o440.lift, lift);
+            surge = lanes_select(_m438, _o440.surge, surge);
+            snap = lanes_select(_m438, _o440.snap, snap);
         }
-        const LANES(court_unmet_out) _o439 =
+        const LANES(court_unmet_out) _o441 =
             LANES(court_unmet)();
-        V spare = _o439.spare;
-        const LANES(court_beside_out) _o440 =
+        V spare = _o441.spare;
+        const LANES(court_beside_out) _o442 =
             LANES(court_beside)(held, K(0.0));
-        M beside = _o440.beside;
-        const M _m441 = lanes_both(rows, beside);
-        if (lanes_any(_m441)) {
-            const LANES(court_ring_beside_out) _o442 =
-                LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[132]));
-            V gap = _o442.gap;
-            V nearing = _o442.nearing;
-            V dent = _o442.dent;
-            const LANES(court_spared_out) _o443 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[156]));
-            spare = lanes_select(_m441, _o443.spare, spare);
+        M beside = _o442.beside;
+        const M _m443 = lanes_both(rows, beside);
+        if (lanes_any(_m443)) {
+            const LANES(court_ring_beside_out) _o444 =
+                LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[135]));
+            V gap = _o444.gap;
+            V nearing = _o444.nearing;
+            V dent = _o444.dent;
+            const LANES(court_spared_out) _o445 =
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[159]));
+            spare = lanes_select(_m443, _o445.spare, spare);
         }
-        const LANES(court_beside_out) _o444 =
+        const LANES(court_beside_out) _o446 =
             LANES(court_beside)(held, K(1.0));
-        beside = _o444.beside;
-        const M _m445 = lanes_both(rows, beside);
-        if (lanes_any(_m445)) {
-            const LANES(court_backboard_beside_out) _o446 =
-                LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-            V gap = _o446.gap;
-            V nearing = _o446.nearing;
-            V dent = _o446.dent;
-            const LANES(court_spared_out) _o447 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[156]));
-            spare = lanes_select(_m445, _o447.spare, spare);
+        beside = _o446.beside;
+        const M _m447 = lanes_both(rows, beside);
+        if (lanes_any(_m447)) {
+            const LANES(court_backboard_beside_out) _o448 =
+                LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+            V gap = _o448.gap;
+            V nearing = _o448.nearing;
+            V dent = _o448.dent;
+            const LANES(court_spared_out) _o449 =
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[159]));
+            spare = lanes_select(_m447, _o449.spare, spare);
         }
-        const LANES(court_beside_out) _o448 =
+        const LANES(court_beside_out) _o450 =
             LANES(court_beside)(held, K(2.0));
-        beside = _o448.beside;
-        const M _m449 = lanes_both(rows, beside);
-        if (lanes_any(_m449)) {
-            const LANES(court_bridge_beside_out) _o450 =
-                LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-            V gap = _o450.gap;
-            V nearing = _o450.nearing;
-            V dent = _o450.dent;
-            const LANES(court_spared_out) _o451 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[156]));
-            spare = lanes_select(_m449, _o451.spare, spare);
+        beside = _o450.beside;
+        const M _m451 = lanes_both(rows, beside);
+        if (lanes_any(_m451)) {
+            const LANES(court_bridge_beside_out) _o452 =
+                LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
+            V gap = _o452.gap;
+            V nearing = _o452.nearing;
+            V dent = _o452.dent;
+            const LANES(court_spared_out) _o453 =
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[159]));
+            spare = lanes_select(_m451, _o453.spare, spare);
         }
-        const LANES(court_beside_out) _o452 =
+        const LANES(court_beside_out) _o454 =
             LANES(court_beside)(held, K(3.0));
-        beside = _o452.beside;
-        const M _m453 = lanes_both(rows, beside);
-        if (lanes_any(_m453)) {
-            const LANES(court_end_beside_out) _o454 =
-                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[13]));
-            V gap = _o454.gap;
-            V nearing = _o454.nearing;
-            V dent = _o454.dent;
-            const LANES(court_spared_out) _o455 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[156]));
-            spare = lanes_select(_m453, _o455.spare, spare);
+        beside = _o454.beside;
+        const M _m455 = lanes_both(rows, beside);
+        if (lanes_any(_m455)) {
+            const LANES(court_end_beside_out) _o456 =
+                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
+            V gap = _o456.gap;
+            V nearing = _o456.nearing;
+            V dent = _o456.dent;
+            const LANES(court_spared_out) _o457 =
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[159]));
+            spare = lanes_select(_m455, _o457.spare, spare);
         }
-        const LANES(court_holding_out) _o456 =
+        const LANES(court_holding_out) _o458 =
             LANES(court_holding)(held, K(1.0));
-        here = _o456.here;
-        const M _m457 = lanes_both(rows, here);
-        if (lanes_any(_m457)) {
-            const LANES(court_backboard_seam0_out) _o458 =
-                LANES(court_backboard_seam0)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[113]));
-            V gap = _o458.gap;
-            V nearing = _o458.nearing;
-            V near = _o458.near;
-            const LANES(court_spared_seam_out) _o459 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[157]));
-            spare = lanes_select(_m457, _o459.spare, spare);
-            const LANES(court_backboard_seam1_out) _o460 =
-                LANES(court_backboard_seam1)(vx, x, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[113]));
-            gap = _o460.gap;
-            nearing = _o460.nearing;
-            near = _o460.near;
+        here = _o458.here;
+        const M _m459 = lanes_both(rows, here);
+        if (lanes_any(_m459)) {
+            const LANES(court_backboard_seam0_out) _o460 =
+                LANES(court_backboard_seam0)(vx, x, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[116]));
+            V gap = _o460.gap;
+            V nearing = _o460.nearing;
+            V near = _o460.near;
             const LANES(court_spared_seam_out) _o461 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[157]));
-            spare = lanes_select(_m457, _o461.spare, spare);
-            const LANES(court_backboard_seam2_out) _o462 =
-                LANES(court_backboard_seam2)(vy, y, lanes_load(lists->fixed[4]), lanes_load(lists->fixed[115]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
+            spare = lanes_select(_m459, _o461.spare, spare);
+            const LANES(court_backboard_seam1_out) _o462 =
+                LANES(court_backboard_seam1)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[116]));
             gap = _o462.gap;
             nearing = _o462.nearing;
             near = _o462.near;
             const LANES(court_spared_seam_out) _o463 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[157]));
-            spare = lanes_select(_m457, _o463.spare, spare);
-            const LANES(court_backboard_seam3_out) _o464 =
-                LANES(court_backboard_seam3)(vy, y, lanes_load(lists->fixed[4]), lanes_load(lists->fixed[115]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
+            spare = lanes_select(_m459, _o463.spare, spare);
+            const LANES(court_backboard_seam2_out) _o464 =
+                LANES(court_backboard_seam2)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[118]));
             gap = _o464.gap;
             nearing = _o464.nearing;
             near = _o464.near;
             const LANES(court_spared_seam_out) _o465 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[157]));
-            spare = lanes_select(_m457, _o465.spare, spare);
-            const LANES(court_backboard_seam4_out) _o466 =
-                LANES(court_backboard_seam4)(vz, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[117]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
+            spare = lanes_select(_m459, _o465.spare, spare);
+            const LANES(court_backboard_seam3_out) _o466 =
+                LANES(court_backboard_seam3)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[118]));
             gap = _o466.gap;
             nearing = _o466.nearing;
             near = _o466.near;
             const LANES(court_spared_seam_out) _o467 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[157]));
-            spare = lanes_select(_m457, _o467.spare, spare);
-            const LANES(court_backboard_seam5_out) _o468 =
-                LANES(court_backboard_seam5)(vz, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[117]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
+            spare = lanes_select(_m459, _o467.spare, spare);
+            const LANES(court_backboard_seam4_out) _o468 =
+                LANES(court_backboard_seam4)(vz, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[120]));
             gap = _o468.gap;
             nearing = _o468.nearing;
             near = _o468.near;
             const LANES(court_spared_seam_out) _o469 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[157]));
-            spare = lanes_select(_m457, _o469.spare, spare);
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
+            spare = lanes_select(_m459, _o469.spare, spare);
+            const LANES(court_backboard_seam5_out) _o470 =
+                LANES(court_backboard_seam5)(vz, z, lanes_load(lists->fixed[12]), lanes_load(lists->fixed[120]));
+            gap = _o470.gap;
+            nearing = _o470.nearing;
+            near = _o470.near;
+            const LANES(court_spared_seam_out) _o471 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
+            spare = lanes_select(_m459, _o471.spare, spare);
         }
-        const LANES(court_holding_out) _o470 =
+        const LANES(court_holding_out) _o472 =
             LANES(court_holding)(held, K(2.0));
-        here = _o470.here;
-        const M _m471 = lanes_both(rows, here);
-        if (lanes_any(_m471)) {
-            const LANES(court_bridge_seam0_out) _o472 =
-                LANES(court_bridge_seam0)(vx, x, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[119]));
-            V gap = _o472.gap;
-            V nearing = _o472.nearing;
-            V near = _o472.near;
-            const LANES(court_spared_seam_out) _o473 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[157]));
-            spare = lanes_select(_m471, _o473.spare, spare);
-            const LANES(court_bridge_seam1_out) _o474 =
-                LANES(court_bridge_seam1)(vx, x, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[119]));
-            gap = _o474.gap;
-            nearing = _o474.nearing;
-            near = _o474.near;
+        here = _o472.here;
+        const M _m473 = lanes_both(rows, here);
+        if (lanes_any(_m473)) {
+            const LANES(court_bridge_seam0_out) _o474 =
+                LANES(court_bridge_seam0)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[122]));
+            V gap = _o474.gap;
+            V nearing = _o474.nearing;
+            V near = _o474.near;
             const LANES(court_spared_seam_out) _o475 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[157]));
-            spare = lanes_select(_m471, _o475.spare, spare);
-            const LANES(court_bridge_seam2_out) _o476 =
-                LANES(court_bridge_seam2)(vy, y, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[121]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
+            spare = lanes_select(_m473, _o475.spare, spare);
+            const LANES(court_bridge_seam1_out) _o476 =
+                LANES(court_bridge_seam1)(vx, x, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[122]));
             gap = _o476.gap;
             nearing = _o476.nearing;
             near = _o476.near;
             const LANES(court_spared_seam_out) _o477 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[157]));
-            spare = lanes_select(_m471, _o477.spare, spare);
-            const LANES(court_bridge_seam3_out) _o478 =
-                LANES(court_bridge_seam3)(vy, y, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[121]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
+            spare = lanes_select(_m473, _o477.spare, spare);
+            const LANES(court_bridge_seam2_out) _o478 =
+                LANES(court_bridge_seam2)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[124]));
             gap = _o478.gap;
             nearing = _o478.nearing;
             near = _o478.near;
             const LANES(court_spared_seam_out) _o479 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[157]));
-            spare = lanes_select(_m471, _o479.spare, spare);
-            const LANES(court_bridge_seam4_out) _o480 =
-                LANES(court_bridge_seam4)(vz, z, lanes_load(lists->fixed[133]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[123]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
+            spare = lanes_select(_m473, _o479.spare, spare);
+            const LANES(court_bridge_seam3_out) _o480 =
+                LANES(court_bridge_seam3)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[124]));
             gap = _o480.gap;
             nearing = _o480.nearing;
             near = _o480.near;
             const LANES(court_spared_seam_out) _o481 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[157]));
-            spare = lanes_select(_m471, _o481.spare, spare);
-            const LANES(court_bridge_seam5_out) _o482 =
-                LANES(court_bridge_seam5)(vz, z, lanes_load(lists->fixed[2]), lanes_load(lists->fixed[123]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
+            spare = lanes_select(_m473, _o481.spare, spare);
+            const LANES(court_bridge_seam4_out) _o482 =
+                LANES(court_bridge_seam4)(vz, z, lanes_load(lists->fixed[136]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[126]));
             gap = _o482.gap;
             nearing = _o482.nearing;
             near = _o482.near;
             const LANES(court_spared_seam_out) _o483 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[17]), lanes_load(lists->fixed[157]));
-            spare = lanes_select(_m471, _o483.spare, spare);
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
+            spare = lanes_select(_m473, _o483.spare, spare);
+            const LANES(court_bridge_seam5_out) _o484 =
+                LANES(court_bridge_seam5)(vz, z, lanes_load(lists->fixed[8]), lanes_load(lists->fixed[126]));
+            gap = _o484.gap;
+            nearing = _o484.nearing;
+            near = _o484.near;
+            const LANES(court_spared_seam_out) _o485 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
+            spare = lanes_select(_m473, _o485.spare, spare);
         }
-        const LANES(court_parted_out) _o484 =
-            LANES(court_parted)(doubt, lift, per_reach, position_error, snap, spare, surge, velocity_error, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[156]), lanes_load(lists->fixed[131]));
-        V when = _o484.when;
-        doubt = _o484.doubt;
-        const LANES(court_hopping_out) _o485 =
+        const LANES(court_parted_out) _o486 =
+            LANES(court_parted)(doubt, lift, per_reach, position_error, snap, spare, surge, velocity_error, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[159]), lanes_load(lists->fixed[134]));
+        V when = _o486.when;
+        doubt = _o486.doubt;
+        const LANES(court_hopping_out) _o487 =
             LANES(court_hopping)();
-        V which = _o485.which;
+        V which = _o487.which;
         lanes_store(lists->kept_leaves_doubt + i, doubt);
         lanes_store(lists->kept_leaves_position_error + i, position_error);
         lanes_store(lists->kept_leaves_velocity_error + i, velocity_error);
@@ -9166,7 +9196,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
     for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
         const M rows = lanes_first(kept_shots - i);
         if (LANES_SELDOM(varying))
-            LANES(court_bounded_fix_f202)(lists, i);
+            LANES(court_bounded_fix_f204)(lists, i);
         V circled = lanes_load(lists->kept_circled + i);
         V clock = lanes_load(lists->kept_clock + i);
         V clock_error = lanes_load(lists->kept_clock_error + i);
@@ -9197,130 +9227,130 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o203 =
+        const LANES(court_resumed_out) _o205 =
             LANES(court_resumed)(clock, mode, position_error, velocity_error);
-        V which = _o203.which;
-        V late = _o203.late;
-        V began = _o203.began;
-        V doubt = _o203.doubt;
-        M begins = _o203.begins;
-        M rolling = _o203.rolling;
-        M leaves = _o203.leaves;
-        V nx = _o203.nx;
-        V ny = _o203.ny;
-        V nz = _o203.nz;
-        V gap = _o203.gap;
-        V bent_x = _o203.bent_x;
-        V bent_y = _o203.bent_y;
-        V bent_z = _o203.bent_z;
-        V lift = _o203.lift;
-        V surge = _o203.surge;
-        V snap = _o203.snap;
-        V per_reach = _o203.per_reach;
-        const M _m204 = lanes_both(rows, begins);
-        if (lanes_any(_m204)) {
-            const LANES(court_holding_out) _o205 =
+        V which = _o205.which;
+        V late = _o205.late;
+        V began = _o205.began;
+        V doubt = _o205.doubt;
+        M begins = _o205.begins;
+        M rolling = _o205.rolling;
+        M leaves = _o205.leaves;
+        V nx = _o205.nx;
+        V ny = _o205.ny;
+        V nz = _o205.nz;
+        V gap = _o205.gap;
+        V bent_x = _o205.bent_x;
+        V bent_y = _o205.bent_y;
+        V bent_z = _o205.bent_z;
+        V lift = _o205.lift;
+        V surge = _o205.surge;
+        V snap = _o205.snap;
+        V per_reach = _o205.per_reach;
+        const M _m206 = lanes_both(rows, begins);
+        if (lanes_any(_m206)) {
+            const LANES(court_holding_out) _o207 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o205.here;
-            const M _m206 = lanes_both(_m204, here);
+            M here = _o207.here;
+            const M _m208 = lanes_both(_m206, here);
             {
-                const LANES(court_ring_normal_out) _o207 =
-                    LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[108]));
-                nx = lanes_select(_m206, _o207.nx, nx);
-                ny = lanes_select(_m206, _o207.ny, ny);
-                nz = lanes_select(_m206, _o207.nz, nz);
+                const LANES(court_ring_normal_out) _o209 =
+                    LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[111]));
+                nx = lanes_select(_m208, _o209.nx, nx);
+                ny = lanes_select(_m208, _o209.ny, ny);
+                nz = lanes_select(_m208, _o209.nz, nz);
             }
-            const LANES(court_holding_out) _o208 =
+            const LANES(court_holding_out) _o210 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o208.here;
-            const M _m209 = lanes_both(_m204, here);
+            here = _o210.here;
+            const M _m211 = lanes_both(_m206, here);
             {
-                const LANES(court_backboard_normal_out) _o210 =
-                    LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[9]));
-                nx = lanes_select(_m209, _o210.nx, nx);
-                ny = lanes_select(_m209, _o210.ny, ny);
-                nz = lanes_select(_m209, _o210.nz, nz);
+                const LANES(court_backboard_normal_out) _o212 =
+                    LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
+                nx = lanes_select(_m211, _o212.nx, nx);
+                ny = lanes_select(_m211, _o212.ny, ny);
+                nz = lanes_select(_m211, _o212.nz, nz);
             }
-            const LANES(court_holding_out) _o211 =
+            const LANES(court_holding_out) _o213 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o211.here;
-            const M _m212 = lanes_both(_m204, here);
+            here = _o213.here;
+            const M _m214 = lanes_both(_m206, here);
             {
-                const LANES(court_bridge_normal_out) _o213 =
-                    LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[10]));
-                nx = lanes_select(_m212, _o213.nx, nx);
-                ny = lanes_select(_m212, _o213.ny, ny);
-                nz = lanes_select(_m212, _o213.nz, nz);
+                const LANES(court_bridge_normal_out) _o215 =
+                    LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
+                nx = lanes_select(_m214, _o215.nx, nx);
+                ny = lanes_select(_m214, _o215.ny, ny);
+                nz = lanes_select(_m214, _o215.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o214 =
-                LANES(court_roll_turn_rate)(nx, ny, nz, wx, wy, wz, lanes_load(lists->fixed[0]));
-            V turn_rate = _o214.turn_rate;
-            const LANES(court_gripped_out) _o215 =
-                LANES(court_gripped)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[0]));
-            V rolled_x = _o215.rolled_x;
-            V rolled_y = _o215.rolled_y;
-            V rolled_z = _o215.rolled_z;
-            const LANES(court_holding_out) _o216 =
+            const LANES(court_roll_turn_rate_out) _o216 =
+                LANES(court_roll_turn_rate)(nx, ny, nz, wx, wy, wz, lanes_load(lists->fixed[6]));
+            V turn_rate = _o216.turn_rate;
+            const LANES(court_gripped_out) _o217 =
+                LANES(court_gripped)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[6]));
+            V rolled_x = _o217.rolled_x;
+            V rolled_y = _o217.rolled_y;
+            V rolled_z = _o217.rolled_z;
+            const LANES(court_holding_out) _o218 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o216.here;
-            const M _m217 = lanes_both(_m204, here);
+            here = _o218.here;
+            const M _m219 = lanes_both(_m206, here);
             {
-                const LANES(court_ring_off_out) _o218 =
-                    LANES(court_ring_off)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]));
-                gap = lanes_select(_m217, _o218.gap, gap);
+                const LANES(court_ring_off_out) _o220 =
+                    LANES(court_ring_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]));
+                gap = lanes_select(_m219, _o220.gap, gap);
             }
-            const LANES(court_holding_out) _o219 =
+            const LANES(court_holding_out) _o221 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o219.here;
-            const M _m220 = lanes_both(_m204, here);
+            here = _o221.here;
+            const M _m222 = lanes_both(_m206, here);
             {
-                const LANES(court_backboard_off_out) _o221 =
-                    LANES(court_backboard_off)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-                gap = lanes_select(_m220, _o221.gap, gap);
+                const LANES(court_backboard_off_out) _o223 =
+                    LANES(court_backboard_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+                gap = lanes_select(_m222, _o223.gap, gap);
             }
-            const LANES(court_holding_out) _o222 =
+            const LANES(court_holding_out) _o224 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o222.here;
-            const M _m223 = lanes_both(_m204, here);
+            here = _o224.here;
+            const M _m225 = lanes_both(_m206, here);
             {
-                const LANES(court_bridge_off_out) _o224 =
-                    LANES(court_bridge_off)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-                gap = lanes_select(_m223, _o224.gap, gap);
+                const LANES(court_bridge_off_out) _o226 =
+                    LANES(court_bridge_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
+                gap = lanes_select(_m225, _o226.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o225 =
-                LANES(court_roll_placed)(gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[109]));
-            x = lanes_select(_m204, _o225.x, x);
-            y = lanes_select(_m204, _o225.y, y);
-            z = lanes_select(_m204, _o225.z, z);
-            vx = lanes_select(_m204, _o225.vx, vx);
-            vy = lanes_select(_m204, _o225.vy, vy);
-            vz = lanes_select(_m204, _o225.vz, vz);
-            wx = lanes_select(_m204, _o225.wx, wx);
-            wy = lanes_select(_m204, _o225.wy, wy);
-            wz = lanes_select(_m204, _o225.wz, wz);
-            const LANES(court_begun_errors_out) _o226 =
-                LANES(court_begun_errors)(dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[110]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[112]));
-            dx = lanes_select(_m204, _o226.dx, dx);
-            dy = lanes_select(_m204, _o226.dy, dy);
-            dz = lanes_select(_m204, _o226.dz, dz);
-            dvx = lanes_select(_m204, _o226.dvx, dvx);
-            dvy = lanes_select(_m204, _o226.dvy, dvy);
-            dvz = lanes_select(_m204, _o226.dvz, dvz);
-            dwx = lanes_select(_m204, _o226.dwx, dwx);
-            dwy = lanes_select(_m204, _o226.dwy, dwy);
-            dwz = lanes_select(_m204, _o226.dwz, dwz);
-            const LANES(court_untaut_out) _o227 =
+            const LANES(court_roll_placed_out) _o227 =
+                LANES(court_roll_placed)(gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[112]));
+            x = lanes_select(_m206, _o227.x, x);
+            y = lanes_select(_m206, _o227.y, y);
+            z = lanes_select(_m206, _o227.z, z);
+            vx = lanes_select(_m206, _o227.vx, vx);
+            vy = lanes_select(_m206, _o227.vy, vy);
+            vz = lanes_select(_m206, _o227.vz, vz);
+            wx = lanes_select(_m206, _o227.wx, wx);
+            wy = lanes_select(_m206, _o227.wy, wy);
+            wz = lanes_select(_m206, _o227.wz, wz);
+            const LANES(court_begun_errors_out) _o228 =
+                LANES(court_begun_errors)(dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[114]), lanes_load(lists->fixed[115]));
+            dx = lanes_select(_m206, _o228.dx, dx);
+            dy = lanes_select(_m206, _o228.dy, dy);
+            dz = lanes_select(_m206, _o228.dz, dz);
+            dvx = lanes_select(_m206, _o228.dvx, dvx);
+            dvy = lanes_select(_m206, _o228.dvy, dvy);
+            dvz = lanes_select(_m206, _o228.dvz, dvz);
+            dwx = lanes_select(_m206, _o228.dwx, dwx);
+            dwy = lanes_select(_m206, _o228.dwy, dwy);
+            dwz = lanes_select(_m206, _o228.dwz, dwz);
+            const LANES(court_untaut_out) _o229 =
                 LANES(court_untaut)();
-            taut = lanes_select(_m204, _o227.taut, taut);
-            const LANES(court_beginning_contact_out) _o228 =
+            taut = lanes_select(_m206, _o229.taut, taut);
+            const LANES(court_beginning_contact_out) _o230 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m204, _o228.which, which);
-            circled = lanes_select(_m204, _o228.circled, circled);
+            which = lanes_select(_m206, _o230.which, which);
+            circled = lanes_select(_m206, _o230.circled, circled);
         }
-        const LANES(court_circles_out) _o229 =
+        const LANES(court_circles_out) _o231 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o229.circling;
-        rolling = _o229.rolling;
+        M circling = _o231.circling;
+        rolling = _o231.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -9492,7 +9522,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 y = lanes_expand(lists->kept_rolling_y + taken, idle, y);
                 z = lanes_expand(lists->kept_rolling_z + taken, idle, z);
                 if (LANES_SELDOM(varying))
-                    LANES(court_bounded_fix_f230)(lists, taken, idle);
+                    LANES(court_bounded_fix_f232)(lists, taken, idle);
                 const size_t room = LANES_WIDTH - busy, left = kept_rolling_shots - taken;
                 active = lanes_leading(idle, left, active);
                 taken += left < room ? left : room;
@@ -9501,688 +9531,688 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_error_bounds_out) _o231 =
+            const LANES(court_error_bounds_out) _o233 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o231.position_error;
-            V velocity_error = _o231.velocity_error;
-            const LANES(court_holding_out) _o232 =
+            V position_error = _o233.position_error;
+            V velocity_error = _o233.velocity_error;
+            const LANES(court_holding_out) _o234 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o232.here;
-            const M _m233 = lanes_both(active, here);
-            if (lanes_any(_m233)) {
-                const LANES(court_backboard_normal_out) _o234 =
-                    LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[9]));
-                nx = lanes_select(_m233, _o234.nx, nx);
-                ny = lanes_select(_m233, _o234.ny, ny);
-                nz = lanes_select(_m233, _o234.nz, nz);
-                const LANES(court_backboard_tube_out) _o235 =
-                    LANES(court_backboard_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[114]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[115]), lanes_load(lists->fixed[116]), lanes_load(lists->fixed[117]), lanes_load(lists->fixed[118]), lanes_load(lists->fixed[109]));
-                bent_x = lanes_select(_m233, _o235.bent_x, bent_x);
-                bent_y = lanes_select(_m233, _o235.bent_y, bent_y);
-                bent_z = lanes_select(_m233, _o235.bent_z, bent_z);
-                per_reach = lanes_select(_m233, _o235.per_reach, per_reach);
+            M here = _o234.here;
+            const M _m235 = lanes_both(active, here);
+            if (lanes_any(_m235)) {
+                const LANES(court_backboard_normal_out) _o236 =
+                    LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
+                nx = lanes_select(_m235, _o236.nx, nx);
+                ny = lanes_select(_m235, _o236.ny, ny);
+                nz = lanes_select(_m235, _o236.nz, nz);
+                const LANES(court_backboard_tube_out) _o237 =
+                    LANES(court_backboard_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[116]), lanes_load(lists->fixed[117]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[118]), lanes_load(lists->fixed[119]), lanes_load(lists->fixed[120]), lanes_load(lists->fixed[121]), lanes_load(lists->fixed[112]));
+                bent_x = lanes_select(_m235, _o237.bent_x, bent_x);
+                bent_y = lanes_select(_m235, _o237.bent_y, bent_y);
+                bent_z = lanes_select(_m235, _o237.bent_z, bent_z);
+                per_reach = lanes_select(_m235, _o237.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o236 =
+            const LANES(court_holding_out) _o238 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o236.here;
-            const M _m237 = lanes_both(active, here);
-            if (lanes_any(_m237)) {
-                const LANES(court_bridge_normal_out) _o238 =
-                    LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[10]));
-                nx = lanes_select(_m237, _o238.nx, nx);
-                ny = lanes_select(_m237, _o238.ny, ny);
-                nz = lanes_select(_m237, _o238.nz, nz);
-                const LANES(court_bridge_tube_out) _o239 =
-                    LANES(court_bridge_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[119]), lanes_load(lists->fixed[120]), lanes_load(lists->fixed[121]), lanes_load(lists->fixed[122]), lanes_load(lists->fixed[123]), lanes_load(lists->fixed[124]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[109]));
-                bent_x = lanes_select(_m237, _o239.bent_x, bent_x);
-                bent_y = lanes_select(_m237, _o239.bent_y, bent_y);
-                bent_z = lanes_select(_m237, _o239.bent_z, bent_z);
-                per_reach = lanes_select(_m237, _o239.per_reach, per_reach);
+            here = _o238.here;
+            const M _m239 = lanes_both(active, here);
+            if (lanes_any(_m239)) {
+                const LANES(court_bridge_normal_out) _o240 =
+                    LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
+                nx = lanes_select(_m239, _o240.nx, nx);
+                ny = lanes_select(_m239, _o240.ny, ny);
+                nz = lanes_select(_m239, _o240.nz, nz);
+                const LANES(court_bridge_tube_out) _o241 =
+                    LANES(court_bridge_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[122]), lanes_load(lists->fixed[123]), lanes_load(lists->fixed[124]), lanes_load(lists->fixed[125]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[127]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[112]));
+                bent_x = lanes_select(_m239, _o241.bent_x, bent_x);
+                bent_y = lanes_select(_m239, _o241.bent_y, bent_y);
+                bent_z = lanes_select(_m239, _o241.bent_z, bent_z);
+                per_reach = lanes_select(_m239, _o241.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o240 =
-                LANES(court_roll_start)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[0]));
-            V vx_0 = _o240.vx_0;
-            V vy_0 = _o240.vy_0;
-            V vz_0 = _o240.vz_0;
-            V nx_0 = _o240.nx_0;
-            V ny_0 = _o240.ny_0;
-            V nz_0 = _o240.nz_0;
-            V turn_rate_0 = _o240.turn_rate_0;
-            const LANES(court_roll_0_out) _o241 =
-                LANES(court_roll_0)(bent_x, bent_y, bent_z, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0, lanes_load(lists->fixed[125]));
-            V lift_0 = _o241.lift_0;
-            V tx_0 = _o241.tx_0;
-            V ty_0 = _o241.ty_0;
-            V tz_0 = _o241.tz_0;
-            V vx_1 = _o241.vx_1;
-            V vy_1 = _o241.vy_1;
-            V vz_1 = _o241.vz_1;
-            V nx_1 = _o241.nx_1;
-            V ny_1 = _o241.ny_1;
-            V nz_1 = _o241.nz_1;
-            V turn_rate_1 = _o241.turn_rate_1;
-            const LANES(court_roll_1_out) _o242 =
-                LANES(court_roll_1)(bent_x, bent_y, bent_z, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, lanes_load(lists->fixed[125]));
-            V lift_1 = _o242.lift_1;
-            V tx_1 = _o242.tx_1;
-            V ty_1 = _o242.ty_1;
-            V tz_1 = _o242.tz_1;
-            V vx_2 = _o242.vx_2;
-            V vy_2 = _o242.vy_2;
-            V vz_2 = _o242.vz_2;
-            V nx_2 = _o242.nx_2;
-            V ny_2 = _o242.ny_2;
-            V nz_2 = _o242.nz_2;
-            V turn_rate_2 = _o242.turn_rate_2;
-            const LANES(court_roll_2_out) _o243 =
-                LANES(court_roll_2)(bent_x, bent_y, bent_z, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, lanes_load(lists->fixed[125]));
-            V lift_2 = _o243.lift_2;
-            V tx_2 = _o243.tx_2;
-            V ty_2 = _o243.ty_2;
-            V tz_2 = _o243.tz_2;
-            V vx_3 = _o243.vx_3;
-            V vy_3 = _o243.vy_3;
-            V vz_3 = _o243.vz_3;
-            V nx_3 = _o243.nx_3;
-            V ny_3 = _o243.ny_3;
-            V nz_3 = _o243.nz_3;
-            V turn_rate_3 = _o243.turn_rate_3;
-            const LANES(court_roll_3_out) _o244 =
-                LANES(court_roll_3)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, lanes_load(lists->fixed[125]));
-            V lift_3 = _o244.lift_3;
-            V tx_3 = _o244.tx_3;
-            V ty_3 = _o244.ty_3;
-            V tz_3 = _o244.tz_3;
-            V vx_4 = _o244.vx_4;
-            V vy_4 = _o244.vy_4;
-            V vz_4 = _o244.vz_4;
-            V nx_4 = _o244.nx_4;
-            V ny_4 = _o244.ny_4;
-            V nz_4 = _o244.nz_4;
-            V turn_rate_4 = _o244.turn_rate_4;
-            const LANES(court_roll_4_out) _o245 =
-                LANES(court_roll_4)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, lanes_load(lists->fixed[125]));
-            V lift_4 = _o245.lift_4;
-            V tx_4 = _o245.tx_4;
-            V ty_4 = _o245.ty_4;
-            V tz_4 = _o245.tz_4;
-            V vx_5 = _o245.vx_5;
-            V vy_5 = _o245.vy_5;
-            V vz_5 = _o245.vz_5;
-            V nx_5 = _o245.nx_5;
-            V ny_5 = _o245.ny_5;
-            V nz_5 = _o245.nz_5;
-            V turn_rate_5 = _o245.turn_rate_5;
-            const LANES(court_roll_5_out) _o246 =
-                LANES(court_roll_5)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, lanes_load(lists->fixed[125]));
-            V lift_5 = _o246.lift_5;
-            V tx_5 = _o246.tx_5;
-            V ty_5 = _o246.ty_5;
-            V tz_5 = _o246.tz_5;
-            V vx_6 = _o246.vx_6;
-            V vy_6 = _o246.vy_6;
-            V vz_6 = _o246.vz_6;
-            V nx_6 = _o246.nx_6;
-            V ny_6 = _o246.ny_6;
-            V nz_6 = _o246.nz_6;
-            V turn_rate_6 = _o246.turn_rate_6;
-            const LANES(court_roll_6_out) _o247 =
-                LANES(court_roll_6)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, lanes_load(lists->fixed[125]));
-            V lift_6 = _o247.lift_6;
-            V tx_6 = _o247.tx_6;
-            V ty_6 = _o247.ty_6;
-            V tz_6 = _o247.tz_6;
-            V vx_7 = _o247.vx_7;
-            V vy_7 = _o247.vy_7;
-            V vz_7 = _o247.vz_7;
-            V nx_7 = _o247.nx_7;
-            V ny_7 = _o247.ny_7;
-            V nz_7 = _o247.nz_7;
-            V turn_rate_7 = _o247.turn_rate_7;
-            const LANES(court_roll_7_out) _o248 =
-                LANES(court_roll_7)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, lanes_load(lists->fixed[125]));
-            V lift_7 = _o248.lift_7;
-            V vx_8 = _o248.vx_8;
-            V vy_8 = _o248.vy_8;
-            V vz_8 = _o248.vz_8;
-            V nx_8 = _o248.nx_8;
-            V ny_8 = _o248.ny_8;
-            V nz_8 = _o248.nz_8;
-            V turn_rate_8 = _o248.turn_rate_8;
-            const LANES(court_roll_pace_out) _o249 =
-                LANES(court_roll_pace)(lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[127]));
-            V stride = _o249.stride;
-            V strongest = _o249.strongest;
-            V fastest = _o249.fastest;
-            V force = _o249.force;
-            V force_rate = _o249.force_rate;
-            V force_bend = _o249.force_bend;
-            V brace = _o249.brace;
-            const LANES(court_pulled_out) _o250 =
-                LANES(court_pulled)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[127]));
-            V drag = _o250.drag;
-            V drag_rate = _o250.drag_rate;
-            V strain = _o250.strain;
-            V strain_rate = _o250.strain_rate;
-            const LANES(court_holding_out) _o251 =
+            const LANES(court_roll_start_out) _o242 =
+                LANES(court_roll_start)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[6]));
+            V vx_0 = _o242.vx_0;
+            V vy_0 = _o242.vy_0;
+            V vz_0 = _o242.vz_0;
+            V nx_0 = _o242.nx_0;
+            V ny_0 = _o242.ny_0;
+            V nz_0 = _o242.nz_0;
+            V turn_rate_0 = _o242.turn_rate_0;
+            const LANES(court_roll_0_out) _o243 =
+                LANES(court_roll_0)(bent_x, bent_y, bent_z, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0, lanes_load(lists->fixed[128]));
+            V lift_0 = _o243.lift_0;
+            V tx_0 = _o243.tx_0;
+            V ty_0 = _o243.ty_0;
+            V tz_0 = _o243.tz_0;
+            V vx_1 = _o243.vx_1;
+            V vy_1 = _o243.vy_1;
+            V vz_1 = _o243.vz_1;
+            V nx_1 = _o243.nx_1;
+            V ny_1 = _o243.ny_1;
+            V nz_1 = _o243.nz_1;
+            V turn_rate_1 = _o243.turn_rate_1;
+            const LANES(court_roll_1_out) _o244 =
+                LANES(court_roll_1)(bent_x, bent_y, bent_z, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, lanes_load(lists->fixed[128]));
+            V lift_1 = _o244.lift_1;
+            V tx_1 = _o244.tx_1;
+            V ty_1 = _o244.ty_1;
+            V tz_1 = _o244.tz_1;
+            V vx_2 = _o244.vx_2;
+            V vy_2 = _o244.vy_2;
+            V vz_2 = _o244.vz_2;
+            V nx_2 = _o244.nx_2;
+            V ny_2 = _o244.ny_2;
+            V nz_2 = _o244.nz_2;
+            V turn_rate_2 = _o244.turn_rate_2;
+            const LANES(court_roll_2_out) _o245 =
+                LANES(court_roll_2)(bent_x, bent_y, bent_z, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, lanes_load(lists->fixed[128]));
+            V lift_2 = _o245.lift_2;
+            V tx_2 = _o245.tx_2;
+            V ty_2 = _o245.ty_2;
+            V tz_2 = _o245.tz_2;
+            V vx_3 = _o245.vx_3;
+            V vy_3 = _o245.vy_3;
+            V vz_3 = _o245.vz_3;
+            V nx_3 = _o245.nx_3;
+            V ny_3 = _o245.ny_3;
+            V nz_3 = _o245.nz_3;
+            V turn_rate_3 = _o245.turn_rate_3;
+            const LANES(court_roll_3_out) _o246 =
+                LANES(court_roll_3)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, lanes_load(lists->fixed[128]));
+            V lift_3 = _o246.lift_3;
+            V tx_3 = _o246.tx_3;
+            V ty_3 = _o246.ty_3;
+            V tz_3 = _o246.tz_3;
+            V vx_4 = _o246.vx_4;
+            V vy_4 = _o246.vy_4;
+            V vz_4 = _o246.vz_4;
+            V nx_4 = _o246.nx_4;
+            V ny_4 = _o246.ny_4;
+            V nz_4 = _o246.nz_4;
+            V turn_rate_4 = _o246.turn_rate_4;
+            const LANES(court_roll_4_out) _o247 =
+                LANES(court_roll_4)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, lanes_load(lists->fixed[128]));
+            V lift_4 = _o247.lift_4;
+            V tx_4 = _o247.tx_4;
+            V ty_4 = _o247.ty_4;
+            V tz_4 = _o247.tz_4;
+            V vx_5 = _o247.vx_5;
+            V vy_5 = _o247.vy_5;
+            V vz_5 = _o247.vz_5;
+            V nx_5 = _o247.nx_5;
+            V ny_5 = _o247.ny_5;
+            V nz_5 = _o247.nz_5;
+            V turn_rate_5 = _o247.turn_rate_5;
+            const LANES(court_roll_5_out) _o248 =
+                LANES(court_roll_5)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, lanes_load(lists->fixed[128]));
+            V lift_5 = _o248.lift_5;
+            V tx_5 = _o248.tx_5;
+            V ty_5 = _o248.ty_5;
+            V tz_5 = _o248.tz_5;
+            V vx_6 = _o248.vx_6;
+            V vy_6 = _o248.vy_6;
+            V vz_6 = _o248.vz_6;
+            V nx_6 = _o248.nx_6;
+            V ny_6 = _o248.ny_6;
+            V nz_6 = _o248.nz_6;
+            V turn_rate_6 = _o248.turn_rate_6;
+            const LANES(court_roll_6_out) _o249 =
+                LANES(court_roll_6)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, lanes_load(lists->fixed[128]));
+            V lift_6 = _o249.lift_6;
+            V tx_6 = _o249.tx_6;
+            V ty_6 = _o249.ty_6;
+            V tz_6 = _o249.tz_6;
+            V vx_7 = _o249.vx_7;
+            V vy_7 = _o249.vy_7;
+            V vz_7 = _o249.vz_7;
+            V nx_7 = _o249.nx_7;
+            V ny_7 = _o249.ny_7;
+            V nz_7 = _o249.nz_7;
+            V turn_rate_7 = _o249.turn_rate_7;
+            const LANES(court_roll_7_out) _o250 =
+                LANES(court_roll_7)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, lanes_load(lists->fixed[128]));
+            V lift_7 = _o250.lift_7;
+            V vx_8 = _o250.vx_8;
+            V vy_8 = _o250.vy_8;
+            V vz_8 = _o250.vz_8;
+            V nx_8 = _o250.nx_8;
+            V ny_8 = _o250.ny_8;
+            V nz_8 = _o250.nz_8;
+            V turn_rate_8 = _o250.turn_rate_8;
+            const LANES(court_roll_pace_out) _o251 =
+                LANES(court_roll_pace)(lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[130]));
+            V stride = _o251.stride;
+            V strongest = _o251.strongest;
+            V fastest = _o251.fastest;
+            V force = _o251.force;
+            V force_rate = _o251.force_rate;
+            V force_bend = _o251.force_bend;
+            V brace = _o251.brace;
+            const LANES(court_pulled_out) _o252 =
+                LANES(court_pulled)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[130]));
+            V drag = _o252.drag;
+            V drag_rate = _o252.drag_rate;
+            V strain = _o252.strain;
+            V strain_rate = _o252.strain_rate;
+            const LANES(court_holding_out) _o253 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o251.here;
-            const M _m252 = lanes_both(active, here);
+            here = _o253.here;
+            const M _m254 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o253 =
-                    LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, lanes_load(lists->fixed[128]));
-                strain = lanes_select(_m252, _o253.strain, strain);
-                strain_rate = lanes_select(_m252, _o253.strain_rate, strain_rate);
+                const LANES(court_ring_impact_strained_out) _o255 =
+                    LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, lanes_load(lists->fixed[131]));
+                strain = lanes_select(_m254, _o255.strain, strain);
+                strain_rate = lanes_select(_m254, _o255.strain_rate, strain_rate);
             }
-            const LANES(court_holding_out) _o254 =
+            const LANES(court_holding_out) _o256 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o254.here;
-            const M _m255 = lanes_both(active, here);
+            here = _o256.here;
+            const M _m257 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o256 =
-                    LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, lanes_load(lists->fixed[129]));
-                strain = lanes_select(_m255, _o256.strain, strain);
-                strain_rate = lanes_select(_m255, _o256.strain_rate, strain_rate);
+                const LANES(court_ring_impact_strained_out) _o258 =
+                    LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, lanes_load(lists->fixed[132]));
+                strain = lanes_select(_m257, _o258.strain, strain);
+                strain_rate = lanes_select(_m257, _o258.strain_rate, strain_rate);
             }
-            const LANES(court_losing_out) _o257 =
+            const LANES(court_losing_out) _o259 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o257.loses;
-            const M _m258 = lanes_both(active, loses);
-            if (lanes_any(_m258)) {
-                const LANES(court_lost_grip_out) _o259 =
+            M loses = _o259.loses;
+            const M _m260 = lanes_both(active, loses);
+            if (lanes_any(_m260)) {
+                const LANES(court_lost_grip_out) _o261 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m258, _o259.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m260, _o261.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o260 =
+            const LANES(court_tightened_out) _o262 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o260.taut;
-            taut_rate = _o260.taut_rate;
-            taut_clock = _o260.taut_clock;
-            const LANES(court_leaving_force_out) _o261 =
-                LANES(court_leaving_force)(brace, doubt, fastest, force, force_bend, force_rate, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[130]), lanes_load(lists->fixed[131]));
-            stride = _o261.stride;
-            which = _o261.which;
-            M rests = _o261.rests;
-            doubt = _o261.doubt;
-            const LANES(court_beside_out) _o262 =
+            taut = _o262.taut;
+            taut_rate = _o262.taut_rate;
+            taut_clock = _o262.taut_clock;
+            const LANES(court_leaving_force_out) _o263 =
+                LANES(court_leaving_force)(brace, doubt, fastest, force, force_bend, force_rate, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[133]), lanes_load(lists->fixed[134]));
+            stride = _o263.stride;
+            which = _o263.which;
+            M rests = _o263.rests;
+            doubt = _o263.doubt;
+            const LANES(court_beside_out) _o264 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o262.beside;
-            const M _m263 = lanes_both(active, beside);
-            if (lanes_any(_m263)) {
-                const LANES(court_ring_beside_out) _o264 =
-                    LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[132]));
-                V gap = _o264.gap;
-                V nearing = _o264.nearing;
-                V dent = _o264.dent;
-                const LANES(court_beside_body_out) _o265 =
-                    LANES(court_beside_body)(dent, doubt, fastest, gap, K(0.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[110]));
-                stride = lanes_select(_m263, _o265.stride, stride);
-                which = lanes_select(_m263, _o265.which, which);
-                doubt = lanes_select(_m263, _o265.doubt, doubt);
-                late = lanes_select(_m263, _o265.late, late);
+            M beside = _o264.beside;
+            const M _m265 = lanes_both(active, beside);
+            if (lanes_any(_m265)) {
+                const LANES(court_ring_beside_out) _o266 =
+                    LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[135]));
+                V gap = _o266.gap;
+                V nearing = _o266.nearing;
+                V dent = _o266.dent;
+                const LANES(court_beside_body_out) _o267 =
+                    LANES(court_beside_body)(dent, doubt, fastest, gap, K(0.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]));
+                stride = lanes_select(_m265, _o267.stride, stride);
+                which = lanes_select(_m265, _o267.which, which);
+                doubt = lanes_select(_m265, _o267.doubt, doubt);
+                late = lanes_select(_m265, _o267.late, late);
             }
-            const LANES(court_beside_out) _o266 =
+            const LANES(court_beside_out) _o268 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o266.beside;
-            const M _m267 = lanes_both(active, beside);
-            if (lanes_any(_m267)) {
-                const LANES(court_backboard_beside_out) _o268 =
-                    LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-                V gap = _o268.gap;
-                V nearing = _o268.nearing;
-                V dent = _o268.dent;
-                const LANES(court_beside_body_out) _o269 =
-                    LANES(court_beside_body)(dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[110]));
-                stride = lanes_select(_m267, _o269.stride, stride);
-                which = lanes_select(_m267, _o269.which, which);
-                doubt = lanes_select(_m267, _o269.doubt, doubt);
-                late = lanes_select(_m267, _o269.late, late);
+            beside = _o268.beside;
+            const M _m269 = lanes_both(active, beside);
+            if (lanes_any(_m269)) {
+                const LANES(court_backboard_beside_out) _o270 =
+                    LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+                V gap = _o270.gap;
+                V nearing = _o270.nearing;
+                V dent = _o270.dent;
+                const LANES(court_beside_body_out) _o271 =
+                    LANES(court_beside_body)(dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]));
+                stride = lanes_select(_m269, _o271.stride, stride);
+                which = lanes_select(_m269, _o271.which, which);
+                doubt = lanes_select(_m269, _o271.doubt, doubt);
+                late = lanes_select(_m269, _o271.late, late);
             }
-            const LANES(court_beside_out) _o270 =
+            const LANES(court_beside_out) _o272 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o270.beside;
-            const M _m271 = lanes_both(active, beside);
-            if (lanes_any(_m271)) {
-                const LANES(court_bridge_beside_out) _o272 =
-                    LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-                V gap = _o272.gap;
-                V nearing = _o272.nearing;
-                V dent = _o272.dent;
-                const LANES(court_beside_body_out) _o273 =
-                    LANES(court_beside_body)(dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[110]));
-                stride = lanes_select(_m271, _o273.stride, stride);
-                which = lanes_select(_m271, _o273.which, which);
-                doubt = lanes_select(_m271, _o273.doubt, doubt);
-                late = lanes_select(_m271, _o273.late, late);
+            beside = _o272.beside;
+            const M _m273 = lanes_both(active, beside);
+            if (lanes_any(_m273)) {
+                const LANES(court_bridge_beside_out) _o274 =
+                    LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
+                V gap = _o274.gap;
+                V nearing = _o274.nearing;
+                V dent = _o274.dent;
+                const LANES(court_beside_body_out) _o275 =
+                    LANES(court_beside_body)(dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]));
+                stride = lanes_select(_m273, _o275.stride, stride);
+                which = lanes_select(_m273, _o275.which, which);
+                doubt = lanes_select(_m273, _o275.doubt, doubt);
+                late = lanes_select(_m273, _o275.late, late);
             }
-            const LANES(court_end_beside_out) _o274 =
-                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[13]));
-            V gap = _o274.gap;
-            V nearing = _o274.nearing;
-            V dent = _o274.dent;
-            const LANES(court_beside_gate_out) _o275 =
-                LANES(court_beside_gate)(dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]));
-            stride = _o275.stride;
-            which = _o275.which;
-            doubt = _o275.doubt;
-            late = _o275.late;
-            const LANES(court_holding_out) _o276 =
+            const LANES(court_end_beside_out) _o276 =
+                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
+            V gap = _o276.gap;
+            V nearing = _o276.nearing;
+            V dent = _o276.dent;
+            const LANES(court_beside_gate_out) _o277 =
+                LANES(court_beside_gate)(dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]));
+            stride = _o277.stride;
+            which = _o277.which;
+            doubt = _o277.doubt;
+            late = _o277.late;
+            const LANES(court_holding_out) _o278 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o276.here;
-            const M _m277 = lanes_both(active, here);
-            if (lanes_any(_m277)) {
-                const LANES(court_backboard_seam0_out) _o278 =
-                    LANES(court_backboard_seam0)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[113]));
-                gap = lanes_select(_m277, _o278.gap, gap);
-                V nearing = _o278.nearing;
-                V near = _o278.near;
-                const LANES(court_beside_seam_out) _o279 =
-                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m277, _o279.stride, stride);
-                const LANES(court_backboard_seam1_out) _o280 =
-                    LANES(court_backboard_seam1)(vx, x, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[113]));
-                gap = lanes_select(_m277, _o280.gap, gap);
-                nearing = _o280.nearing;
-                near = _o280.near;
+            here = _o278.here;
+            const M _m279 = lanes_both(active, here);
+            if (lanes_any(_m279)) {
+                const LANES(court_backboard_seam0_out) _o280 =
+                    LANES(court_backboard_seam0)(vx, x, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[116]));
+                gap = lanes_select(_m279, _o280.gap, gap);
+                V nearing = _o280.nearing;
+                V near = _o280.near;
                 const LANES(court_beside_seam_out) _o281 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m277, _o281.stride, stride);
-                const LANES(court_backboard_seam2_out) _o282 =
-                    LANES(court_backboard_seam2)(vy, y, lanes_load(lists->fixed[4]), lanes_load(lists->fixed[115]));
-                gap = lanes_select(_m277, _o282.gap, gap);
+                stride = lanes_select(_m279, _o281.stride, stride);
+                const LANES(court_backboard_seam1_out) _o282 =
+                    LANES(court_backboard_seam1)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[116]));
+                gap = lanes_select(_m279, _o282.gap, gap);
                 nearing = _o282.nearing;
                 near = _o282.near;
                 const LANES(court_beside_seam_out) _o283 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m277, _o283.stride, stride);
-                const LANES(court_backboard_seam3_out) _o284 =
-                    LANES(court_backboard_seam3)(vy, y, lanes_load(lists->fixed[4]), lanes_load(lists->fixed[115]));
-                gap = lanes_select(_m277, _o284.gap, gap);
+                stride = lanes_select(_m279, _o283.stride, stride);
+                const LANES(court_backboard_seam2_out) _o284 =
+                    LANES(court_backboard_seam2)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[118]));
+                gap = lanes_select(_m279, _o284.gap, gap);
                 nearing = _o284.nearing;
                 near = _o284.near;
                 const LANES(court_beside_seam_out) _o285 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m277, _o285.stride, stride);
-                const LANES(court_backboard_seam4_out) _o286 =
-                    LANES(court_backboard_seam4)(vz, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[117]));
-                gap = lanes_select(_m277, _o286.gap, gap);
+                stride = lanes_select(_m279, _o285.stride, stride);
+                const LANES(court_backboard_seam3_out) _o286 =
+                    LANES(court_backboard_seam3)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[118]));
+                gap = lanes_select(_m279, _o286.gap, gap);
                 nearing = _o286.nearing;
                 near = _o286.near;
                 const LANES(court_beside_seam_out) _o287 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m277, _o287.stride, stride);
-                const LANES(court_backboard_seam5_out) _o288 =
-                    LANES(court_backboard_seam5)(vz, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[117]));
-                gap = lanes_select(_m277, _o288.gap, gap);
+                stride = lanes_select(_m279, _o287.stride, stride);
+                const LANES(court_backboard_seam4_out) _o288 =
+                    LANES(court_backboard_seam4)(vz, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[120]));
+                gap = lanes_select(_m279, _o288.gap, gap);
                 nearing = _o288.nearing;
                 near = _o288.near;
                 const LANES(court_beside_seam_out) _o289 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m277, _o289.stride, stride);
-            }
-            const LANES(court_holding_out) _o290 =
-                LANES(court_holding)(held, K(2.0));
-            here = _o290.here;
-            const M _m291 = lanes_both(active, here);
-            if (lanes_any(_m291)) {
-                const LANES(court_bridge_seam0_out) _o292 =
-                    LANES(court_bridge_seam0)(vx, x, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[119]));
-                gap = lanes_select(_m291, _o292.gap, gap);
-                V nearing = _o292.nearing;
-                V near = _o292.near;
-                const LANES(court_beside_seam_out) _o293 =
+                stride = lanes_select(_m279, _o289.stride, stride);
+                const LANES(court_backboard_seam5_out) _o290 =
+                    LANES(court_backboard_seam5)(vz, z, lanes_load(lists->fixed[12]), lanes_load(lists->fixed[120]));
+                gap = lanes_select(_m279, _o290.gap, gap);
+                nearing = _o290.nearing;
+                near = _o290.near;
+                const LANES(court_beside_seam_out) _o291 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m291, _o293.stride, stride);
-                const LANES(court_bridge_seam1_out) _o294 =
-                    LANES(court_bridge_seam1)(vx, x, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[119]));
-                gap = lanes_select(_m291, _o294.gap, gap);
-                nearing = _o294.nearing;
-                near = _o294.near;
+                stride = lanes_select(_m279, _o291.stride, stride);
+            }
+            const LANES(court_holding_out) _o292 =
+                LANES(court_holding)(held, K(2.0));
+            here = _o292.here;
+            const M _m293 = lanes_both(active, here);
+            if (lanes_any(_m293)) {
+                const LANES(court_bridge_seam0_out) _o294 =
+                    LANES(court_bridge_seam0)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[122]));
+                gap = lanes_select(_m293, _o294.gap, gap);
+                V nearing = _o294.nearing;
+                V near = _o294.near;
                 const LANES(court_beside_seam_out) _o295 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m291, _o295.stride, stride);
-                const LANES(court_bridge_seam2_out) _o296 =
-                    LANES(court_bridge_seam2)(vy, y, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[121]));
-                gap = lanes_select(_m291, _o296.gap, gap);
+                stride = lanes_select(_m293, _o295.stride, stride);
+                const LANES(court_bridge_seam1_out) _o296 =
+                    LANES(court_bridge_seam1)(vx, x, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[122]));
+                gap = lanes_select(_m293, _o296.gap, gap);
                 nearing = _o296.nearing;
                 near = _o296.near;
                 const LANES(court_beside_seam_out) _o297 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m291, _o297.stride, stride);
-                const LANES(court_bridge_seam3_out) _o298 =
-                    LANES(court_bridge_seam3)(vy, y, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[121]));
-                gap = lanes_select(_m291, _o298.gap, gap);
+                stride = lanes_select(_m293, _o297.stride, stride);
+                const LANES(court_bridge_seam2_out) _o298 =
+                    LANES(court_bridge_seam2)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[124]));
+                gap = lanes_select(_m293, _o298.gap, gap);
                 nearing = _o298.nearing;
                 near = _o298.near;
                 const LANES(court_beside_seam_out) _o299 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m291, _o299.stride, stride);
-                const LANES(court_bridge_seam4_out) _o300 =
-                    LANES(court_bridge_seam4)(vz, z, lanes_load(lists->fixed[133]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[123]));
-                gap = lanes_select(_m291, _o300.gap, gap);
+                stride = lanes_select(_m293, _o299.stride, stride);
+                const LANES(court_bridge_seam3_out) _o300 =
+                    LANES(court_bridge_seam3)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[124]));
+                gap = lanes_select(_m293, _o300.gap, gap);
                 nearing = _o300.nearing;
                 near = _o300.near;
                 const LANES(court_beside_seam_out) _o301 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m291, _o301.stride, stride);
-                const LANES(court_bridge_seam5_out) _o302 =
-                    LANES(court_bridge_seam5)(vz, z, lanes_load(lists->fixed[2]), lanes_load(lists->fixed[123]));
-                gap = lanes_select(_m291, _o302.gap, gap);
+                stride = lanes_select(_m293, _o301.stride, stride);
+                const LANES(court_bridge_seam4_out) _o302 =
+                    LANES(court_bridge_seam4)(vz, z, lanes_load(lists->fixed[136]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[126]));
+                gap = lanes_select(_m293, _o302.gap, gap);
                 nearing = _o302.nearing;
                 near = _o302.near;
                 const LANES(court_beside_seam_out) _o303 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m291, _o303.stride, stride);
+                stride = lanes_select(_m293, _o303.stride, stride);
+                const LANES(court_bridge_seam5_out) _o304 =
+                    LANES(court_bridge_seam5)(vz, z, lanes_load(lists->fixed[8]), lanes_load(lists->fixed[126]));
+                gap = lanes_select(_m293, _o304.gap, gap);
+                nearing = _o304.nearing;
+                near = _o304.near;
+                const LANES(court_beside_seam_out) _o305 =
+                    LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
+                stride = lanes_select(_m293, _o305.stride, stride);
             }
-            const LANES(court_beside_time_out) _o304 =
+            const LANES(court_beside_time_out) _o306 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o304.stride;
-            which = _o304.which;
-            const LANES(court_apart_out) _o305 =
-                LANES(court_apart)(dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[134]), lanes_load(lists->fixed[135]));
-            V apart = _o305.apart;
-            const LANES(court_neighbour_out) _o306 =
+            stride = _o306.stride;
+            which = _o306.which;
+            const LANES(court_apart_out) _o307 =
+                LANES(court_apart)(dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[137]), lanes_load(lists->fixed[138]));
+            V apart = _o307.apart;
+            const LANES(court_neighbour_out) _o308 =
                 LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o306.far_x;
-            V far_y = _o306.far_y;
-            V far_z = _o306.far_z;
-            V far_vx = _o306.far_vx;
-            V far_vy = _o306.far_vy;
-            V far_vz = _o306.far_vz;
-            V far_wx = _o306.far_wx;
-            V far_wy = _o306.far_wy;
-            V far_wz = _o306.far_wz;
-            V far_nx = _o306.far_nx;
-            V far_ny = _o306.far_ny;
-            V far_nz = _o306.far_nz;
-            V far_gap = _o306.far_gap;
-            const LANES(court_passing_from_out) _o307 =
+            V far_x = _o308.far_x;
+            V far_y = _o308.far_y;
+            V far_z = _o308.far_z;
+            V far_vx = _o308.far_vx;
+            V far_vy = _o308.far_vy;
+            V far_vz = _o308.far_vz;
+            V far_wx = _o308.far_wx;
+            V far_wy = _o308.far_wy;
+            V far_wz = _o308.far_wz;
+            V far_nx = _o308.far_nx;
+            V far_ny = _o308.far_ny;
+            V far_nz = _o308.far_nz;
+            V far_gap = _o308.far_gap;
+            const LANES(court_passing_from_out) _o309 =
                 LANES(court_passing_from)(z);
-            M over = _o307.over;
-            const LANES(court_roll_moved_out) _o308 =
+            M over = _o309.over;
+            const LANES(court_roll_moved_out) _o310 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o308.x;
-            vx = _o308.vx;
-            y = _o308.y;
-            vy = _o308.vy;
-            z = _o308.z;
-            vz = _o308.vz;
-            V turn_rate = _o308.turn_rate;
-            const LANES(court_holding_out) _o309 =
+            x = _o310.x;
+            vx = _o310.vx;
+            y = _o310.y;
+            vy = _o310.vy;
+            z = _o310.z;
+            vz = _o310.vz;
+            V turn_rate = _o310.turn_rate;
+            const LANES(court_holding_out) _o311 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o309.here;
-            const M _m310 = lanes_both(active, here);
-            if (lanes_any(_m310)) {
-                const LANES(court_backboard_normal_out) _o311 =
-                    LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[9]));
-                nx = lanes_select(_m310, _o311.nx, nx);
-                ny = lanes_select(_m310, _o311.ny, ny);
-                nz = lanes_select(_m310, _o311.nz, nz);
-                const LANES(court_backboard_off_out) _o312 =
-                    LANES(court_backboard_off)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-                gap = lanes_select(_m310, _o312.gap, gap);
+            here = _o311.here;
+            const M _m312 = lanes_both(active, here);
+            if (lanes_any(_m312)) {
+                const LANES(court_backboard_normal_out) _o313 =
+                    LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
+                nx = lanes_select(_m312, _o313.nx, nx);
+                ny = lanes_select(_m312, _o313.ny, ny);
+                nz = lanes_select(_m312, _o313.nz, nz);
+                const LANES(court_backboard_off_out) _o314 =
+                    LANES(court_backboard_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+                gap = lanes_select(_m312, _o314.gap, gap);
             }
-            const LANES(court_holding_out) _o313 =
+            const LANES(court_holding_out) _o315 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o313.here;
-            const M _m314 = lanes_both(active, here);
-            if (lanes_any(_m314)) {
-                const LANES(court_bridge_normal_out) _o315 =
-                    LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[10]));
-                nx = lanes_select(_m314, _o315.nx, nx);
-                ny = lanes_select(_m314, _o315.ny, ny);
-                nz = lanes_select(_m314, _o315.nz, nz);
-                const LANES(court_bridge_off_out) _o316 =
-                    LANES(court_bridge_off)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-                gap = lanes_select(_m314, _o316.gap, gap);
+            here = _o315.here;
+            const M _m316 = lanes_both(active, here);
+            if (lanes_any(_m316)) {
+                const LANES(court_bridge_normal_out) _o317 =
+                    LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
+                nx = lanes_select(_m316, _o317.nx, nx);
+                ny = lanes_select(_m316, _o317.ny, ny);
+                nz = lanes_select(_m316, _o317.nz, nz);
+                const LANES(court_bridge_off_out) _o318 =
+                    LANES(court_bridge_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
+                gap = lanes_select(_m316, _o318.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o317 =
-                LANES(court_roll_placed)(gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z, lanes_load(lists->fixed[109]));
-            x = _o317.x;
-            y = _o317.y;
-            z = _o317.z;
-            vx = _o317.vx;
-            vy = _o317.vy;
-            vz = _o317.vz;
-            wx = _o317.wx;
-            wy = _o317.wy;
-            wz = _o317.wz;
-            const LANES(court_passing_in_contact_out) _o318 =
-                LANES(court_passing_in_contact)(over, through, x, y, z, lanes_load(lists->fixed[14]));
-            through = _o318.through;
-            const LANES(court_holding_out) _o319 =
+            const LANES(court_roll_placed_out) _o319 =
+                LANES(court_roll_placed)(gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z, lanes_load(lists->fixed[112]));
+            x = _o319.x;
+            y = _o319.y;
+            z = _o319.z;
+            vx = _o319.vx;
+            vy = _o319.vy;
+            vz = _o319.vz;
+            wx = _o319.wx;
+            wy = _o319.wy;
+            wz = _o319.wz;
+            const LANES(court_passing_in_contact_out) _o320 =
+                LANES(court_passing_in_contact)(over, through, x, y, z, lanes_load(lists->fixed[19]));
+            through = _o320.through;
+            const LANES(court_holding_out) _o321 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o319.here;
-            const M _m320 = lanes_both(active, here);
+            here = _o321.here;
+            const M _m322 = lanes_both(active, here);
             {
-                const LANES(court_backboard_normal_out) _o321 =
-                    LANES(court_backboard_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[9]));
-                far_nx = lanes_select(_m320, _o321.nx, far_nx);
-                far_ny = lanes_select(_m320, _o321.ny, far_ny);
-                far_nz = lanes_select(_m320, _o321.nz, far_nz);
+                const LANES(court_backboard_normal_out) _o323 =
+                    LANES(court_backboard_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
+                far_nx = lanes_select(_m322, _o323.nx, far_nx);
+                far_ny = lanes_select(_m322, _o323.ny, far_ny);
+                far_nz = lanes_select(_m322, _o323.nz, far_nz);
             }
-            const LANES(court_holding_out) _o322 =
+            const LANES(court_holding_out) _o324 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o322.here;
-            const M _m323 = lanes_both(active, here);
+            here = _o324.here;
+            const M _m325 = lanes_both(active, here);
             {
-                const LANES(court_bridge_normal_out) _o324 =
-                    LANES(court_bridge_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[10]));
-                far_nx = lanes_select(_m323, _o324.nx, far_nx);
-                far_ny = lanes_select(_m323, _o324.ny, far_ny);
-                far_nz = lanes_select(_m323, _o324.nz, far_nz);
+                const LANES(court_bridge_normal_out) _o326 =
+                    LANES(court_bridge_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
+                far_nx = lanes_select(_m325, _o326.nx, far_nx);
+                far_ny = lanes_select(_m325, _o326.ny, far_ny);
+                far_nz = lanes_select(_m325, _o326.nz, far_nz);
             }
-            const LANES(court_roll_turn_rate_out) _o325 =
-                LANES(court_roll_turn_rate)(far_nx, far_ny, far_nz, far_wx, far_wy, far_wz, lanes_load(lists->fixed[0]));
-            turn_rate = _o325.turn_rate;
-            const LANES(court_holding_out) _o326 =
+            const LANES(court_roll_turn_rate_out) _o327 =
+                LANES(court_roll_turn_rate)(far_nx, far_ny, far_nz, far_wx, far_wy, far_wz, lanes_load(lists->fixed[6]));
+            turn_rate = _o327.turn_rate;
+            const LANES(court_holding_out) _o328 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o326.here;
-            const M _m327 = lanes_both(active, here);
-            if (lanes_any(_m327)) {
-                const LANES(court_backboard_normal_out) _o328 =
-                    LANES(court_backboard_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[9]));
-                far_nx = lanes_select(_m327, _o328.nx, far_nx);
-                far_ny = lanes_select(_m327, _o328.ny, far_ny);
-                far_nz = lanes_select(_m327, _o328.nz, far_nz);
-                const LANES(court_backboard_off_out) _o329 =
-                    LANES(court_backboard_off)(far_x, far_y, far_z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-                far_gap = lanes_select(_m327, _o329.gap, far_gap);
+            here = _o328.here;
+            const M _m329 = lanes_both(active, here);
+            if (lanes_any(_m329)) {
+                const LANES(court_backboard_normal_out) _o330 =
+                    LANES(court_backboard_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
+                far_nx = lanes_select(_m329, _o330.nx, far_nx);
+                far_ny = lanes_select(_m329, _o330.ny, far_ny);
+                far_nz = lanes_select(_m329, _o330.nz, far_nz);
+                const LANES(court_backboard_off_out) _o331 =
+                    LANES(court_backboard_off)(far_x, far_y, far_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+                far_gap = lanes_select(_m329, _o331.gap, far_gap);
             }
-            const LANES(court_holding_out) _o330 =
+            const LANES(court_holding_out) _o332 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o330.here;
-            const M _m331 = lanes_both(active, here);
-            if (lanes_any(_m331)) {
-                const LANES(court_bridge_normal_out) _o332 =
-                    LANES(court_bridge_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[10]));
-                far_nx = lanes_select(_m331, _o332.nx, far_nx);
-                far_ny = lanes_select(_m331, _o332.ny, far_ny);
-                far_nz = lanes_select(_m331, _o332.nz, far_nz);
-                const LANES(court_bridge_off_out) _o333 =
-                    LANES(court_bridge_off)(far_x, far_y, far_z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-                far_gap = lanes_select(_m331, _o333.gap, far_gap);
+            here = _o332.here;
+            const M _m333 = lanes_both(active, here);
+            if (lanes_any(_m333)) {
+                const LANES(court_bridge_normal_out) _o334 =
+                    LANES(court_bridge_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
+                far_nx = lanes_select(_m333, _o334.nx, far_nx);
+                far_ny = lanes_select(_m333, _o334.ny, far_ny);
+                far_nz = lanes_select(_m333, _o334.nz, far_nz);
+                const LANES(court_bridge_off_out) _o335 =
+                    LANES(court_bridge_off)(far_x, far_y, far_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
+                far_gap = lanes_select(_m333, _o335.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o334 =
-                LANES(court_roll_placed)(far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z, lanes_load(lists->fixed[109]));
-            far_x = _o334.x;
-            far_y = _o334.y;
-            far_z = _o334.z;
-            far_vx = _o334.vx;
-            far_vy = _o334.vy;
-            far_vz = _o334.vz;
-            far_wx = _o334.wx;
-            far_wy = _o334.wy;
-            far_wz = _o334.wz;
-            const LANES(court_roll_start_out) _o335 =
-                LANES(court_roll_start)(far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, lanes_load(lists->fixed[0]));
-            vx_0 = _o335.vx_0;
-            vy_0 = _o335.vy_0;
-            vz_0 = _o335.vz_0;
-            nx_0 = _o335.nx_0;
-            ny_0 = _o335.ny_0;
-            nz_0 = _o335.nz_0;
-            turn_rate_0 = _o335.turn_rate_0;
-            const LANES(court_roll_0_out) _o336 =
-                LANES(court_roll_0)(bent_x, bent_y, bent_z, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0, lanes_load(lists->fixed[125]));
-            lift_0 = _o336.lift_0;
-            tx_0 = _o336.tx_0;
-            ty_0 = _o336.ty_0;
-            tz_0 = _o336.tz_0;
-            vx_1 = _o336.vx_1;
-            vy_1 = _o336.vy_1;
-            vz_1 = _o336.vz_1;
-            nx_1 = _o336.nx_1;
-            ny_1 = _o336.ny_1;
-            nz_1 = _o336.nz_1;
-            turn_rate_1 = _o336.turn_rate_1;
-            const LANES(court_roll_1_out) _o337 =
-                LANES(court_roll_1)(bent_x, bent_y, bent_z, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, lanes_load(lists->fixed[125]));
-            lift_1 = _o337.lift_1;
-            tx_1 = _o337.tx_1;
-            ty_1 = _o337.ty_1;
-            tz_1 = _o337.tz_1;
-            vx_2 = _o337.vx_2;
-            vy_2 = _o337.vy_2;
-            vz_2 = _o337.vz_2;
-            nx_2 = _o337.nx_2;
-            ny_2 = _o337.ny_2;
-            nz_2 = _o337.nz_2;
-            turn_rate_2 = _o337.turn_rate_2;
-            const LANES(court_roll_2_out) _o338 =
-                LANES(court_roll_2)(bent_x, bent_y, bent_z, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, lanes_load(lists->fixed[125]));
-            lift_2 = _o338.lift_2;
-            tx_2 = _o338.tx_2;
-            ty_2 = _o338.ty_2;
-            tz_2 = _o338.tz_2;
-            vx_3 = _o338.vx_3;
-            vy_3 = _o338.vy_3;
-            vz_3 = _o338.vz_3;
-            nx_3 = _o338.nx_3;
-            ny_3 = _o338.ny_3;
-            nz_3 = _o338.nz_3;
-            turn_rate_3 = _o338.turn_rate_3;
-            const LANES(court_roll_3_out) _o339 =
-                LANES(court_roll_3)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, lanes_load(lists->fixed[125]));
-            lift_3 = _o339.lift_3;
-            tx_3 = _o339.tx_3;
-            ty_3 = _o339.ty_3;
-            tz_3 = _o339.tz_3;
-            vx_4 = _o339.vx_4;
-            vy_4 = _o339.vy_4;
-            vz_4 = _o339.vz_4;
-            nx_4 = _o339.nx_4;
-            ny_4 = _o339.ny_4;
-            nz_4 = _o339.nz_4;
-            turn_rate_4 = _o339.turn_rate_4;
-            const LANES(court_roll_4_out) _o340 =
-                LANES(court_roll_4)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, lanes_load(lists->fixed[125]));
-            lift_4 = _o340.lift_4;
-            tx_4 = _o340.tx_4;
-            ty_4 = _o340.ty_4;
-            tz_4 = _o340.tz_4;
-            vx_5 = _o340.vx_5;
-            vy_5 = _o340.vy_5;
-            vz_5 = _o340.vz_5;
-            nx_5 = _o340.nx_5;
-            ny_5 = _o340.ny_5;
-            nz_5 = _o340.nz_5;
-            turn_rate_5 = _o340.turn_rate_5;
-            const LANES(court_roll_5_out) _o341 =
-                LANES(court_roll_5)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, lanes_load(lists->fixed[125]));
-            lift_5 = _o341.lift_5;
-            tx_5 = _o341.tx_5;
-            ty_5 = _o341.ty_5;
-            tz_5 = _o341.tz_5;
-            vx_6 = _o341.vx_6;
-            vy_6 = _o341.vy_6;
-            vz_6 = _o341.vz_6;
-            nx_6 = _o341.nx_6;
-            ny_6 = _o341.ny_6;
-            nz_6 = _o341.nz_6;
-            turn_rate_6 = _o341.turn_rate_6;
-            const LANES(court_roll_6_out) _o342 =
-                LANES(court_roll_6)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, lanes_load(lists->fixed[125]));
-            lift_6 = _o342.lift_6;
-            tx_6 = _o342.tx_6;
-            ty_6 = _o342.ty_6;
-            tz_6 = _o342.tz_6;
-            vx_7 = _o342.vx_7;
-            vy_7 = _o342.vy_7;
-            vz_7 = _o342.vz_7;
-            nx_7 = _o342.nx_7;
-            ny_7 = _o342.ny_7;
-            nz_7 = _o342.nz_7;
-            turn_rate_7 = _o342.turn_rate_7;
-            const LANES(court_roll_7_out) _o343 =
-                LANES(court_roll_7)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, lanes_load(lists->fixed[125]));
-            vx_8 = _o343.vx_8;
-            vy_8 = _o343.vy_8;
-            vz_8 = _o343.vz_8;
-            turn_rate_8 = _o343.turn_rate_8;
-            const LANES(court_roll_moved_out) _o344 =
+            const LANES(court_roll_placed_out) _o336 =
+                LANES(court_roll_placed)(far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z, lanes_load(lists->fixed[112]));
+            far_x = _o336.x;
+            far_y = _o336.y;
+            far_z = _o336.z;
+            far_vx = _o336.vx;
+            far_vy = _o336.vy;
+            far_vz = _o336.vz;
+            far_wx = _o336.wx;
+            far_wy = _o336.wy;
+            far_wz = _o336.wz;
+            const LANES(court_roll_start_out) _o337 =
+                LANES(court_roll_start)(far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, lanes_load(lists->fixed[6]));
+            vx_0 = _o337.vx_0;
+            vy_0 = _o337.vy_0;
+            vz_0 = _o337.vz_0;
+            nx_0 = _o337.nx_0;
+            ny_0 = _o337.ny_0;
+            nz_0 = _o337.nz_0;
+            turn_rate_0 = _o337.turn_rate_0;
+            const LANES(court_roll_0_out) _o338 =
+                LANES(court_roll_0)(bent_x, bent_y, bent_z, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0, lanes_load(lists->fixed[128]));
+            lift_0 = _o338.lift_0;
+            tx_0 = _o338.tx_0;
+            ty_0 = _o338.ty_0;
+            tz_0 = _o338.tz_0;
+            vx_1 = _o338.vx_1;
+            vy_1 = _o338.vy_1;
+            vz_1 = _o338.vz_1;
+            nx_1 = _o338.nx_1;
+            ny_1 = _o338.ny_1;
+            nz_1 = _o338.nz_1;
+            turn_rate_1 = _o338.turn_rate_1;
+            const LANES(court_roll_1_out) _o339 =
+                LANES(court_roll_1)(bent_x, bent_y, bent_z, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, lanes_load(lists->fixed[128]));
+            lift_1 = _o339.lift_1;
+            tx_1 = _o339.tx_1;
+            ty_1 = _o339.ty_1;
+            tz_1 = _o339.tz_1;
+            vx_2 = _o339.vx_2;
+            vy_2 = _o339.vy_2;
+            vz_2 = _o339.vz_2;
+            nx_2 = _o339.nx_2;
+            ny_2 = _o339.ny_2;
+            nz_2 = _o339.nz_2;
+            turn_rate_2 = _o339.turn_rate_2;
+            const LANES(court_roll_2_out) _o340 =
+                LANES(court_roll_2)(bent_x, bent_y, bent_z, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, lanes_load(lists->fixed[128]));
+            lift_2 = _o340.lift_2;
+            tx_2 = _o340.tx_2;
+            ty_2 = _o340.ty_2;
+            tz_2 = _o340.tz_2;
+            vx_3 = _o340.vx_3;
+            vy_3 = _o340.vy_3;
+            vz_3 = _o340.vz_3;
+            nx_3 = _o340.nx_3;
+            ny_3 = _o340.ny_3;
+            nz_3 = _o340.nz_3;
+            turn_rate_3 = _o340.turn_rate_3;
+            const LANES(court_roll_3_out) _o341 =
+                LANES(court_roll_3)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, lanes_load(lists->fixed[128]));
+            lift_3 = _o341.lift_3;
+            tx_3 = _o341.tx_3;
+            ty_3 = _o341.ty_3;
+            tz_3 = _o341.tz_3;
+            vx_4 = _o341.vx_4;
+            vy_4 = _o341.vy_4;
+            vz_4 = _o341.vz_4;
+            nx_4 = _o341.nx_4;
+            ny_4 = _o341.ny_4;
+            nz_4 = _o341.nz_4;
+            turn_rate_4 = _o341.turn_rate_4;
+            const LANES(court_roll_4_out) _o342 =
+                LANES(court_roll_4)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, lanes_load(lists->fixed[128]));
+            lift_4 = _o342.lift_4;
+            tx_4 = _o342.tx_4;
+            ty_4 = _o342.ty_4;
+            tz_4 = _o342.tz_4;
+            vx_5 = _o342.vx_5;
+            vy_5 = _o342.vy_5;
+            vz_5 = _o342.vz_5;
+            nx_5 = _o342.nx_5;
+            ny_5 = _o342.ny_5;
+            nz_5 = _o342.nz_5;
+            turn_rate_5 = _o342.turn_rate_5;
+            const LANES(court_roll_5_out) _o343 =
+                LANES(court_roll_5)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, lanes_load(lists->fixed[128]));
+            lift_5 = _o343.lift_5;
+            tx_5 = _o343.tx_5;
+            ty_5 = _o343.ty_5;
+            tz_5 = _o343.tz_5;
+            vx_6 = _o343.vx_6;
+            vy_6 = _o343.vy_6;
+            vz_6 = _o343.vz_6;
+            nx_6 = _o343.nx_6;
+            ny_6 = _o343.ny_6;
+            nz_6 = _o343.nz_6;
+            turn_rate_6 = _o343.turn_rate_6;
+            const LANES(court_roll_6_out) _o344 =
+                LANES(court_roll_6)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, lanes_load(lists->fixed[128]));
+            lift_6 = _o344.lift_6;
+            tx_6 = _o344.tx_6;
+            ty_6 = _o344.ty_6;
+            tz_6 = _o344.tz_6;
+            vx_7 = _o344.vx_7;
+            vy_7 = _o344.vy_7;
+            vz_7 = _o344.vz_7;
+            nx_7 = _o344.nx_7;
+            ny_7 = _o344.ny_7;
+            nz_7 = _o344.nz_7;
+            turn_rate_7 = _o344.turn_rate_7;
+            const LANES(court_roll_7_out) _o345 =
+                LANES(court_roll_7)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, lanes_load(lists->fixed[128]));
+            vx_8 = _o345.vx_8;
+            vy_8 = _o345.vy_8;
+            vz_8 = _o345.vz_8;
+            turn_rate_8 = _o345.turn_rate_8;
+            const LANES(court_roll_moved_out) _o346 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, far_x, far_y, far_z);
-            far_x = _o344.x;
-            far_vx = _o344.vx;
-            far_y = _o344.y;
-            far_vy = _o344.vy;
-            far_z = _o344.z;
-            far_vz = _o344.vz;
-            turn_rate = _o344.turn_rate;
-            const LANES(court_holding_out) _o345 =
+            far_x = _o346.x;
+            far_vx = _o346.vx;
+            far_y = _o346.y;
+            far_vy = _o346.vy;
+            far_z = _o346.z;
+            far_vz = _o346.vz;
+            turn_rate = _o346.turn_rate;
+            const LANES(court_holding_out) _o347 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o345.here;
-            const M _m346 = lanes_both(active, here);
-            if (lanes_any(_m346)) {
-                const LANES(court_backboard_normal_out) _o347 =
-                    LANES(court_backboard_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[9]));
-                far_nx = lanes_select(_m346, _o347.nx, far_nx);
-                far_ny = lanes_select(_m346, _o347.ny, far_ny);
-                far_nz = lanes_select(_m346, _o347.nz, far_nz);
-                const LANES(court_backboard_off_out) _o348 =
-                    LANES(court_backboard_off)(far_x, far_y, far_z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-                far_gap = lanes_select(_m346, _o348.gap, far_gap);
+            here = _o347.here;
+            const M _m348 = lanes_both(active, here);
+            if (lanes_any(_m348)) {
+                const LANES(court_backboard_normal_out) _o349 =
+                    LANES(court_backboard_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
+                far_nx = lanes_select(_m348, _o349.nx, far_nx);
+                far_ny = lanes_select(_m348, _o349.ny, far_ny);
+                far_nz = lanes_select(_m348, _o349.nz, far_nz);
+                const LANES(court_backboard_off_out) _o350 =
+                    LANES(court_backboard_off)(far_x, far_y, far_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+                far_gap = lanes_select(_m348, _o350.gap, far_gap);
             }
-            const LANES(court_holding_out) _o349 =
+            const LANES(court_holding_out) _o351 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o349.here;
-            const M _m350 = lanes_both(active, here);
-            if (lanes_any(_m350)) {
-                const LANES(court_bridge_normal_out) _o351 =
-                    LANES(court_bridge_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[10]));
-                far_nx = lanes_select(_m350, _o351.nx, far_nx);
-                far_ny = lanes_select(_m350, _o351.ny, far_ny);
-                far_nz = lanes_select(_m350, _o351.nz, far_nz);
-                const LANES(court_bridge_off_out) _o352 =
-                    LANES(court_bridge_off)(far_x, far_y, far_z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-                far_gap = lanes_select(_m350, _o352.gap, far_gap);
+            here = _o351.here;
+            const M _m352 = lanes_both(active, here);
+            if (lanes_any(_m352)) {
+                const LANES(court_bridge_normal_out) _o353 =
+                    LANES(court_bridge_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
+                far_nx = lanes_select(_m352, _o353.nx, far_nx);
+                far_ny = lanes_select(_m352, _o353.ny, far_ny);
+                far_nz = lanes_select(_m352, _o353.nz, far_nz);
+                const LANES(court_bridge_off_out) _o354 =
+                    LANES(court_bridge_off)(far_x, far_y, far_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
+                far_gap = lanes_select(_m352, _o354.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o353 =
-                LANES(court_roll_placed)(far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z, lanes_load(lists->fixed[109]));
-            far_x = _o353.x;
-            far_y = _o353.y;
-            far_z = _o353.z;
-            far_vx = _o353.vx;
-            far_vy = _o353.vy;
-            far_vz = _o353.vz;
-            far_wx = _o353.wx;
-            far_wy = _o353.wy;
-            far_wz = _o353.wz;
-            const LANES(court_compared_out) _o354 =
-                LANES(court_compared)(apart, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[0]));
-            dx = _o354.dx;
-            dy = _o354.dy;
-            dz = _o354.dz;
-            dvx = _o354.dvx;
-            dvy = _o354.dvy;
-            dvz = _o354.dvz;
-            dwx = _o354.dwx;
-            dwy = _o354.dwy;
-            dwz = _o354.dwz;
-            const LANES(court_rolled_on_out) _o355 =
+            const LANES(court_roll_placed_out) _o355 =
+                LANES(court_roll_placed)(far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z, lanes_load(lists->fixed[112]));
+            far_x = _o355.x;
+            far_y = _o355.y;
+            far_z = _o355.z;
+            far_vx = _o355.vx;
+            far_vy = _o355.vy;
+            far_vz = _o355.vz;
+            far_wx = _o355.wx;
+            far_wy = _o355.wy;
+            far_wz = _o355.wz;
+            const LANES(court_compared_out) _o356 =
+                LANES(court_compared)(apart, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[6]));
+            dx = _o356.dx;
+            dy = _o356.dy;
+            dz = _o356.dz;
+            dvx = _o356.dvx;
+            dvy = _o356.dvy;
+            dvz = _o356.dvz;
+            dwx = _o356.dwx;
+            dwy = _o356.dwy;
+            dwz = _o356.dwz;
+            const LANES(court_rolled_on_out) _o357 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o355.clock;
-            rolling = _o355.rolling;
+            clock = _o357.clock;
+            rolling = _o357.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -10446,7 +10476,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 y = lanes_expand(lists->kept_circling_y + taken, idle, y);
                 z = lanes_expand(lists->kept_circling_z + taken, idle, z);
                 if (LANES_SELDOM(varying))
-                    LANES(court_bounded_fix_f356)(lists, taken, idle);
+                    LANES(court_bounded_fix_f358)(lists, taken, idle);
                 const size_t room = LANES_WIDTH - busy, left = kept_circling_shots - taken;
                 active = lanes_leading(idle, left, active);
                 taken += left < room ? left : room;
@@ -10455,562 +10485,562 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_error_bounds_out) _o357 =
+            const LANES(court_error_bounds_out) _o359 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o357.position_error;
-            V velocity_error = _o357.velocity_error;
-            const LANES(court_ring_tube_out) _o358 =
-                LANES(court_ring_tube)(lanes_load(lists->fixed[108]));
-            V per_reach = _o358.per_reach;
-            const LANES(court_ring_round_start_out) _o359 =
-                LANES(court_ring_round_start)(vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[132]));
-            V cosine_0 = _o359.cosine_0;
-            V sine_0 = _o359.sine_0;
-            V climb_0 = _o359.climb_0;
-            V along_0 = _o359.along_0;
-            V turn_rate_0 = _o359.turn_rate_0;
-            V cos_0 = _o359.cos_0;
-            V sin_0 = _o359.sin_0;
-            V near_0 = _o359.near_0;
-            const LANES(court_ring_round_0_out) _o360 =
-                LANES(court_ring_round_0)(along_0, climb_0, cos_0, cosine_0, near_0, sin_0, sine_0, turn_rate_0, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[132]));
-            V omega_0 = _o360.omega_0;
-            V around_0 = _o360.around_0;
-            V tilted_0 = _o360.tilted_0;
-            V pressed_0 = _o360.pressed_0;
-            V force_0 = _o360.force_0;
-            V cosine_1 = _o360.cosine_1;
-            V sine_1 = _o360.sine_1;
-            V climb_1 = _o360.climb_1;
-            V along_1 = _o360.along_1;
-            V turn_rate_1 = _o360.turn_rate_1;
-            V cos_1 = _o360.cos_1;
-            V sin_1 = _o360.sin_1;
-            const LANES(court_ring_round_1_out) _o361 =
-                LANES(court_ring_round_1)(along_0, along_1, around_0, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, near_0, omega_0, pressed_0, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[88]));
-            V near_1 = _o361.near_1;
-            V omega_1 = _o361.omega_1;
-            V around_1 = _o361.around_1;
-            V tilted_1 = _o361.tilted_1;
-            V pressed_1 = _o361.pressed_1;
-            V force_1 = _o361.force_1;
-            V cosine_2 = _o361.cosine_2;
-            V sine_2 = _o361.sine_2;
-            V climb_2 = _o361.climb_2;
-            V along_2 = _o361.along_2;
-            V turn_rate_2 = _o361.turn_rate_2;
-            V cos_2 = _o361.cos_2;
-            V sin_2 = _o361.sin_2;
-            const LANES(court_ring_round_2_out) _o362 =
-                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[136]));
-            V near_2 = _o362.near_2;
-            V omega_2 = _o362.omega_2;
-            V around_2 = _o362.around_2;
-            V tilted_2 = _o362.tilted_2;
-            V pressed_2 = _o362.pressed_2;
-            V force_2 = _o362.force_2;
-            V cosine_3 = _o362.cosine_3;
-            V sine_3 = _o362.sine_3;
-            V climb_3 = _o362.climb_3;
-            V along_3 = _o362.along_3;
-            V turn_rate_3 = _o362.turn_rate_3;
-            V cos_3 = _o362.cos_3;
-            V sin_3 = _o362.sin_3;
-            const LANES(court_ring_round_3_out) _o363 =
-                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[137]));
-            V near_3 = _o363.near_3;
-            V omega_3 = _o363.omega_3;
-            V around_3 = _o363.around_3;
-            V tilted_3 = _o363.tilted_3;
-            V pressed_3 = _o363.pressed_3;
-            V force_3 = _o363.force_3;
-            V cosine_4 = _o363.cosine_4;
-            V sine_4 = _o363.sine_4;
-            V climb_4 = _o363.climb_4;
-            V along_4 = _o363.along_4;
-            V turn_rate_4 = _o363.turn_rate_4;
-            V cos_4 = _o363.cos_4;
-            V sin_4 = _o363.sin_4;
-            const LANES(court_ring_round_4_out) _o364 =
-                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[138]));
-            V near_4 = _o364.near_4;
-            V omega_4 = _o364.omega_4;
-            V around_4 = _o364.around_4;
-            V tilted_4 = _o364.tilted_4;
-            V pressed_4 = _o364.pressed_4;
-            V force_4 = _o364.force_4;
-            V cosine_5 = _o364.cosine_5;
-            V sine_5 = _o364.sine_5;
-            V climb_5 = _o364.climb_5;
-            V along_5 = _o364.along_5;
-            V turn_rate_5 = _o364.turn_rate_5;
-            V cos_5 = _o364.cos_5;
-            V sin_5 = _o364.sin_5;
-            const LANES(court_ring_round_5_out) _o365 =
-                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[139]));
-            V near_5 = _o365.near_5;
-            V omega_5 = _o365.omega_5;
-            V around_5 = _o365.around_5;
-            V tilted_5 = _o365.tilted_5;
-            V pressed_5 = _o365.pressed_5;
-            V force_5 = _o365.force_5;
-            V cosine_6 = _o365.cosine_6;
-            V sine_6 = _o365.sine_6;
-            V climb_6 = _o365.climb_6;
-            V along_6 = _o365.along_6;
-            V turn_rate_6 = _o365.turn_rate_6;
-            V cos_6 = _o365.cos_6;
-            V sin_6 = _o365.sin_6;
-            const LANES(court_ring_round_6_out) _o366 =
-                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[140]));
-            V near_6 = _o366.near_6;
-            V omega_6 = _o366.omega_6;
-            V around_6 = _o366.around_6;
-            V tilted_6 = _o366.tilted_6;
-            V pressed_6 = _o366.pressed_6;
-            V force_6 = _o366.force_6;
-            V cosine_7 = _o366.cosine_7;
-            V sine_7 = _o366.sine_7;
-            V climb_7 = _o366.climb_7;
-            V along_7 = _o366.along_7;
-            V turn_rate_7 = _o366.turn_rate_7;
-            V cos_7 = _o366.cos_7;
-            V sin_7 = _o366.sin_7;
-            const LANES(court_ring_round_7_out) _o367 =
-                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[141]));
-            V near_7 = _o367.near_7;
-            V omega_7 = _o367.omega_7;
-            V around_7 = _o367.around_7;
-            V tilted_7 = _o367.tilted_7;
-            V pressed_7 = _o367.pressed_7;
-            V force_7 = _o367.force_7;
-            V cosine_8 = _o367.cosine_8;
-            V sine_8 = _o367.sine_8;
-            V climb_8 = _o367.climb_8;
-            V along_8 = _o367.along_8;
-            V turn_rate_8 = _o367.turn_rate_8;
-            V cos_8 = _o367.cos_8;
-            V sin_8 = _o367.sin_8;
-            const LANES(court_ring_round_8_out) _o368 =
-                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[142]));
-            V near_8 = _o368.near_8;
-            V omega_8 = _o368.omega_8;
-            V around_8 = _o368.around_8;
-            V tilted_8 = _o368.tilted_8;
-            V pressed_8 = _o368.pressed_8;
-            V force_8 = _o368.force_8;
-            V cosine_9 = _o368.cosine_9;
-            V sine_9 = _o368.sine_9;
-            V climb_9 = _o368.climb_9;
-            V along_9 = _o368.along_9;
-            V turn_rate_9 = _o368.turn_rate_9;
-            V cos_9 = _o368.cos_9;
-            V sin_9 = _o368.sin_9;
-            const LANES(court_ring_round_9_out) _o369 =
-                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[143]));
-            V near_9 = _o369.near_9;
-            V omega_9 = _o369.omega_9;
-            V around_9 = _o369.around_9;
-            V tilted_9 = _o369.tilted_9;
-            V pressed_9 = _o369.pressed_9;
-            V force_9 = _o369.force_9;
-            V cosine_10 = _o369.cosine_10;
-            V sine_10 = _o369.sine_10;
-            V climb_10 = _o369.climb_10;
-            V along_10 = _o369.along_10;
-            V turn_rate_10 = _o369.turn_rate_10;
-            V cos_10 = _o369.cos_10;
-            V sin_10 = _o369.sin_10;
-            const LANES(court_ring_round_10_out) _o370 =
-                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[144]));
-            V near_10 = _o370.near_10;
-            V omega_10 = _o370.omega_10;
-            V around_10 = _o370.around_10;
-            V tilted_10 = _o370.tilted_10;
-            V pressed_10 = _o370.pressed_10;
-            V force_10 = _o370.force_10;
-            V cosine_11 = _o370.cosine_11;
-            V sine_11 = _o370.sine_11;
-            V climb_11 = _o370.climb_11;
-            V along_11 = _o370.along_11;
-            V turn_rate_11 = _o370.turn_rate_11;
-            V cos_11 = _o370.cos_11;
-            V sin_11 = _o370.sin_11;
-            const LANES(court_ring_round_11_out) _o371 =
-                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[145]));
-            V force_11 = _o371.force_11;
-            V cosine_12 = _o371.cosine_12;
-            V sine_12 = _o371.sine_12;
-            V climb_12 = _o371.climb_12;
-            V along_12 = _o371.along_12;
-            V turn_rate_12 = _o371.turn_rate_12;
-            V cos_12 = _o371.cos_12;
-            V sin_12 = _o371.sin_12;
-            const LANES(court_ring_round_pace_out) _o372 =
-                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, omega_0, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, lanes_load(lists->fixed[126]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[146]), lanes_load(lists->fixed[147]), lanes_load(lists->fixed[148]));
-            V stride = _o372.stride;
-            V strongest = _o372.strongest;
-            V fastest = _o372.fastest;
-            V sway = _o372.sway;
-            V force = _o372.force;
-            V force_rate = _o372.force_rate;
-            V force_bend = _o372.force_bend;
-            V brace = _o372.brace;
-            V vx_1 = _o372.vx_1;
-            V vy_1 = _o372.vy_1;
-            V vz_1 = _o372.vz_1;
-            const LANES(court_ring_round_pulled_out) _o373 =
-                LANES(court_ring_round_pulled)(climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[16]));
-            V drag = _o373.drag;
-            V drag_rate = _o373.drag_rate;
-            const LANES(court_ring_impact_strained_out) _o374 =
-                LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, lanes_load(lists->fixed[149]));
-            V strain = _o374.strain;
-            V strain_rate = _o374.strain_rate;
-            const LANES(court_losing_out) _o375 =
+            V position_error = _o359.position_error;
+            V velocity_error = _o359.velocity_error;
+            const LANES(court_ring_tube_out) _o360 =
+                LANES(court_ring_tube)(lanes_load(lists->fixed[111]));
+            V per_reach = _o360.per_reach;
+            const LANES(court_ring_round_start_out) _o361 =
+                LANES(court_ring_round_start)(vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]));
+            V cosine_0 = _o361.cosine_0;
+            V sine_0 = _o361.sine_0;
+            V climb_0 = _o361.climb_0;
+            V along_0 = _o361.along_0;
+            V turn_rate_0 = _o361.turn_rate_0;
+            V cos_0 = _o361.cos_0;
+            V sin_0 = _o361.sin_0;
+            V near_0 = _o361.near_0;
+            const LANES(court_ring_round_0_out) _o362 =
+                LANES(court_ring_round_0)(along_0, climb_0, cos_0, cosine_0, near_0, sin_0, sine_0, turn_rate_0, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]));
+            V omega_0 = _o362.omega_0;
+            V around_0 = _o362.around_0;
+            V tilted_0 = _o362.tilted_0;
+            V pressed_0 = _o362.pressed_0;
+            V force_0 = _o362.force_0;
+            V cosine_1 = _o362.cosine_1;
+            V sine_1 = _o362.sine_1;
+            V climb_1 = _o362.climb_1;
+            V along_1 = _o362.along_1;
+            V turn_rate_1 = _o362.turn_rate_1;
+            V cos_1 = _o362.cos_1;
+            V sin_1 = _o362.sin_1;
+            const LANES(court_ring_round_1_out) _o363 =
+                LANES(court_ring_round_1)(along_0, along_1, around_0, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, near_0, omega_0, pressed_0, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[91]));
+            V near_1 = _o363.near_1;
+            V omega_1 = _o363.omega_1;
+            V around_1 = _o363.around_1;
+            V tilted_1 = _o363.tilted_1;
+            V pressed_1 = _o363.pressed_1;
+            V force_1 = _o363.force_1;
+            V cosine_2 = _o363.cosine_2;
+            V sine_2 = _o363.sine_2;
+            V climb_2 = _o363.climb_2;
+            V along_2 = _o363.along_2;
+            V turn_rate_2 = _o363.turn_rate_2;
+            V cos_2 = _o363.cos_2;
+            V sin_2 = _o363.sin_2;
+            const LANES(court_ring_round_2_out) _o364 =
+                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[139]));
+            V near_2 = _o364.near_2;
+            V omega_2 = _o364.omega_2;
+            V around_2 = _o364.around_2;
+            V tilted_2 = _o364.tilted_2;
+            V pressed_2 = _o364.pressed_2;
+            V force_2 = _o364.force_2;
+            V cosine_3 = _o364.cosine_3;
+            V sine_3 = _o364.sine_3;
+            V climb_3 = _o364.climb_3;
+            V along_3 = _o364.along_3;
+            V turn_rate_3 = _o364.turn_rate_3;
+            V cos_3 = _o364.cos_3;
+            V sin_3 = _o364.sin_3;
+            const LANES(court_ring_round_3_out) _o365 =
+                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[140]));
+            V near_3 = _o365.near_3;
+            V omega_3 = _o365.omega_3;
+            V around_3 = _o365.around_3;
+            V tilted_3 = _o365.tilted_3;
+            V pressed_3 = _o365.pressed_3;
+            V force_3 = _o365.force_3;
+            V cosine_4 = _o365.cosine_4;
+            V sine_4 = _o365.sine_4;
+            V climb_4 = _o365.climb_4;
+            V along_4 = _o365.along_4;
+            V turn_rate_4 = _o365.turn_rate_4;
+            V cos_4 = _o365.cos_4;
+            V sin_4 = _o365.sin_4;
+            const LANES(court_ring_round_4_out) _o366 =
+                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[141]));
+            V near_4 = _o366.near_4;
+            V omega_4 = _o366.omega_4;
+            V around_4 = _o366.around_4;
+            V tilted_4 = _o366.tilted_4;
+            V pressed_4 = _o366.pressed_4;
+            V force_4 = _o366.force_4;
+            V cosine_5 = _o366.cosine_5;
+            V sine_5 = _o366.sine_5;
+            V climb_5 = _o366.climb_5;
+            V along_5 = _o366.along_5;
+            V turn_rate_5 = _o366.turn_rate_5;
+            V cos_5 = _o366.cos_5;
+            V sin_5 = _o366.sin_5;
+            const LANES(court_ring_round_5_out) _o367 =
+                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[142]));
+            V near_5 = _o367.near_5;
+            V omega_5 = _o367.omega_5;
+            V around_5 = _o367.around_5;
+            V tilted_5 = _o367.tilted_5;
+            V pressed_5 = _o367.pressed_5;
+            V force_5 = _o367.force_5;
+            V cosine_6 = _o367.cosine_6;
+            V sine_6 = _o367.sine_6;
+            V climb_6 = _o367.climb_6;
+            V along_6 = _o367.along_6;
+            V turn_rate_6 = _o367.turn_rate_6;
+            V cos_6 = _o367.cos_6;
+            V sin_6 = _o367.sin_6;
+            const LANES(court_ring_round_6_out) _o368 =
+                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[143]));
+            V near_6 = _o368.near_6;
+            V omega_6 = _o368.omega_6;
+            V around_6 = _o368.around_6;
+            V tilted_6 = _o368.tilted_6;
+            V pressed_6 = _o368.pressed_6;
+            V force_6 = _o368.force_6;
+            V cosine_7 = _o368.cosine_7;
+            V sine_7 = _o368.sine_7;
+            V climb_7 = _o368.climb_7;
+            V along_7 = _o368.along_7;
+            V turn_rate_7 = _o368.turn_rate_7;
+            V cos_7 = _o368.cos_7;
+            V sin_7 = _o368.sin_7;
+            const LANES(court_ring_round_7_out) _o369 =
+                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[144]));
+            V near_7 = _o369.near_7;
+            V omega_7 = _o369.omega_7;
+            V around_7 = _o369.around_7;
+            V tilted_7 = _o369.tilted_7;
+            V pressed_7 = _o369.pressed_7;
+            V force_7 = _o369.force_7;
+            V cosine_8 = _o369.cosine_8;
+            V sine_8 = _o369.sine_8;
+            V climb_8 = _o369.climb_8;
+            V along_8 = _o369.along_8;
+            V turn_rate_8 = _o369.turn_rate_8;
+            V cos_8 = _o369.cos_8;
+            V sin_8 = _o369.sin_8;
+            const LANES(court_ring_round_8_out) _o370 =
+                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[145]));
+            V near_8 = _o370.near_8;
+            V omega_8 = _o370.omega_8;
+            V around_8 = _o370.around_8;
+            V tilted_8 = _o370.tilted_8;
+            V pressed_8 = _o370.pressed_8;
+            V force_8 = _o370.force_8;
+            V cosine_9 = _o370.cosine_9;
+            V sine_9 = _o370.sine_9;
+            V climb_9 = _o370.climb_9;
+            V along_9 = _o370.along_9;
+            V turn_rate_9 = _o370.turn_rate_9;
+            V cos_9 = _o370.cos_9;
+            V sin_9 = _o370.sin_9;
+            const LANES(court_ring_round_9_out) _o371 =
+                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[146]));
+            V near_9 = _o371.near_9;
+            V omega_9 = _o371.omega_9;
+            V around_9 = _o371.around_9;
+            V tilted_9 = _o371.tilted_9;
+            V pressed_9 = _o371.pressed_9;
+            V force_9 = _o371.force_9;
+            V cosine_10 = _o371.cosine_10;
+            V sine_10 = _o371.sine_10;
+            V climb_10 = _o371.climb_10;
+            V along_10 = _o371.along_10;
+            V turn_rate_10 = _o371.turn_rate_10;
+            V cos_10 = _o371.cos_10;
+            V sin_10 = _o371.sin_10;
+            const LANES(court_ring_round_10_out) _o372 =
+                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[147]));
+            V near_10 = _o372.near_10;
+            V omega_10 = _o372.omega_10;
+            V around_10 = _o372.around_10;
+            V tilted_10 = _o372.tilted_10;
+            V pressed_10 = _o372.pressed_10;
+            V force_10 = _o372.force_10;
+            V cosine_11 = _o372.cosine_11;
+            V sine_11 = _o372.sine_11;
+            V climb_11 = _o372.climb_11;
+            V along_11 = _o372.along_11;
+            V turn_rate_11 = _o372.turn_rate_11;
+            V cos_11 = _o372.cos_11;
+            V sin_11 = _o372.sin_11;
+            const LANES(court_ring_round_11_out) _o373 =
+                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[148]));
+            V force_11 = _o373.force_11;
+            V cosine_12 = _o373.cosine_12;
+            V sine_12 = _o373.sine_12;
+            V climb_12 = _o373.climb_12;
+            V along_12 = _o373.along_12;
+            V turn_rate_12 = _o373.turn_rate_12;
+            V cos_12 = _o373.cos_12;
+            V sin_12 = _o373.sin_12;
+            const LANES(court_ring_round_pace_out) _o374 =
+                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, omega_0, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, lanes_load(lists->fixed[129]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[149]), lanes_load(lists->fixed[150]), lanes_load(lists->fixed[151]));
+            V stride = _o374.stride;
+            V strongest = _o374.strongest;
+            V fastest = _o374.fastest;
+            V sway = _o374.sway;
+            V force = _o374.force;
+            V force_rate = _o374.force_rate;
+            V force_bend = _o374.force_bend;
+            V brace = _o374.brace;
+            V vx_1 = _o374.vx_1;
+            V vy_1 = _o374.vy_1;
+            V vz_1 = _o374.vz_1;
+            const LANES(court_ring_round_pulled_out) _o375 =
+                LANES(court_ring_round_pulled)(climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[21]));
+            V drag = _o375.drag;
+            V drag_rate = _o375.drag_rate;
+            const LANES(court_ring_impact_strained_out) _o376 =
+                LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, lanes_load(lists->fixed[152]));
+            V strain = _o376.strain;
+            V strain_rate = _o376.strain_rate;
+            const LANES(court_losing_out) _o377 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o375.loses;
-            const M _m376 = lanes_both(active, loses);
-            if (lanes_any(_m376)) {
-                const LANES(court_lost_grip_out) _o377 =
+            M loses = _o377.loses;
+            const M _m378 = lanes_both(active, loses);
+            if (lanes_any(_m378)) {
+                const LANES(court_lost_grip_out) _o379 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m376, _o377.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m378, _o379.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o378 =
+            const LANES(court_tightened_out) _o380 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o378.taut;
-            taut_rate = _o378.taut_rate;
-            taut_clock = _o378.taut_clock;
-            const LANES(court_leaving_force_out) _o379 =
-                LANES(court_leaving_force)(brace, doubt, fastest, force, force_bend, force_rate, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[130]), lanes_load(lists->fixed[131]));
-            stride = _o379.stride;
-            which = _o379.which;
-            M rests = _o379.rests;
-            doubt = _o379.doubt;
-            const LANES(court_backboard_beside_out) _o380 =
-                LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-            V gap = _o380.gap;
-            V nearing = _o380.nearing;
-            V dent = _o380.dent;
-            const LANES(court_beside_body_out) _o381 =
-                LANES(court_beside_body)(dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[110]));
+            taut = _o380.taut;
+            taut_rate = _o380.taut_rate;
+            taut_clock = _o380.taut_clock;
+            const LANES(court_leaving_force_out) _o381 =
+                LANES(court_leaving_force)(brace, doubt, fastest, force, force_bend, force_rate, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[133]), lanes_load(lists->fixed[134]));
             stride = _o381.stride;
             which = _o381.which;
+            M rests = _o381.rests;
             doubt = _o381.doubt;
-            late = _o381.late;
-            const LANES(court_bridge_beside_out) _o382 =
-                LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-            gap = _o382.gap;
-            nearing = _o382.nearing;
-            dent = _o382.dent;
+            const LANES(court_backboard_beside_out) _o382 =
+                LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+            V gap = _o382.gap;
+            V nearing = _o382.nearing;
+            V dent = _o382.dent;
             const LANES(court_beside_body_out) _o383 =
-                LANES(court_beside_body)(dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[110]));
+                LANES(court_beside_body)(dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]));
             stride = _o383.stride;
             which = _o383.which;
             doubt = _o383.doubt;
             late = _o383.late;
-            const LANES(court_end_beside_out) _o384 =
-                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[13]));
+            const LANES(court_bridge_beside_out) _o384 =
+                LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
             gap = _o384.gap;
             nearing = _o384.nearing;
             dent = _o384.dent;
-            const LANES(court_beside_gate_out) _o385 =
-                LANES(court_beside_gate)(dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[0]));
+            const LANES(court_beside_body_out) _o385 =
+                LANES(court_beside_body)(dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]));
             stride = _o385.stride;
             which = _o385.which;
             doubt = _o385.doubt;
             late = _o385.late;
-            const LANES(court_beside_time_out) _o386 =
+            const LANES(court_end_beside_out) _o386 =
+                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
+            gap = _o386.gap;
+            nearing = _o386.nearing;
+            dent = _o386.dent;
+            const LANES(court_beside_gate_out) _o387 =
+                LANES(court_beside_gate)(dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]));
+            stride = _o387.stride;
+            which = _o387.which;
+            doubt = _o387.doubt;
+            late = _o387.late;
+            const LANES(court_beside_time_out) _o388 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o386.stride;
-            which = _o386.which;
-            const LANES(court_apart_out) _o387 =
-                LANES(court_apart)(dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[134]), lanes_load(lists->fixed[135]));
-            V apart = _o387.apart;
-            const LANES(court_neighbour_out) _o388 =
+            stride = _o388.stride;
+            which = _o388.which;
+            const LANES(court_apart_out) _o389 =
+                LANES(court_apart)(dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[137]), lanes_load(lists->fixed[138]));
+            V apart = _o389.apart;
+            const LANES(court_neighbour_out) _o390 =
                 LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o388.far_x;
-            V far_y = _o388.far_y;
-            V far_z = _o388.far_z;
-            V far_vx = _o388.far_vx;
-            V far_vy = _o388.far_vy;
-            V far_vz = _o388.far_vz;
-            V far_wx = _o388.far_wx;
-            V far_wy = _o388.far_wy;
-            V far_wz = _o388.far_wz;
-            const LANES(court_passing_from_out) _o389 =
+            V far_x = _o390.far_x;
+            V far_y = _o390.far_y;
+            V far_z = _o390.far_z;
+            V far_vx = _o390.far_vx;
+            V far_vy = _o390.far_vy;
+            V far_vz = _o390.far_vz;
+            V far_wx = _o390.far_wx;
+            V far_wy = _o390.far_wy;
+            V far_wz = _o390.far_wz;
+            const LANES(court_passing_from_out) _o391 =
                 LANES(court_passing_from)(z);
-            M over = _o389.over;
-            const LANES(court_alone_out) _o390 =
+            M over = _o391.over;
+            const LANES(court_alone_out) _o392 =
                 LANES(court_alone)();
-            V berth = _o390.nearest;
-            const LANES(court_leaps_out) _o391 =
+            V berth = _o392.nearest;
+            const LANES(court_leaps_out) _o393 =
                 LANES(court_leaps)(stride);
-            V forth = _o391.forth;
-            V back = _o391.back;
-            const LANES(court_backboard_around_out) _o392 =
-                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[150]));
-            gap = _o392.gap;
-            nearing = _o392.nearing;
-            const LANES(court_cleared_out) _o393 =
-                LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o393.berth;
-            const LANES(court_bridge_around_out) _o394 =
-                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[151]));
+            V forth = _o393.forth;
+            V back = _o393.back;
+            const LANES(court_backboard_around_out) _o394 =
+                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[153]));
             gap = _o394.gap;
             nearing = _o394.nearing;
             const LANES(court_cleared_out) _o395 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
             berth = _o395.berth;
-            const LANES(court_end_around_out) _o396 =
-                LANES(court_end_around)(vz, z, lanes_load(lists->fixed[13]));
+            const LANES(court_bridge_around_out) _o396 =
+                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[154]));
             gap = _o396.gap;
             nearing = _o396.nearing;
             const LANES(court_cleared_out) _o397 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
             berth = _o397.berth;
-            const LANES(court_ring_round_moved_out) _o398 =
-                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[109]));
-            x = _o398.x;
-            y = _o398.y;
-            z = _o398.z;
-            vx = _o398.vx;
-            vy = _o398.vy;
-            vz = _o398.vz;
-            wx = _o398.wx;
-            wy = _o398.wy;
-            wz = _o398.wz;
-            V climb = _o398.climb;
-            const LANES(court_passing_in_contact_out) _o399 =
-                LANES(court_passing_in_contact)(over, through, x, y, z, lanes_load(lists->fixed[14]));
-            through = _o399.through;
-            const LANES(court_backboard_around_out) _o400 =
-                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[150]));
-            gap = _o400.gap;
-            nearing = _o400.nearing;
-            const LANES(court_cleared_out) _o401 =
-                LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o401.berth;
-            const LANES(court_bridge_around_out) _o402 =
-                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[151]));
+            const LANES(court_end_around_out) _o398 =
+                LANES(court_end_around)(vz, z, lanes_load(lists->fixed[18]));
+            gap = _o398.gap;
+            nearing = _o398.nearing;
+            const LANES(court_cleared_out) _o399 =
+                LANES(court_cleared)(berth, gap, forth, nearing);
+            berth = _o399.berth;
+            const LANES(court_ring_round_moved_out) _o400 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[112]));
+            x = _o400.x;
+            y = _o400.y;
+            z = _o400.z;
+            vx = _o400.vx;
+            vy = _o400.vy;
+            vz = _o400.vz;
+            wx = _o400.wx;
+            wy = _o400.wy;
+            wz = _o400.wz;
+            V climb = _o400.climb;
+            const LANES(court_passing_in_contact_out) _o401 =
+                LANES(court_passing_in_contact)(over, through, x, y, z, lanes_load(lists->fixed[19]));
+            through = _o401.through;
+            const LANES(court_backboard_around_out) _o402 =
+                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[153]));
             gap = _o402.gap;
             nearing = _o402.nearing;
             const LANES(court_cleared_out) _o403 =
                 LANES(court_cleared)(berth, gap, back, nearing);
             berth = _o403.berth;
-            const LANES(court_end_around_out) _o404 =
-                LANES(court_end_around)(vz, z, lanes_load(lists->fixed[13]));
+            const LANES(court_bridge_around_out) _o404 =
+                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[154]));
             gap = _o404.gap;
             nearing = _o404.nearing;
             const LANES(court_cleared_out) _o405 =
                 LANES(court_cleared)(berth, gap, back, nearing);
             berth = _o405.berth;
-            const LANES(court_ring_swung_out) _o406 =
-                LANES(court_ring_swung)(berth, circled, climb, climb_0, doubt, fastest, force, force_bend, force_rate, position_error, stride, sway, velocity_error, which, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[152]), lanes_load(lists->fixed[153]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[154]));
-            circled = _o406.circled;
-            M endless = _o406.endless;
-            doubt = _o406.doubt;
-            const LANES(court_for_ever_out) _o407 =
+            const LANES(court_end_around_out) _o406 =
+                LANES(court_end_around)(vz, z, lanes_load(lists->fixed[18]));
+            gap = _o406.gap;
+            nearing = _o406.nearing;
+            const LANES(court_cleared_out) _o407 =
+                LANES(court_cleared)(berth, gap, back, nearing);
+            berth = _o407.berth;
+            const LANES(court_ring_swung_out) _o408 =
+                LANES(court_ring_swung)(berth, circled, climb, climb_0, doubt, fastest, force, force_bend, force_rate, position_error, stride, sway, velocity_error, which, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[155]), lanes_load(lists->fixed[156]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[157]));
+            circled = _o408.circled;
+            M endless = _o408.endless;
+            doubt = _o408.doubt;
+            const LANES(court_for_ever_out) _o409 =
                 LANES(court_for_ever)(endless, which);
-            which = _o407.which;
-            const LANES(court_ring_round_start_out) _o408 =
-                LANES(court_ring_round_start)(far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[132]));
-            cosine_0 = _o408.cosine_0;
-            sine_0 = _o408.sine_0;
-            climb_0 = _o408.climb_0;
-            along_0 = _o408.along_0;
-            turn_rate_0 = _o408.turn_rate_0;
-            cos_0 = _o408.cos_0;
-            sin_0 = _o408.sin_0;
-            near_0 = _o408.near_0;
-            const LANES(court_ring_round_0_out) _o409 =
-                LANES(court_ring_round_0)(along_0, climb_0, cos_0, cosine_0, near_0, sin_0, sine_0, turn_rate_0, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[132]));
-            omega_0 = _o409.omega_0;
-            around_0 = _o409.around_0;
-            tilted_0 = _o409.tilted_0;
-            pressed_0 = _o409.pressed_0;
-            cosine_1 = _o409.cosine_1;
-            sine_1 = _o409.sine_1;
-            climb_1 = _o409.climb_1;
-            along_1 = _o409.along_1;
-            turn_rate_1 = _o409.turn_rate_1;
-            cos_1 = _o409.cos_1;
-            sin_1 = _o409.sin_1;
-            const LANES(court_ring_round_1_out) _o410 =
-                LANES(court_ring_round_1)(along_0, along_1, around_0, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, near_0, omega_0, pressed_0, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[88]));
-            near_1 = _o410.near_1;
-            omega_1 = _o410.omega_1;
-            around_1 = _o410.around_1;
-            tilted_1 = _o410.tilted_1;
-            pressed_1 = _o410.pressed_1;
-            cosine_2 = _o410.cosine_2;
-            sine_2 = _o410.sine_2;
-            climb_2 = _o410.climb_2;
-            along_2 = _o410.along_2;
-            turn_rate_2 = _o410.turn_rate_2;
-            cos_2 = _o410.cos_2;
-            sin_2 = _o410.sin_2;
-            const LANES(court_ring_round_2_out) _o411 =
-                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[136]));
-            near_2 = _o411.near_2;
-            omega_2 = _o411.omega_2;
-            around_2 = _o411.around_2;
-            tilted_2 = _o411.tilted_2;
-            pressed_2 = _o411.pressed_2;
-            cosine_3 = _o411.cosine_3;
-            sine_3 = _o411.sine_3;
-            climb_3 = _o411.climb_3;
-            along_3 = _o411.along_3;
-            turn_rate_3 = _o411.turn_rate_3;
-            cos_3 = _o411.cos_3;
-            sin_3 = _o411.sin_3;
-            const LANES(court_ring_round_3_out) _o412 =
-                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[137]));
-            near_3 = _o412.near_3;
-            omega_3 = _o412.omega_3;
-            around_3 = _o412.around_3;
-            tilted_3 = _o412.tilted_3;
-            pressed_3 = _o412.pressed_3;
-            cosine_4 = _o412.cosine_4;
-            sine_4 = _o412.sine_4;
-            climb_4 = _o412.climb_4;
-            along_4 = _o412.along_4;
-            turn_rate_4 = _o412.turn_rate_4;
-            cos_4 = _o412.cos_4;
-            sin_4 = _o412.sin_4;
-            const LANES(court_ring_round_4_out) _o413 =
-                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[138]));
-            near_4 = _o413.near_4;
-            omega_4 = _o413.omega_4;
-            around_4 = _o413.around_4;
-            tilted_4 = _o413.tilted_4;
-            pressed_4 = _o413.pressed_4;
-            cosine_5 = _o413.cosine_5;
-            sine_5 = _o413.sine_5;
-            climb_5 = _o413.climb_5;
-            along_5 = _o413.along_5;
-            turn_rate_5 = _o413.turn_rate_5;
-            cos_5 = _o413.cos_5;
-            sin_5 = _o413.sin_5;
-            const LANES(court_ring_round_5_out) _o414 =
-                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[139]));
-            near_5 = _o414.near_5;
-            omega_5 = _o414.omega_5;
-            around_5 = _o414.around_5;
-            tilted_5 = _o414.tilted_5;
-            pressed_5 = _o414.pressed_5;
-            cosine_6 = _o414.cosine_6;
-            sine_6 = _o414.sine_6;
-            climb_6 = _o414.climb_6;
-            along_6 = _o414.along_6;
-            turn_rate_6 = _o414.turn_rate_6;
-            cos_6 = _o414.cos_6;
-            sin_6 = _o414.sin_6;
-            const LANES(court_ring_round_6_out) _o415 =
-                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[140]));
-            near_6 = _o415.near_6;
-            omega_6 = _o415.omega_6;
-            around_6 = _o415.around_6;
-            tilted_6 = _o415.tilted_6;
-            pressed_6 = _o415.pressed_6;
-            cosine_7 = _o415.cosine_7;
-            sine_7 = _o415.sine_7;
-            climb_7 = _o415.climb_7;
-            along_7 = _o415.along_7;
-            turn_rate_7 = _o415.turn_rate_7;
-            cos_7 = _o415.cos_7;
-            sin_7 = _o415.sin_7;
-            const LANES(court_ring_round_7_out) _o416 =
-                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[141]));
-            near_7 = _o416.near_7;
-            omega_7 = _o416.omega_7;
-            around_7 = _o416.around_7;
-            tilted_7 = _o416.tilted_7;
-            pressed_7 = _o416.pressed_7;
-            cosine_8 = _o416.cosine_8;
-            sine_8 = _o416.sine_8;
-            climb_8 = _o416.climb_8;
-            along_8 = _o416.along_8;
-            turn_rate_8 = _o416.turn_rate_8;
-            cos_8 = _o416.cos_8;
-            sin_8 = _o416.sin_8;
-            const LANES(court_ring_round_8_out) _o417 =
-                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[142]));
-            near_8 = _o417.near_8;
-            omega_8 = _o417.omega_8;
-            around_8 = _o417.around_8;
-            tilted_8 = _o417.tilted_8;
-            pressed_8 = _o417.pressed_8;
-            cosine_9 = _o417.cosine_9;
-            sine_9 = _o417.sine_9;
-            climb_9 = _o417.climb_9;
-            along_9 = _o417.along_9;
-            turn_rate_9 = _o417.turn_rate_9;
-            cos_9 = _o417.cos_9;
-            sin_9 = _o417.sin_9;
-            const LANES(court_ring_round_9_out) _o418 =
-                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[143]));
-            near_9 = _o418.near_9;
-            omega_9 = _o418.omega_9;
-            around_9 = _o418.around_9;
-            tilted_9 = _o418.tilted_9;
-            pressed_9 = _o418.pressed_9;
-            cosine_10 = _o418.cosine_10;
-            sine_10 = _o418.sine_10;
-            climb_10 = _o418.climb_10;
-            along_10 = _o418.along_10;
-            turn_rate_10 = _o418.turn_rate_10;
-            cos_10 = _o418.cos_10;
-            sin_10 = _o418.sin_10;
-            const LANES(court_ring_round_10_out) _o419 =
-                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[144]));
-            near_10 = _o419.near_10;
-            omega_10 = _o419.omega_10;
-            around_10 = _o419.around_10;
-            tilted_10 = _o419.tilted_10;
-            pressed_10 = _o419.pressed_10;
-            cosine_11 = _o419.cosine_11;
-            sine_11 = _o419.sine_11;
-            climb_11 = _o419.climb_11;
-            along_11 = _o419.along_11;
-            turn_rate_11 = _o419.turn_rate_11;
-            cos_11 = _o419.cos_11;
-            sin_11 = _o419.sin_11;
-            const LANES(court_ring_round_11_out) _o420 =
-                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[145]));
-            cosine_12 = _o420.cosine_12;
-            sine_12 = _o420.sine_12;
-            climb_12 = _o420.climb_12;
-            along_12 = _o420.along_12;
-            turn_rate_12 = _o420.turn_rate_12;
-            cos_12 = _o420.cos_12;
-            sin_12 = _o420.sin_12;
-            const LANES(court_ring_round_moved_out) _o421 =
-                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[132]), lanes_load(lists->fixed[109]));
-            far_x = _o421.x;
-            far_y = _o421.y;
-            far_z = _o421.z;
-            far_vx = _o421.vx;
-            far_vy = _o421.vy;
-            far_vz = _o421.vz;
-            far_wx = _o421.wx;
-            far_wy = _o421.wy;
-            far_wz = _o421.wz;
-            const LANES(court_compared_out) _o422 =
-                LANES(court_compared)(apart, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[0]));
-            dx = _o422.dx;
-            dy = _o422.dy;
-            dz = _o422.dz;
-            dvx = _o422.dvx;
-            dvy = _o422.dvy;
-            dvz = _o422.dvz;
-            dwx = _o422.dwx;
-            dwy = _o422.dwy;
-            dwz = _o422.dwz;
-            const LANES(court_rolled_on_out) _o423 =
+            which = _o409.which;
+            const LANES(court_ring_round_start_out) _o410 =
+                LANES(court_ring_round_start)(far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]));
+            cosine_0 = _o410.cosine_0;
+            sine_0 = _o410.sine_0;
+            climb_0 = _o410.climb_0;
+            along_0 = _o410.along_0;
+            turn_rate_0 = _o410.turn_rate_0;
+            cos_0 = _o410.cos_0;
+            sin_0 = _o410.sin_0;
+            near_0 = _o410.near_0;
+            const LANES(court_ring_round_0_out) _o411 =
+                LANES(court_ring_round_0)(along_0, climb_0, cos_0, cosine_0, near_0, sin_0, sine_0, turn_rate_0, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]));
+            omega_0 = _o411.omega_0;
+            around_0 = _o411.around_0;
+            tilted_0 = _o411.tilted_0;
+            pressed_0 = _o411.pressed_0;
+            cosine_1 = _o411.cosine_1;
+            sine_1 = _o411.sine_1;
+            climb_1 = _o411.climb_1;
+            along_1 = _o411.along_1;
+            turn_rate_1 = _o411.turn_rate_1;
+            cos_1 = _o411.cos_1;
+            sin_1 = _o411.sin_1;
+            const LANES(court_ring_round_1_out) _o412 =
+                LANES(court_ring_round_1)(along_0, along_1, around_0, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, near_0, omega_0, pressed_0, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[91]));
+            near_1 = _o412.near_1;
+            omega_1 = _o412.omega_1;
+            around_1 = _o412.around_1;
+            tilted_1 = _o412.tilted_1;
+            pressed_1 = _o412.pressed_1;
+            cosine_2 = _o412.cosine_2;
+            sine_2 = _o412.sine_2;
+            climb_2 = _o412.climb_2;
+            along_2 = _o412.along_2;
+            turn_rate_2 = _o412.turn_rate_2;
+            cos_2 = _o412.cos_2;
+            sin_2 = _o412.sin_2;
+            const LANES(court_ring_round_2_out) _o413 =
+                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[139]));
+            near_2 = _o413.near_2;
+            omega_2 = _o413.omega_2;
+            around_2 = _o413.around_2;
+            tilted_2 = _o413.tilted_2;
+            pressed_2 = _o413.pressed_2;
+            cosine_3 = _o413.cosine_3;
+            sine_3 = _o413.sine_3;
+            climb_3 = _o413.climb_3;
+            along_3 = _o413.along_3;
+            turn_rate_3 = _o413.turn_rate_3;
+            cos_3 = _o413.cos_3;
+            sin_3 = _o413.sin_3;
+            const LANES(court_ring_round_3_out) _o414 =
+                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[140]));
+            near_3 = _o414.near_3;
+            omega_3 = _o414.omega_3;
+            around_3 = _o414.around_3;
+            tilted_3 = _o414.tilted_3;
+            pressed_3 = _o414.pressed_3;
+            cosine_4 = _o414.cosine_4;
+            sine_4 = _o414.sine_4;
+            climb_4 = _o414.climb_4;
+            along_4 = _o414.along_4;
+            turn_rate_4 = _o414.turn_rate_4;
+            cos_4 = _o414.cos_4;
+            sin_4 = _o414.sin_4;
+            const LANES(court_ring_round_4_out) _o415 =
+                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[141]));
+            near_4 = _o415.near_4;
+            omega_4 = _o415.omega_4;
+            around_4 = _o415.around_4;
+            tilted_4 = _o415.tilted_4;
+            pressed_4 = _o415.pressed_4;
+            cosine_5 = _o415.cosine_5;
+            sine_5 = _o415.sine_5;
+            climb_5 = _o415.climb_5;
+            along_5 = _o415.along_5;
+            turn_rate_5 = _o415.turn_rate_5;
+            cos_5 = _o415.cos_5;
+            sin_5 = _o415.sin_5;
+            const LANES(court_ring_round_5_out) _o416 =
+                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[142]));
+            near_5 = _o416.near_5;
+            omega_5 = _o416.omega_5;
+            around_5 = _o416.around_5;
+            tilted_5 = _o416.tilted_5;
+            pressed_5 = _o416.pressed_5;
+            cosine_6 = _o416.cosine_6;
+            sine_6 = _o416.sine_6;
+            climb_6 = _o416.climb_6;
+            along_6 = _o416.along_6;
+            turn_rate_6 = _o416.turn_rate_6;
+            cos_6 = _o416.cos_6;
+            sin_6 = _o416.sin_6;
+            const LANES(court_ring_round_6_out) _o417 =
+                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[143]));
+            near_6 = _o417.near_6;
+            omega_6 = _o417.omega_6;
+            around_6 = _o417.around_6;
+            tilted_6 = _o417.tilted_6;
+            pressed_6 = _o417.pressed_6;
+            cosine_7 = _o417.cosine_7;
+            sine_7 = _o417.sine_7;
+            climb_7 = _o417.climb_7;
+            along_7 = _o417.along_7;
+            turn_rate_7 = _o417.turn_rate_7;
+            cos_7 = _o417.cos_7;
+            sin_7 = _o417.sin_7;
+            const LANES(court_ring_round_7_out) _o418 =
+                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[144]));
+            near_7 = _o418.near_7;
+            omega_7 = _o418.omega_7;
+            around_7 = _o418.around_7;
+            tilted_7 = _o418.tilted_7;
+            pressed_7 = _o418.pressed_7;
+            cosine_8 = _o418.cosine_8;
+            sine_8 = _o418.sine_8;
+            climb_8 = _o418.climb_8;
+            along_8 = _o418.along_8;
+            turn_rate_8 = _o418.turn_rate_8;
+            cos_8 = _o418.cos_8;
+            sin_8 = _o418.sin_8;
+            const LANES(court_ring_round_8_out) _o419 =
+                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[145]));
+            near_8 = _o419.near_8;
+            omega_8 = _o419.omega_8;
+            around_8 = _o419.around_8;
+            tilted_8 = _o419.tilted_8;
+            pressed_8 = _o419.pressed_8;
+            cosine_9 = _o419.cosine_9;
+            sine_9 = _o419.sine_9;
+            climb_9 = _o419.climb_9;
+            along_9 = _o419.along_9;
+            turn_rate_9 = _o419.turn_rate_9;
+            cos_9 = _o419.cos_9;
+            sin_9 = _o419.sin_9;
+            const LANES(court_ring_round_9_out) _o420 =
+                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[146]));
+            near_9 = _o420.near_9;
+            omega_9 = _o420.omega_9;
+            around_9 = _o420.around_9;
+            tilted_9 = _o420.tilted_9;
+            pressed_9 = _o420.pressed_9;
+            cosine_10 = _o420.cosine_10;
+            sine_10 = _o420.sine_10;
+            climb_10 = _o420.climb_10;
+            along_10 = _o420.along_10;
+            turn_rate_10 = _o420.turn_rate_10;
+            cos_10 = _o420.cos_10;
+            sin_10 = _o420.sin_10;
+            const LANES(court_ring_round_10_out) _o421 =
+                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[147]));
+            near_10 = _o421.near_10;
+            omega_10 = _o421.omega_10;
+            around_10 = _o421.around_10;
+            tilted_10 = _o421.tilted_10;
+            pressed_10 = _o421.pressed_10;
+            cosine_11 = _o421.cosine_11;
+            sine_11 = _o421.sine_11;
+            climb_11 = _o421.climb_11;
+            along_11 = _o421.along_11;
+            turn_rate_11 = _o421.turn_rate_11;
+            cos_11 = _o421.cos_11;
+            sin_11 = _o421.sin_11;
+            const LANES(court_ring_round_11_out) _o422 =
+                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[148]));
+            cosine_12 = _o422.cosine_12;
+            sine_12 = _o422.sine_12;
+            climb_12 = _o422.climb_12;
+            along_12 = _o422.along_12;
+            turn_rate_12 = _o422.turn_rate_12;
+            cos_12 = _o422.cos_12;
+            sin_12 = _o422.sin_12;
+            const LANES(court_ring_round_moved_out) _o423 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[112]));
+            far_x = _o423.x;
+            far_y = _o423.y;
+            far_z = _o423.z;
+            far_vx = _o423.vx;
+            far_vy = _o423.vy;
+            far_vz = _o423.vz;
+            far_wx = _o423.wx;
+            far_wy = _o423.wy;
+            far_wz = _o423.wz;
+            const LANES(court_compared_out) _o424 =
+                LANES(court_compared)(apart, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[6]));
+            dx = _o424.dx;
+            dy = _o424.dy;
+            dz = _o424.dz;
+            dvx = _o424.dvx;
+            dvy = _o424.dvy;
+            dvz = _o424.dvz;
+            dwx = _o424.dwx;
+            dwy = _o424.dwy;
+            dwz = _o424.dwz;
+            const LANES(court_rolled_on_out) _o425 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o423.clock;
-            circling = _o423.rolling;
+            clock = _o425.clock;
+            circling = _o425.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -11154,9 +11184,9 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o424 =
+        const LANES(court_rejoined_out) _o426 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o424.rolling;
+        rolling = _o426.rolling;
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
         const M packed = lanes_both(rows, leaves);
         if (lanes_any(packed)) {
@@ -11217,7 +11247,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f486)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f488)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
@@ -11239,32 +11269,32 @@ static void LANES(court_bounded_fix_f486)(LANES(court_bounded_lists) *lists, siz
         const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_board_thickness), p_bridge_depth), p_bridge_half_width), p_end_depth);
         const V _s3 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
         const V _s4 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[14], lanes_mul(p_ring_radius, p_ring_radius));
-        lanes_store(lists->fixed[15], _s1);
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[31], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[34], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[108], lanes_div(K(1.0), _s0));
-        lanes_store(lists->fixed[109], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[158], lanes_mul(K(8.0), _s1));
-        lanes_store(lists->fixed[159], lanes_add(lanes_add(lanes_add(lanes_add(_s2, p_ring_radius), p_wire_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
-        lanes_store(lists->fixed[160], lanes_div(K(1.0), lanes_min(_s3, _s0)));
-        lanes_store(lists->fixed[161], p_restitution_speed);
-        lanes_store(lists->fixed[162], _s4);
-        lanes_store(lists->fixed[163], lanes_mul(_s4, _s4));
-        lanes_store(lists->fixed[164], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        lanes_store(lists->fixed[165], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[19], lanes_mul(p_ring_radius, p_ring_radius));
+        lanes_store(lists->fixed[20], _s1);
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[39], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[111], lanes_div(K(1.0), _s0));
+        lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[161], lanes_mul(K(8.0), _s1));
+        lanes_store(lists->fixed[162], lanes_add(lanes_add(lanes_add(lanes_add(_s2, p_ring_radius), p_wire_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
+        lanes_store(lists->fixed[163], lanes_div(K(1.0), lanes_min(_s3, _s0)));
+        lanes_store(lists->fixed[164], p_restitution_speed);
+        lanes_store(lists->fixed[165], _s4);
+        lanes_store(lists->fixed[166], lanes_mul(_s4, _s4));
+        lanes_store(lists->fixed[167], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        lanes_store(lists->fixed[168], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
     }
 }
 
@@ -11272,7 +11302,7 @@ static void LANES(court_bounded_fix_f486)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f571)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f573)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_backboard_friction = lanes_load(lists->slow_p_backboard_friction + i);
     const V p_backboard_restitution = lanes_load(lists->slow_p_backboard_restitution + i);
@@ -11299,41 +11329,41 @@ static void LANES(court_bounded_fix_f571)(LANES(court_bounded_lists) *lists, siz
         const V _s3 = lanes_add(K(1.0), p_backboard_restitution);
         const V _s4 = lanes_sub(K(1.0), p_bridge_restitution);
         const V _s5 = lanes_add(K(1.0), p_bridge_restitution);
-        lanes_store(lists->fixed[0], p_ball_radius);
-        lanes_store(lists->fixed[1], p_ring_radius);
-        lanes_store(lists->fixed[2], p_wire_radius);
-        lanes_store(lists->fixed[3], p_board_distance);
-        lanes_store(lists->fixed[4], p_board_half_width);
-        lanes_store(lists->fixed[5], p_board_bottom);
-        lanes_store(lists->fixed[6], p_board_top);
-        lanes_store(lists->fixed[7], p_bridge_half_width);
-        lanes_store(lists->fixed[9], lanes_add(p_board_distance, p_board_thickness));
-        lanes_store(lists->fixed[10], lanes_sub(p_wire_radius, p_bridge_depth));
-        lanes_store(lists->fixed[13], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[18], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[45], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[108], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
-        lanes_store(lists->fixed[109], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[110], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
-        lanes_store(lists->fixed[127], lanes_mul(K(0.4), p_gravity));
-        lanes_store(lists->fixed[155], lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)));
-        lanes_store(lists->fixed[164], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        lanes_store(lists->fixed[166], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[167], _s0);
-        lanes_store(lists->fixed[168], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[169], lanes_mul(p_ring_friction, _s1));
-        lanes_store(lists->fixed[170], lanes_mul(_s1, _s0));
-        lanes_store(lists->fixed[171], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        lanes_store(lists->fixed[172], _s2);
-        lanes_store(lists->fixed[173], lanes_mul(_s2, _s2));
-        lanes_store(lists->fixed[174], lanes_mul(p_backboard_friction, _s3));
-        lanes_store(lists->fixed[175], lanes_mul(_s3, _s2));
-        lanes_store(lists->fixed[176], _s4);
-        lanes_store(lists->fixed[177], lanes_mul(_s4, _s4));
-        lanes_store(lists->fixed[178], lanes_mul(p_bridge_friction, _s5));
-        lanes_store(lists->fixed[179], lanes_mul(_s5, _s4));
+        lanes_store(lists->fixed[6], p_ball_radius);
+        lanes_store(lists->fixed[7], p_ring_radius);
+        lanes_store(lists->fixed[8], p_wire_radius);
+        lanes_store(lists->fixed[9], p_board_distance);
+        lanes_store(lists->fixed[10], p_board_half_width);
+        lanes_store(lists->fixed[11], p_board_bottom);
+        lanes_store(lists->fixed[12], p_board_top);
+        lanes_store(lists->fixed[13], p_bridge_half_width);
+        lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
+        lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
+        lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[23], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[50], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[111], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
+        lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[113], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
+        lanes_store(lists->fixed[130], lanes_mul(K(0.4), p_gravity));
+        lanes_store(lists->fixed[158], lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)));
+        lanes_store(lists->fixed[167], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        lanes_store(lists->fixed[169], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[170], _s0);
+        lanes_store(lists->fixed[171], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[172], lanes_mul(p_ring_friction, _s1));
+        lanes_store(lists->fixed[173], lanes_mul(_s1, _s0));
+        lanes_store(lists->fixed[174], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        lanes_store(lists->fixed[175], _s2);
+        lanes_store(lists->fixed[176], lanes_mul(_s2, _s2));
+        lanes_store(lists->fixed[177], lanes_mul(p_backboard_friction, _s3));
+        lanes_store(lists->fixed[178], lanes_mul(_s3, _s2));
+        lanes_store(lists->fixed[179], _s4);
+        lanes_store(lists->fixed[180], lanes_mul(_s4, _s4));
+        lanes_store(lists->fixed[181], lanes_mul(p_bridge_friction, _s5));
+        lanes_store(lists->fixed[182], lanes_mul(_s5, _s4));
     }
 }
 
@@ -11346,7 +11376,7 @@ static void LANES(court_bounded_slow)(LANES(court_bounded_lists) *lists, size_t 
     for (size_t i = 0; i < slow_shots; i += LANES_WIDTH) {
         const M rows = lanes_first(slow_shots - i);
         if (LANES_SELDOM(varying))
-            LANES(court_bounded_fix_f571)(lists, i);
+            LANES(court_bounded_fix_f573)(lists, i);
         V assured = lanes_load(lists->slow_assured + i);
         V held = lanes_load(lists->slow_held + i);
         V mode = lanes_load(lists->slow_mode + i);
@@ -11364,243 +11394,243 @@ static void LANES(court_bounded_slow)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->slow_x + i);
         V y = lanes_load(lists->slow_y + i);
         V z = lanes_load(lists->slow_z + i);
-        const LANES(court_ring_normal_out) _o572 =
-            LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[108]));
-        V nx = _o572.nx;
-        V ny = _o572.ny;
-        V nz = _o572.nz;
-        const LANES(court_here_out) _o573 =
+        const LANES(court_ring_normal_out) _o574 =
+            LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[111]));
+        V nx = _o574.nx;
+        V ny = _o574.ny;
+        V nz = _o574.nz;
+        const LANES(court_here_out) _o575 =
             LANES(court_here)(K(1.0), which);
-        M here = _o573.here;
-        const M _m574 = lanes_both(rows, here);
+        M here = _o575.here;
+        const M _m576 = lanes_both(rows, here);
         {
-            const LANES(court_backboard_normal_out) _o575 =
-                LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[9]));
-            nx = lanes_select(_m574, _o575.nx, nx);
-            ny = lanes_select(_m574, _o575.ny, ny);
-            nz = lanes_select(_m574, _o575.nz, nz);
+            const LANES(court_backboard_normal_out) _o577 =
+                LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
+            nx = lanes_select(_m576, _o577.nx, nx);
+            ny = lanes_select(_m576, _o577.ny, ny);
+            nz = lanes_select(_m576, _o577.nz, nz);
         }
-        const LANES(court_here_out) _o576 =
+        const LANES(court_here_out) _o578 =
             LANES(court_here)(K(2.0), which);
-        here = _o576.here;
-        const M _m577 = lanes_both(rows, here);
+        here = _o578.here;
+        const M _m579 = lanes_both(rows, here);
         {
-            const LANES(court_bridge_normal_out) _o578 =
-                LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[10]));
-            nx = lanes_select(_m577, _o578.nx, nx);
-            ny = lanes_select(_m577, _o578.ny, ny);
-            nz = lanes_select(_m577, _o578.nz, nz);
+            const LANES(court_bridge_normal_out) _o580 =
+                LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
+            nx = lanes_select(_m579, _o580.nx, nx);
+            ny = lanes_select(_m579, _o580.ny, ny);
+            nz = lanes_select(_m579, _o580.nz, nz);
         }
-        const LANES(court_nearly_out) _o579 =
-            LANES(court_nearly)(nx, ny, nz, vx, vy, vz, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[164]));
-        M nearly = _o579.nearly;
-        const LANES(court_gripped_out) _o580 =
-            LANES(court_gripped)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[0]));
-        V rolled_x = _o580.rolled_x;
-        V rolled_y = _o580.rolled_y;
-        V rolled_z = _o580.rolled_z;
-        V slip = _o580.slip;
-        V bounce = _o580.bounce;
-        const LANES(court_here_out) _o581 =
+        const LANES(court_nearly_out) _o581 =
+            LANES(court_nearly)(nx, ny, nz, vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[167]));
+        M nearly = _o581.nearly;
+        const LANES(court_gripped_out) _o582 =
+            LANES(court_gripped)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[6]));
+        V rolled_x = _o582.rolled_x;
+        V rolled_y = _o582.rolled_y;
+        V rolled_z = _o582.rolled_z;
+        V slip = _o582.slip;
+        V bounce = _o582.bounce;
+        const LANES(court_here_out) _o583 =
             LANES(court_here)(K(0.0), which);
-        here = _o581.here;
-        const M _m582 = lanes_both(rows, here);
-        if (lanes_any(_m582)) {
-            const LANES(court_ring_turning_out) _o583 =
-                LANES(court_ring_turning)(rolled_x, rolled_y, rolled_z, x, y, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[108]));
-            V turning_x = _o583.turning_x;
-            V turning_y = _o583.turning_y;
-            V turning_z = _o583.turning_z;
-            const LANES(court_pressed_on_out) _o584 =
-                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[166]), lanes_load(lists->fixed[127]));
-            V press = _o584.press;
-            V weight = _o584.weight;
-            V drag = _o584.drag;
-            V thrust_x = _o584.thrust_x;
-            V thrust_y = _o584.thrust_y;
-            V thrust_z = _o584.thrust_z;
-            const LANES(court_alone_out) _o585 =
+        here = _o583.here;
+        const M _m584 = lanes_both(rows, here);
+        if (lanes_any(_m584)) {
+            const LANES(court_ring_turning_out) _o585 =
+                LANES(court_ring_turning)(rolled_x, rolled_y, rolled_z, x, y, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[111]));
+            V turning_x = _o585.turning_x;
+            V turning_y = _o585.turning_y;
+            V turning_z = _o585.turning_z;
+            const LANES(court_pressed_on_out) _o586 =
+                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[169]), lanes_load(lists->fixed[130]));
+            V press = _o586.press;
+            V weight = _o586.weight;
+            V drag = _o586.drag;
+            V thrust_x = _o586.thrust_x;
+            V thrust_y = _o586.thrust_y;
+            V thrust_z = _o586.thrust_z;
+            const LANES(court_alone_out) _o587 =
                 LANES(court_alone)();
-            V nearest = _o585.nearest;
-            V wedge = _o585.wedge;
-            const LANES(court_backboard_closing_out) _o586 =
-                LANES(court_backboard_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-            V gap = _o586.gap;
-            V nearing = _o586.nearing;
-            V swerve = _o586.swerve;
-            V facing = _o586.facing;
-            const LANES(court_neared_body_out) _o587 =
-                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o587.nearest;
-            wedge = _o587.wedge;
-            const LANES(court_bridge_closing_out) _o588 =
-                LANES(court_bridge_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-            gap = _o588.gap;
-            nearing = _o588.nearing;
-            swerve = _o588.swerve;
-            facing = _o588.facing;
+            V nearest = _o587.nearest;
+            V wedge = _o587.wedge;
+            const LANES(court_backboard_closing_out) _o588 =
+                LANES(court_backboard_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
+            V gap = _o588.gap;
+            V nearing = _o588.nearing;
+            V swerve = _o588.swerve;
+            V facing = _o588.facing;
             const LANES(court_neared_body_out) _o589 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o589.nearest;
             wedge = _o589.wedge;
-            const LANES(court_end_beside_out) _o590 =
-                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[13]));
+            const LANES(court_bridge_closing_out) _o590 =
+                LANES(court_bridge_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
             gap = _o590.gap;
-            const LANES(court_neared_out) _o591 =
-                LANES(court_neared)(gap, nearest);
-            nearest = _o591.nearest;
-            const LANES(court_ring_parting_out) _o592 =
-                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[155]));
-            V lift = _o592.lift;
-            const LANES(court_ring_impact_settling_out) _o593 =
-                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[167]), lanes_load(lists->fixed[168]), lanes_load(lists->fixed[169]), lanes_load(lists->fixed[170]), lanes_load(lists->fixed[110]), lanes_load(lists->fixed[171]));
-            M settles = _o593.settles;
-            M lodges = _o593.lodges;
-            M slides = _o593.slides;
-            M parts = _o593.parts;
-            assured = lanes_select(_m582, _o593.assured, assured);
-            M unsure = _o593.unsure;
-            const LANES(court_settled_out) _o594 =
-                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-            mode = lanes_select(_m582, _o594.mode, mode);
-            held = lanes_select(_m582, _o594.held, held);
-            outcome = lanes_select(_m582, _o594.outcome, outcome);
-            slip_left = lanes_select(_m582, _o594.slip_left, slip_left);
-            uncertain = lanes_select(_m582, _o594.uncertain, uncertain);
-        }
-        const LANES(court_here_out) _o595 =
-            LANES(court_here)(K(1.0), which);
-        here = _o595.here;
-        const M _m596 = lanes_both(rows, here);
-        if (lanes_any(_m596)) {
-            const LANES(court_backboard_turning_out) _o597 =
-                LANES(court_backboard_turning)(rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[9]));
-            V turning_x = _o597.turning_x;
-            V turning_y = _o597.turning_y;
-            V turning_z = _o597.turning_z;
-            const LANES(court_pressed_on_out) _o598 =
-                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[166]), lanes_load(lists->fixed[127]));
-            V press = _o598.press;
-            V weight = _o598.weight;
-            V drag = _o598.drag;
-            V thrust_x = _o598.thrust_x;
-            V thrust_y = _o598.thrust_y;
-            V thrust_z = _o598.thrust_z;
-            const LANES(court_alone_out) _o599 =
-                LANES(court_alone)();
-            V nearest = _o599.nearest;
-            V wedge = _o599.wedge;
-            const LANES(court_ring_closing_out) _o600 =
-                LANES(court_ring_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]));
-            V gap = _o600.gap;
-            V nearing = _o600.nearing;
-            V swerve = _o600.swerve;
-            V facing = _o600.facing;
-            const LANES(court_neared_body_out) _o601 =
+            nearing = _o590.nearing;
+            swerve = _o590.swerve;
+            facing = _o590.facing;
+            const LANES(court_neared_body_out) _o591 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o601.nearest;
-            wedge = _o601.wedge;
-            const LANES(court_bridge_closing_out) _o602 =
-                LANES(court_bridge_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[10]));
-            gap = _o602.gap;
-            nearing = _o602.nearing;
-            swerve = _o602.swerve;
-            facing = _o602.facing;
+            nearest = _o591.nearest;
+            wedge = _o591.wedge;
+            const LANES(court_end_beside_out) _o592 =
+                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
+            gap = _o592.gap;
+            const LANES(court_neared_out) _o593 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o593.nearest;
+            const LANES(court_ring_parting_out) _o594 =
+                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[158]));
+            V lift = _o594.lift;
+            const LANES(court_ring_impact_settling_out) _o595 =
+                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[170]), lanes_load(lists->fixed[171]), lanes_load(lists->fixed[172]), lanes_load(lists->fixed[173]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[174]));
+            M settles = _o595.settles;
+            M lodges = _o595.lodges;
+            M slides = _o595.slides;
+            M parts = _o595.parts;
+            assured = lanes_select(_m584, _o595.assured, assured);
+            M unsure = _o595.unsure;
+            const LANES(court_settled_out) _o596 =
+                LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
+            mode = lanes_select(_m584, _o596.mode, mode);
+            held = lanes_select(_m584, _o596.held, held);
+            outcome = lanes_select(_m584, _o596.outcome, outcome);
+            slip_left = lanes_select(_m584, _o596.slip_left, slip_left);
+            uncertain = lanes_select(_m584, _o596.uncertain, uncertain);
+        }
+        const LANES(court_here_out) _o597 =
+            LANES(court_here)(K(1.0), which);
+        here = _o597.here;
+        const M _m598 = lanes_both(rows, here);
+        if (lanes_any(_m598)) {
+            const LANES(court_backboard_turning_out) _o599 =
+                LANES(court_backboard_turning)(rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
+            V turning_x = _o599.turning_x;
+            V turning_y = _o599.turning_y;
+            V turning_z = _o599.turning_z;
+            const LANES(court_pressed_on_out) _o600 =
+                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[169]), lanes_load(lists->fixed[130]));
+            V press = _o600.press;
+            V weight = _o600.weight;
+            V drag = _o600.drag;
+            V thrust_x = _o600.thrust_x;
+            V thrust_y = _o600.thrust_y;
+            V thrust_z = _o600.thrust_z;
+            const LANES(court_alone_out) _o601 =
+                LANES(court_alone)();
+            V nearest = _o601.nearest;
+            V wedge = _o601.wedge;
+            const LANES(court_ring_closing_out) _o602 =
+                LANES(court_ring_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]));
+            V gap = _o602.gap;
+            V nearing = _o602.nearing;
+            V swerve = _o602.swerve;
+            V facing = _o602.facing;
             const LANES(court_neared_body_out) _o603 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o603.nearest;
             wedge = _o603.wedge;
-            const LANES(court_end_beside_out) _o604 =
-                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[13]));
+            const LANES(court_bridge_closing_out) _o604 =
+                LANES(court_bridge_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
             gap = _o604.gap;
-            const LANES(court_neared_out) _o605 =
-                LANES(court_neared)(gap, nearest);
-            nearest = _o605.nearest;
-            const LANES(court_backboard_parting_out) _o606 =
-                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[9]));
-            V lift = _o606.lift;
-            const LANES(court_ring_impact_settling_out) _o607 =
-                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[172]), lanes_load(lists->fixed[173]), lanes_load(lists->fixed[174]), lanes_load(lists->fixed[175]), lanes_load(lists->fixed[110]), lanes_load(lists->fixed[171]));
-            M settles = _o607.settles;
-            M lodges = _o607.lodges;
-            M slides = _o607.slides;
-            M parts = _o607.parts;
-            assured = lanes_select(_m596, _o607.assured, assured);
-            M unsure = _o607.unsure;
-            const LANES(court_settled_out) _o608 =
-                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-            mode = lanes_select(_m596, _o608.mode, mode);
-            held = lanes_select(_m596, _o608.held, held);
-            outcome = lanes_select(_m596, _o608.outcome, outcome);
-            slip_left = lanes_select(_m596, _o608.slip_left, slip_left);
-            uncertain = lanes_select(_m596, _o608.uncertain, uncertain);
-        }
-        const LANES(court_here_out) _o609 =
-            LANES(court_here)(K(2.0), which);
-        here = _o609.here;
-        const M _m610 = lanes_both(rows, here);
-        if (lanes_any(_m610)) {
-            const LANES(court_bridge_turning_out) _o611 =
-                LANES(court_bridge_turning)(rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[10]));
-            V turning_x = _o611.turning_x;
-            V turning_y = _o611.turning_y;
-            V turning_z = _o611.turning_z;
-            const LANES(court_pressed_on_out) _o612 =
-                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[166]), lanes_load(lists->fixed[127]));
-            V press = _o612.press;
-            V weight = _o612.weight;
-            V drag = _o612.drag;
-            V thrust_x = _o612.thrust_x;
-            V thrust_y = _o612.thrust_y;
-            V thrust_z = _o612.thrust_z;
-            const LANES(court_alone_out) _o613 =
-                LANES(court_alone)();
-            V nearest = _o613.nearest;
-            V wedge = _o613.wedge;
-            const LANES(court_ring_closing_out) _o614 =
-                LANES(court_ring_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]));
-            V gap = _o614.gap;
-            V nearing = _o614.nearing;
-            V swerve = _o614.swerve;
-            V facing = _o614.facing;
-            const LANES(court_neared_body_out) _o615 =
+            nearing = _o604.nearing;
+            swerve = _o604.swerve;
+            facing = _o604.facing;
+            const LANES(court_neared_body_out) _o605 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o615.nearest;
-            wedge = _o615.wedge;
-            const LANES(court_backboard_closing_out) _o616 =
-                LANES(court_backboard_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]));
-            gap = _o616.gap;
-            nearing = _o616.nearing;
-            swerve = _o616.swerve;
-            facing = _o616.facing;
+            nearest = _o605.nearest;
+            wedge = _o605.wedge;
+            const LANES(court_end_beside_out) _o606 =
+                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
+            gap = _o606.gap;
+            const LANES(court_neared_out) _o607 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o607.nearest;
+            const LANES(court_backboard_parting_out) _o608 =
+                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[15]));
+            V lift = _o608.lift;
+            const LANES(court_ring_impact_settling_out) _o609 =
+                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[175]), lanes_load(lists->fixed[176]), lanes_load(lists->fixed[177]), lanes_load(lists->fixed[178]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[174]));
+            M settles = _o609.settles;
+            M lodges = _o609.lodges;
+            M slides = _o609.slides;
+            M parts = _o609.parts;
+            assured = lanes_select(_m598, _o609.assured, assured);
+            M unsure = _o609.unsure;
+            const LANES(court_settled_out) _o610 =
+                LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
+            mode = lanes_select(_m598, _o610.mode, mode);
+            held = lanes_select(_m598, _o610.held, held);
+            outcome = lanes_select(_m598, _o610.outcome, outcome);
+            slip_left = lanes_select(_m598, _o610.slip_left, slip_left);
+            uncertain = lanes_select(_m598, _o610.uncertain, uncertain);
+        }
+        const LANES(court_here_out) _o611 =
+            LANES(court_here)(K(2.0), which);
+        here = _o611.here;
+        const M _m612 = lanes_both(rows, here);
+        if (lanes_any(_m612)) {
+            const LANES(court_bridge_turning_out) _o613 =
+                LANES(court_bridge_turning)(rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
+            V turning_x = _o613.turning_x;
+            V turning_y = _o613.turning_y;
+            V turning_z = _o613.turning_z;
+            const LANES(court_pressed_on_out) _o614 =
+                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[169]), lanes_load(lists->fixed[130]));
+            V press = _o614.press;
+            V weight = _o614.weight;
+            V drag = _o614.drag;
+            V thrust_x = _o614.thrust_x;
+            V thrust_y = _o614.thrust_y;
+            V thrust_z = _o614.thrust_z;
+            const LANES(court_alone_out) _o615 =
+                LANES(court_alone)();
+            V nearest = _o615.nearest;
+            V wedge = _o615.wedge;
+            const LANES(court_ring_closing_out) _o616 =
+                LANES(court_ring_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]));
+            V gap = _o616.gap;
+            V nearing = _o616.nearing;
+            V swerve = _o616.swerve;
+            V facing = _o616.facing;
             const LANES(court_neared_body_out) _o617 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o617.nearest;
             wedge = _o617.wedge;
-            const LANES(court_end_beside_out) _o618 =
-                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[13]));
+            const LANES(court_backboard_closing_out) _o618 =
+                LANES(court_backboard_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
             gap = _o618.gap;
-            const LANES(court_neared_out) _o619 =
-                LANES(court_neared)(gap, nearest);
+            nearing = _o618.nearing;
+            swerve = _o618.swerve;
+            facing = _o618.facing;
+            const LANES(court_neared_body_out) _o619 =
+                LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
             nearest = _o619.nearest;
-            const LANES(court_bridge_parting_out) _o620 =
-                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[10]));
-            V lift = _o620.lift;
-            const LANES(court_ring_impact_settling_out) _o621 =
-                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[176]), lanes_load(lists->fixed[177]), lanes_load(lists->fixed[178]), lanes_load(lists->fixed[179]), lanes_load(lists->fixed[110]), lanes_load(lists->fixed[171]));
-            M settles = _o621.settles;
-            M lodges = _o621.lodges;
-            M slides = _o621.slides;
-            M parts = _o621.parts;
-            assured = lanes_select(_m610, _o621.assured, assured);
-            M unsure = _o621.unsure;
-            const LANES(court_settled_out) _o622 =
+            wedge = _o619.wedge;
+            const LANES(court_end_beside_out) _o620 =
+                LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
+            gap = _o620.gap;
+            const LANES(court_neared_out) _o621 =
+                LANES(court_neared)(gap, nearest);
+            nearest = _o621.nearest;
+            const LANES(court_bridge_parting_out) _o622 =
+                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[16]));
+            V lift = _o622.lift;
+            const LANES(court_ring_impact_settling_out) _o623 =
+                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[179]), lanes_load(lists->fixed[180]), lanes_load(lists->fixed[181]), lanes_load(lists->fixed[182]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[174]));
+            M settles = _o623.settles;
+            M lodges = _o623.lodges;
+            M slides = _o623.slides;
+            M parts = _o623.parts;
+            assured = lanes_select(_m612, _o623.assured, assured);
+            M unsure = _o623.unsure;
+            const LANES(court_settled_out) _o624 =
                 LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-            mode = lanes_select(_m610, _o622.mode, mode);
-            held = lanes_select(_m610, _o622.held, held);
-            outcome = lanes_select(_m610, _o622.outcome, outcome);
-            slip_left = lanes_select(_m610, _o622.slip_left, slip_left);
-            uncertain = lanes_select(_m610, _o622.uncertain, uncertain);
+            mode = lanes_select(_m612, _o624.mode, mode);
+            held = lanes_select(_m612, _o624.held, held);
+            outcome = lanes_select(_m612, _o624.outcome, outcome);
+            slip_left = lanes_select(_m612, _o624.slip_left, slip_left);
+            uncertain = lanes_select(_m612, _o624.uncertain, uncertain);
         }
         lanes_store(lists->slow_assured + i, assured);
         lanes_store(lists->slow_held + i, held);
@@ -11615,12 +11645,12 @@ static void LANES(court_bounded_slow)(LANES(court_bounded_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f623)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f625)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_gravity = lanes_load(lists->p_gravity + i);
     {
-        lanes_store(lists->fixed[16], p_gravity);
-        lanes_store(lists->fixed[48], lanes_abs(K(0.0)));
+        lanes_store(lists->fixed[21], p_gravity);
+        lanes_store(lists->fixed[53], lanes_abs(K(0.0)));
     }
 }
 
@@ -11683,6 +11713,7 @@ static void LANES(court_bounded)(const court_job *job)
 
         /* A new shot is looked at once. */
         for (size_t i = fresh; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
                 LANES(court_bounded_fix_f1)(lists, i);
             V last = lanes_load(lists->last + i);
@@ -11699,18 +11730,26 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_finite_state_out) _o2 =
                 LANES(court_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
             M finite = _o2.finite;
-            const LANES(court_valid_out) _o3 =
-                LANES(court_valid)(last, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]));
+            const LANES(court_aside_out) _o3 =
+                LANES(court_aside)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]));
+            M near = _o3.near;
             V valid = _o3.valid;
             V doubt = _o3.doubt;
-            const LANES(court_admitted_out) _o4 =
+            const M _m4 = lanes_both(rows, near);
+            if (lanes_any(_m4)) {
+                const LANES(court_valid_out) _o5 =
+                    LANES(court_valid)(last, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[0]));
+                valid = lanes_select(_m4, _o5.valid, valid);
+                doubt = lanes_select(_m4, _o5.doubt, doubt);
+            }
+            const LANES(court_admitted_out) _o6 =
                 LANES(court_admitted)(doubt, finite, permitted, valid);
-            V outcome = _o4.outcome;
-            V uncertain = _o4.uncertain;
-            const LANES(court_passing_start_out) _o5 =
-                LANES(court_passing_start)(last, outcome, uncertain, x, y, z, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[14]));
-            V through = _o5.through;
-            uncertain = _o5.uncertain;
+            V outcome = _o6.outcome;
+            V uncertain = _o6.uncertain;
+            const LANES(court_passing_start_out) _o7 =
+                LANES(court_passing_start)(last, outcome, uncertain, x, y, z, lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]));
+            V through = _o7.through;
+            uncertain = _o7.uncertain;
             lanes_store(lists->outcome + i, outcome);
             lanes_store(lists->through + i, through);
             lanes_store(lists->uncertain + i, uncertain);
@@ -11731,7 +11770,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M rows = lanes_first(shots - i);
             LANES(court_ahead)(job, begun + i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f6)(lists, i);
+                LANES(court_bounded_fix_f8)(lists, i);
             V clock_error = lanes_load(lists->clock_error + i);
             V dvx = lanes_load(lists->dvx + i);
             V dvy = lanes_load(lists->dvy + i);
@@ -11750,86 +11789,86 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_error_bounds_out) _o7 =
+            const LANES(court_error_bounds_out) _o9 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o7.position_error;
-            V velocity_error = _o7.velocity_error;
-            V time_error = _o7.time_error;
-            const LANES(court_scale_out) _o8 =
-                LANES(court_scale)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]));
-            V extent = _o8.extent;
-            V speed = _o8.speed;
-            V excess = _o8.excess;
-            const LANES(court_opening_out) _o9 =
+            V position_error = _o9.position_error;
+            V velocity_error = _o9.velocity_error;
+            V time_error = _o9.time_error;
+            const LANES(court_scale_out) _o10 =
+                LANES(court_scale)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[20]));
+            V extent = _o10.extent;
+            V speed = _o10.speed;
+            V excess = _o10.excess;
+            const LANES(court_opening_out) _o11 =
                 LANES(court_opening)(excess, position_error, velocity_error);
-            V when = _o9.when;
-            V which = _o9.which;
-            V late = _o9.late;
-            V doubt = _o9.doubt;
-            const LANES(court_limited_out) _o10 =
+            V when = _o11.when;
+            V which = _o11.which;
+            V late = _o11.late;
+            V doubt = _o11.doubt;
+            const LANES(court_limited_out) _o12 =
                 LANES(court_limited)(time_limit);
-            M limited = _o10.limited;
-            const LANES(court_kept_out) _o11 =
+            M limited = _o12.limited;
+            const LANES(court_kept_out) _o13 =
                 LANES(court_kept)(mode, when);
-            M kept = _o11.kept;
-            when = _o11.when;
-            M rests = _o11.rests;
-            M rolling = _o11.rolling;
-            V began = _o11.began;
-            const LANES(court_left_out) _o12 =
+            M kept = _o13.kept;
+            when = _o13.when;
+            M rests = _o13.rests;
+            M rolling = _o13.rolling;
+            V began = _o13.began;
+            const LANES(court_left_out) _o14 =
                 LANES(court_left)(K(3.0), last);
-            V leaving = _o12.leaving;
-            const LANES(court_end_arrival_out) _o13 =
-                LANES(court_end_arrival)(leaving, z, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]), lanes_load(lists->fixed[20]));
-            V time = _o13.time;
-            V rate = _o13.rate;
-            V bend = _o13.bend;
-            V apex = _o13.apex;
-            V height = _o13.height;
-            const LANES(court_meeting_plane_out) _o14 =
+            V leaving = _o14.leaving;
+            const LANES(court_end_arrival_out) _o15 =
+                LANES(court_end_arrival)(leaving, z, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]));
+            V time = _o15.time;
+            V rate = _o15.rate;
+            V bend = _o15.bend;
+            V apex = _o15.apex;
+            V height = _o15.height;
+            const LANES(court_meeting_plane_out) _o16 =
                 LANES(court_meeting_plane)(bend, rate, time);
-            M arrives = _o14.arrives;
-            V ceiling = _o14.ceiling;
-            const LANES(court_end_margin_out) _o15 =
-                LANES(court_end_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[21]));
-            V margin = _o15.margin;
-            const LANES(court_crossing_out) _o16 =
+            M arrives = _o16.arrives;
+            V ceiling = _o16.ceiling;
+            const LANES(court_end_margin_out) _o17 =
+                LANES(court_end_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[26]));
+            V margin = _o17.margin;
+            const LANES(court_crossing_out) _o18 =
                 LANES(court_crossing)(margin, K(0.0), rate, ceiling);
-            V clearance = _o16.clearance;
-            V delay = _o16.delay;
-            const LANES(court_timely_out) _o17 =
+            V clearance = _o18.clearance;
+            V delay = _o18.delay;
+            const LANES(court_timely_out) _o19 =
                 LANES(court_timely)(arrives, delay, late, time, when);
-            M possible = _o17.possible;
-            const LANES(court_end_margin_out) _o18 =
-                LANES(court_end_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[21]));
-            margin = _o18.margin;
-            const LANES(court_grazed_out) _o19 =
+            M possible = _o19.possible;
+            const LANES(court_end_margin_out) _o20 =
+                LANES(court_end_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[26]));
+            margin = _o20.margin;
+            const LANES(court_grazed_out) _o21 =
                 LANES(court_grazed)(apex, doubt, height, margin);
-            doubt = _o19.doubt;
-            const M _m20 = lanes_both(rows, possible);
+            doubt = _o21.doubt;
+            const M _m22 = lanes_both(rows, possible);
             {
-                const LANES(court_crossed_out) _o21 =
+                const LANES(court_crossed_out) _o23 =
                     LANES(court_crossed)(arrives, clearance, doubt, time);
-                doubt = lanes_select(_m20, _o21.doubt, doubt);
-                const LANES(court_tied_out) _o22 =
+                doubt = lanes_select(_m22, _o23.doubt, doubt);
+                const LANES(court_tied_out) _o24 =
                     LANES(court_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m20, _o22.doubt, doubt);
-                late = lanes_select(_m20, _o22.late, late);
-                const LANES(court_sooner_out) _o23 =
+                doubt = lanes_select(_m22, _o24.doubt, doubt);
+                late = lanes_select(_m22, _o24.late, late);
+                const LANES(court_sooner_out) _o25 =
                     LANES(court_sooner)(arrives, K(3.0), time, when, which);
-                when = lanes_select(_m20, _o23.when, when);
-                which = lanes_select(_m20, _o23.which, which);
+                when = lanes_select(_m22, _o25.when, when);
+                which = lanes_select(_m22, _o25.which, which);
             }
-            const LANES(court_horizon_out) _o24 =
-                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[15]));
-            V until = _o24.horizon;
-            V pad = _o24.pad;
-            const LANES(court_ring_clear_out) _o25 =
-                LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]));
-            V clear = _o25.clear;
-            const LANES(court_opens_in_flight_out) _o26 =
+            const LANES(court_horizon_out) _o26 =
+                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
+            V until = _o26.horizon;
+            V pad = _o26.pad;
+            const LANES(court_ring_clear_out) _o27 =
+                LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]));
+            V clear = _o27.clear;
+            const LANES(court_opens_in_flight_out) _o28 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o26.open;
+            M open = _o28.open;
             lanes_store(lists->began + i, began);
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->extent + i, extent);
@@ -11878,7 +11917,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f27)(lists, i);
+                LANES(court_bounded_fix_f29)(lists, i);
             V doubt = lanes_load(lists->open_doubt + i);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
@@ -11894,93 +11933,93 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_beginning_out) _o28 =
+            const LANES(court_beginning_out) _o30 =
                 LANES(court_beginning)();
-            V share = _o28.share;
-            V arrival = _o28.arrival;
-            M certain = _o28.certain;
-            const LANES(court_left_out) _o29 =
+            V share = _o30.share;
+            V arrival = _o30.arrival;
+            M certain = _o30.certain;
+            const LANES(court_left_out) _o31 =
                 LANES(court_left)(K(0.0), last);
-            V leaving = _o29.leaving;
-            const LANES(court_ring_opened_out) _o30 =
+            V leaving = _o31.leaving;
+            const LANES(court_ring_opened_out) _o32 =
                 LANES(court_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[2]), singles_load(lists->fixed_single[3]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[5]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[7]), singles_load(lists->fixed_single[8]), singles_load(lists->fixed_single[9]));
-            S onset = _o30.t;
-            S wide_end = _o30.end;
-            M searching = _o30.searching;
-            S wide_low1 = _o30.low1;
-            S wide_high1 = _o30.high1;
-            S wide_low2 = _o30.low2;
-            S wide_high2 = _o30.high2;
-            S lapsed = _o30.latest;
-            M sound = _o30.sound;
-            const LANES(court_opened_out) _o31 =
+            S onset = _o32.t;
+            S wide_end = _o32.end;
+            M searching = _o32.searching;
+            S wide_low1 = _o32.low1;
+            S wide_high1 = _o32.high1;
+            S wide_low2 = _o32.low2;
+            S wide_high2 = _o32.high2;
+            S lapsed = _o32.latest;
+            M sound = _o32.sound;
+            const LANES(court_opened_out) _o33 =
                 LANES(court_opened)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _o31.time;
-            V latest = _o31.latest;
-            const LANES(court_ring_started_out) _o32 =
-                LANES(court_ring_started)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[1]));
-            V rho_start = _o32.rho_start;
-            V parting = _o32.parting;
-            V drift = _o32.drift;
-            const LANES(court_flight_out) _o33 =
-                LANES(court_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[31]));
-            V near_x = _o33.x;
-            V near_y = _o33.y;
-            V near_z = _o33.z;
-            V near_vz = _o33.vz;
-            const LANES(court_ring_grain_out) _o34 =
+            V since = _o33.time;
+            V latest = _o33.latest;
+            const LANES(court_ring_started_out) _o34 =
+                LANES(court_ring_started)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]));
+            V rho_start = _o34.rho_start;
+            V parting = _o34.parting;
+            V drift = _o34.drift;
+            const LANES(court_flight_out) _o35 =
+                LANES(court_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]));
+            V near_x = _o35.x;
+            V near_y = _o35.y;
+            V near_z = _o35.z;
+            V near_vz = _o35.vz;
+            const LANES(court_ring_grain_out) _o36 =
                 LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[10]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[11]), singles_load(lists->fixed_single[12]), singles_load(lists->fixed_single[13]), singles_load(lists->fixed_single[14]), singles_load(lists->fixed_single[15]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[16]), singles_load(lists->fixed_single[17]), singles_load(lists->fixed_single[18]));
-            S short_share = _o34.share;
-            S short_t = _o34.t;
-            S short_end = _o34.end;
-            S short_x = _o34.x;
-            S short_y = _o34.y;
-            S short_z = _o34.z;
-            S short_vx = _o34.vx;
-            S short_vy = _o34.vy;
-            S short_vz = _o34.vz;
-            S short_steady = _o34.steady;
-            S short_swing = _o34.swing;
-            S short_rho_start = _o34.rho_start;
-            S short_ceiling = _o34.ceiling;
-            S short_flat = _o34.flat;
-            S short_tilt = _o34.tilt;
-            S short_jerk = _o34.jerk;
-            S short_grit = _o34.grit;
-            S short_parting = _o34.parting;
-            S short_drift = _o34.drift;
-            S short_rate_margin = _o34.rate_margin;
-            S short_low1 = _o34.low1;
-            S short_high1 = _o34.high1;
-            S short_low2 = _o34.low2;
-            S short_high2 = _o34.high2;
-            M fits = _o34.fits;
-            const LANES(court_coarse_out) _o35 =
+            S short_share = _o36.share;
+            S short_t = _o36.t;
+            S short_end = _o36.end;
+            S short_x = _o36.x;
+            S short_y = _o36.y;
+            S short_z = _o36.z;
+            S short_vx = _o36.vx;
+            S short_vy = _o36.vy;
+            S short_vz = _o36.vz;
+            S short_steady = _o36.steady;
+            S short_swing = _o36.swing;
+            S short_rho_start = _o36.rho_start;
+            S short_ceiling = _o36.ceiling;
+            S short_flat = _o36.flat;
+            S short_tilt = _o36.tilt;
+            S short_jerk = _o36.jerk;
+            S short_grit = _o36.grit;
+            S short_parting = _o36.parting;
+            S short_drift = _o36.drift;
+            S short_rate_margin = _o36.rate_margin;
+            S short_low1 = _o36.low1;
+            S short_high1 = _o36.high1;
+            S short_low2 = _o36.low2;
+            S short_high2 = _o36.high2;
+            M fits = _o36.fits;
+            const LANES(court_coarse_out) _o37 =
                 LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
-            M leaping = _o35.leaping;
-            searching = _o35.searching;
-            M served = _o35.served;
-            V ceiling = _o35.ceiling;
-            V flat = _o35.flat;
-            V tilt = _o35.tilt;
-            V allowing = _o35.allowing;
-            const LANES(court_allowance_out) _o36 =
-                LANES(court_allowance)(allowing, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]));
-            V excess = _o36.excess;
-            const LANES(court_ring_lost_out) _o37 =
-                LANES(court_ring_lost)(until, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[27]));
-            V lost = _o37.lost;
-            const LANES(court_beyond_out) _o38 =
+            M leaping = _o37.leaping;
+            searching = _o37.searching;
+            M served = _o37.served;
+            V ceiling = _o37.ceiling;
+            V flat = _o37.flat;
+            V tilt = _o37.tilt;
+            V allowing = _o37.allowing;
+            const LANES(court_allowance_out) _o38 =
+                LANES(court_allowance)(allowing, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
+            V excess = _o38.excess;
+            const LANES(court_ring_lost_out) _o39 =
+                LANES(court_ring_lost)(until, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]));
+            V lost = _o39.lost;
+            const LANES(court_beyond_out) _o40 =
                 LANES(court_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o38.doubt;
-            const M _m39 = lanes_both(rows, leaping);
-            if (lanes_any(_m39)) {
-                const LANES(court_ring_leap_out) _o40 =
+            doubt = _o40.doubt;
+            const M _m41 = lanes_both(rows, leaping);
+            if (lanes_any(_m41)) {
+                const LANES(court_ring_leap_out) _o42 =
                     LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
-                short_t = singles_select(singles_of(_m39), _o40.t, short_t);
-                short_end = singles_select(singles_of(_m39), _o40.end, short_end);
-                certain = lanes_choose(_m39, _o40.certain, certain);
-                leaping = lanes_choose(_m39, _o40.leaping, leaping);
+                short_t = singles_select(singles_of(_m41), _o42.t, short_t);
+                short_end = singles_select(singles_of(_m41), _o42.end, short_end);
+                certain = lanes_choose(_m41, _o42.certain, certain);
+                leaping = lanes_choose(_m41, _o42.leaping, leaping);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
@@ -12086,7 +12125,7 @@ static void LANES(court_bounded)(const court_job *job)
                     short_y = singles_expand(lists->open_leaping_short_y + taken, idle, short_y);
                     short_z = singles_expand(lists->open_leaping_short_z + taken, idle, short_z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f41)(lists, taken, idle);
+                        LANES(court_bounded_fix_f43)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_leaping_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -12095,12 +12134,12 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(court_ring_leap_out) _o42 =
+                const LANES(court_ring_leap_out) _o44 =
                     LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
-                short_t = _o42.t;
-                short_end = _o42.end;
-                M certain = _o42.certain;
-                leaping = _o42.leaping;
+                short_t = _o44.t;
+                short_end = _o44.end;
+                M certain = _o44.certain;
+                leaping = _o44.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -12146,11 +12185,11 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_leapt_out) _o43 =
+            const LANES(court_leapt_out) _o45 =
                 LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o43.arrival;
-            V t = _o43.t;
-            searching = _o43.searching;
+            arrival = _o45.arrival;
+            V t = _o45.t;
+            searching = _o45.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -12186,7 +12225,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_searching_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f44)(lists, i);
+                LANES(court_bounded_fix_f46)(lists, i);
             V arrival = lanes_load(lists->open_searching_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
             V doubt = lanes_load(lists->open_searching_doubt + i);
@@ -12204,33 +12243,33 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(court_ring_prepare_out) _o45 =
-                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[34]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[27]));
-            V steady = _o45.steady;
-            V swing = _o45.swing;
-            V rho_start = _o45.rho_start;
-            V low0 = _o45.low0;
-            V high0 = _o45.high0;
-            V low1 = _o45.low1;
-            V high1 = _o45.high1;
-            V low2 = _o45.low2;
-            V high2 = _o45.high2;
-            V ceiling = _o45.ceiling;
-            V latest = _o45.latest;
-            const LANES(court_allowance_out) _o46 =
-                LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]));
-            V position_level = _o46.position_level;
-            V velocity_level = _o46.velocity_level;
-            const LANES(court_ring_margins_out) _o47 =
-                LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]));
-            V flat = _o47.margin;
-            V tilt = _o47.leaving_margin;
-            V rate_slack = _o47.rate_margin;
-            const LANES(court_ring_enter_out) _o48 =
+            const LANES(court_ring_prepare_out) _o47 =
+                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[39]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]));
+            V steady = _o47.steady;
+            V swing = _o47.swing;
+            V rho_start = _o47.rho_start;
+            V low0 = _o47.low0;
+            V high0 = _o47.high0;
+            V low1 = _o47.low1;
+            V high1 = _o47.high1;
+            V low2 = _o47.low2;
+            V high2 = _o47.high2;
+            V ceiling = _o47.ceiling;
+            V latest = _o47.latest;
+            const LANES(court_allowance_out) _o48 =
+                LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
+            V position_level = _o48.position_level;
+            V velocity_level = _o48.velocity_level;
+            const LANES(court_ring_margins_out) _o49 =
+                LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
+            V flat = _o49.margin;
+            V tilt = _o49.leaving_margin;
+            V rate_slack = _o49.rate_margin;
+            const LANES(court_ring_enter_out) _o50 =
                 LANES(court_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o48.t;
-            V end = _o48.end;
-            M searching = _o48.searching;
+            t = _o50.t;
+            V end = _o50.end;
+            M searching = _o50.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_latest + i, latest);
@@ -12353,7 +12392,7 @@ static void LANES(court_bounded)(const court_job *job)
                     y = lanes_expand(lists->open_searching_searching_y + taken, idle, y);
                     z = lanes_expand(lists->open_searching_searching_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f49)(lists, taken, idle);
+                        LANES(court_bounded_fix_f51)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_searching_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -12362,56 +12401,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o50 =
+                const LANES(court_nearby_out) _o52 =
                     LANES(court_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o50.leaving;
-                V margin = _o50.margin;
-                const LANES(court_ring_advance_out) _o51 =
-                    LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]));
-                V gap = _o51.gap;
-                V rate = _o51.rate;
-                V bend = _o51.bend;
-                V step = _o51.step;
-                V next = _o51.next;
-                V clearance = _o51.clearance;
-                const LANES(court_struck_out) _o52 =
+                V leaving = _o52.leaving;
+                V margin = _o52.margin;
+                const LANES(court_ring_advance_out) _o53 =
+                    LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[51]), lanes_load(lists->fixed[52]));
+                V gap = _o53.gap;
+                V rate = _o53.rate;
+                V bend = _o53.bend;
+                V step = _o53.step;
+                V next = _o53.next;
+                V clearance = _o53.clearance;
+                const LANES(court_struck_out) _o54 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o52.hit;
-                M sure = _o52.sure;
-                M vague = _o52.vague;
-                const M _m53 = lanes_both(active, vague);
-                if (lanes_any(_m53)) {
-                    const LANES(court_finer_out) _o54 =
+                M hit = _o54.hit;
+                M sure = _o54.sure;
+                M vague = _o54.vague;
+                const M _m55 = lanes_both(active, vague);
+                if (lanes_any(_m55)) {
+                    const LANES(court_finer_out) _o56 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m53, _o54.share, share);
-                    const LANES(court_allowance_out) _o55 =
-                        LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]));
-                    V position_level = _o55.position_level;
-                    V velocity_level = _o55.velocity_level;
-                    V excess = _o55.excess;
-                    const LANES(court_ring_margins_out) _o56 =
-                        LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]));
-                    flat = lanes_select(_m53, _o56.margin, flat);
-                    tilt = lanes_select(_m53, _o56.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m53, _o56.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o57 =
+                    share = lanes_select(_m55, _o56.share, share);
+                    const LANES(court_allowance_out) _o57 =
+                        LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
+                    V position_level = _o57.position_level;
+                    V velocity_level = _o57.velocity_level;
+                    V excess = _o57.excess;
+                    const LANES(court_ring_margins_out) _o58 =
+                        LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
+                    flat = lanes_select(_m55, _o58.margin, flat);
+                    tilt = lanes_select(_m55, _o58.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m55, _o58.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o59 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m53, _o57.doubt, doubt);
+                    doubt = lanes_select(_m55, _o59.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o58 =
+                const LANES(court_advanced_out) _o60 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o58.arrival;
-                certain = _o58.certain;
-                M exhausted = _o58.exhausted;
-                searching = _o58.searching;
-                t = _o58.t;
-                const M _m59 = lanes_both(active, exhausted);
+                arrival = _o60.arrival;
+                certain = _o60.certain;
+                M exhausted = _o60.exhausted;
+                searching = _o60.searching;
+                t = _o60.t;
+                const M _m61 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_ring_enter_out) _o60 =
+                    const LANES(court_ring_enter_out) _o62 =
                         LANES(court_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m59, _o60.t, t);
-                    end = lanes_select(_m59, _o60.end, end);
-                    searching = lanes_choose(_m59, _o60.searching, searching);
+                    t = lanes_select(_m61, _o62.t, t);
+                    end = lanes_select(_m61, _o62.end, end);
+                    searching = lanes_choose(_m61, _o62.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -12453,9 +12492,9 @@ static void LANES(court_bounded)(const court_job *job)
             V doubt = lanes_load(lists->open_searching_doubt + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching_searching + i));
             V t = lanes_load(lists->open_searching_t + i);
-            const LANES(court_questioned_out) _o61 =
+            const LANES(court_questioned_out) _o63 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o61.doubt;
+            doubt = _o63.doubt;
             lanes_store(lists->open_searching_doubt + i, doubt);
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
@@ -12475,7 +12514,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f62)(lists, i);
+                LANES(court_bounded_fix_f64)(lists, i);
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
@@ -12489,37 +12528,37 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o63 =
+            const LANES(court_found_out) _o65 =
                 LANES(court_found)(arrival);
-            M arrives = _o63.arrives;
-            M refining = _o63.refining;
-            V rate = _o63.rate;
-            const LANES(court_nearby_out) _o64 =
+            M arrives = _o65.arrives;
+            M refining = _o65.refining;
+            V rate = _o65.rate;
+            const LANES(court_nearby_out) _o66 =
                 LANES(court_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o64.leaving;
-            const M _m65 = lanes_both(rows, refining);
-            if (lanes_any(_m65)) {
-                const LANES(court_ring_refine_out) _o66 =
-                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[8]));
-                V refined = _o66.time;
-                V gap = _o66.gap;
-                rate = lanes_select(_m65, _o66.rate, rate);
-                const LANES(court_polished_out) _o67 =
+            V leaving = _o66.leaving;
+            const M _m67 = lanes_both(rows, refining);
+            if (lanes_any(_m67)) {
+                const LANES(court_ring_refine_out) _o68 =
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]));
+                V refined = _o68.time;
+                V gap = _o68.gap;
+                rate = lanes_select(_m67, _o68.rate, rate);
+                const LANES(court_polished_out) _o69 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m65, _o67.arrival, arrival);
-                refining = lanes_choose(_m65, _o67.refining, refining);
+                arrival = lanes_select(_m67, _o69.arrival, arrival);
+                refining = lanes_choose(_m67, _o69.refining, refining);
             }
-            const M _m68 = lanes_both(rows, refining);
-            if (lanes_any(_m68)) {
-                const LANES(court_ring_refine_out) _o69 =
-                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[8]));
-                V refined = _o69.time;
-                V gap = _o69.gap;
-                rate = lanes_select(_m68, _o69.rate, rate);
-                const LANES(court_polished_out) _o70 =
+            const M _m70 = lanes_both(rows, refining);
+            if (lanes_any(_m70)) {
+                const LANES(court_ring_refine_out) _o71 =
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]));
+                V refined = _o71.time;
+                V gap = _o71.gap;
+                rate = lanes_select(_m70, _o71.rate, rate);
+                const LANES(court_polished_out) _o72 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m68, _o70.arrival, arrival);
-                refining = lanes_choose(_m68, _o70.refining, refining);
+                arrival = lanes_select(_m70, _o72.arrival, arrival);
+                refining = lanes_choose(_m70, _o72.refining, refining);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -12580,7 +12619,7 @@ static void LANES(court_bounded)(const court_job *job)
                     y = lanes_expand(lists->open_refining_y + taken, idle, y);
                     z = lanes_expand(lists->open_refining_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f71)(lists, taken, idle);
+                        LANES(court_bounded_fix_f73)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -12589,15 +12628,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_ring_refine_out) _o72 =
-                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[8]));
-                V refined = _o72.time;
-                V gap = _o72.gap;
-                V rate = _o72.rate;
-                const LANES(court_polished_out) _o73 =
+                const LANES(court_ring_refine_out) _o74 =
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]));
+                V refined = _o74.time;
+                V gap = _o74.gap;
+                V rate = _o74.rate;
+                const LANES(court_polished_out) _o75 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o73.arrival;
-                refining = _o73.refining;
+                arrival = _o75.arrival;
+                refining = _o75.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -12621,7 +12660,7 @@ static void LANES(court_bounded)(const court_job *job)
         }
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f74)(lists, i);
+                LANES(court_bounded_fix_f76)(lists, i);
             V arrival = lanes_load(lists->open_arrival + i);
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V ceiling = lanes_load(lists->open_ceiling + i);
@@ -12637,33 +12676,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_ring_margins_out) _o75 =
-                LANES(court_ring_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]));
-            V flat = _o75.margin;
-            V tilt = _o75.leaving_margin;
-            V rate_margin = _o75.rate_margin;
-            const LANES(court_own_margin_out) _o76 =
+            const LANES(court_ring_margins_out) _o77 =
+                LANES(court_ring_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
+            V flat = _o77.margin;
+            V tilt = _o77.leaving_margin;
+            V rate_margin = _o77.rate_margin;
+            const LANES(court_own_margin_out) _o78 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o76.margin;
-            const LANES(court_crossing_out) _o77 =
+            V margin = _o78.margin;
+            const LANES(court_crossing_out) _o79 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o77.clearance;
-            V delay = _o77.delay;
-            const LANES(court_landed_out) _o78 =
+            V clearance = _o79.clearance;
+            V delay = _o79.delay;
+            const LANES(court_landed_out) _o80 =
                 LANES(court_landed)(arrival);
-            V time = _o78.time;
-            const LANES(court_landed_surely_out) _o79 =
+            V time = _o80.time;
+            const LANES(court_landed_surely_out) _o81 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o79.delay;
-            doubt = _o79.doubt;
-            const LANES(court_tied_out) _o80 =
+            delay = _o81.delay;
+            doubt = _o81.doubt;
+            const LANES(court_tied_out) _o82 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o80.doubt;
-            late = _o80.late;
-            const LANES(court_sooner_out) _o81 =
+            doubt = _o82.doubt;
+            late = _o82.late;
+            const LANES(court_sooner_out) _o83 =
                 LANES(court_sooner)(arrives, K(0.0), time, when, which);
-            when = _o81.when;
-            which = _o81.which;
+            when = _o83.when;
+            which = _o83.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -12682,7 +12721,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f82)(lists, i);
+                LANES(court_bounded_fix_f84)(lists, i);
             V doubt = lanes_load(lists->doubt + i);
             V extent = lanes_load(lists->extent + i);
             M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
@@ -12699,30 +12738,30 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o83 =
-                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[15]));
-            V until = _o83.horizon;
-            V pad = _o83.pad;
-            const LANES(court_halved_out) _o84 =
-                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[49]));
-            V middle_x = _o84.middle_x;
-            V reach_x = _o84.reach_x;
-            V later_middle_x = _o84.later_middle_x;
-            V later_reach_x = _o84.later_reach_x;
-            V middle_y = _o84.middle_y;
-            V reach_y = _o84.reach_y;
-            V later_middle_y = _o84.later_middle_y;
-            V later_reach_y = _o84.later_reach_y;
-            V middle_z = _o84.middle_z;
-            V reach_z = _o84.reach_z;
-            V later_middle_z = _o84.later_middle_z;
-            V later_reach_z = _o84.later_reach_z;
-            const LANES(court_backboard_near_out) _o85 =
-                LANES(court_backboard_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, lanes_load(lists->fixed[50]), lanes_load(lists->fixed[51]), lanes_load(lists->fixed[52]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[54]), lanes_load(lists->fixed[55]));
-            M reachable = _o85.near;
-            const LANES(court_reachable_in_flight_out) _o86 =
+            const LANES(court_horizon_out) _o85 =
+                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
+            V until = _o85.horizon;
+            V pad = _o85.pad;
+            const LANES(court_halved_out) _o86 =
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[54]));
+            V middle_x = _o86.middle_x;
+            V reach_x = _o86.reach_x;
+            V later_middle_x = _o86.later_middle_x;
+            V later_reach_x = _o86.later_reach_x;
+            V middle_y = _o86.middle_y;
+            V reach_y = _o86.reach_y;
+            V later_middle_y = _o86.later_middle_y;
+            V later_reach_y = _o86.later_reach_y;
+            V middle_z = _o86.middle_z;
+            V reach_z = _o86.reach_z;
+            V later_middle_z = _o86.later_middle_z;
+            V later_reach_z = _o86.later_reach_z;
+            const LANES(court_backboard_near_out) _o87 =
+                LANES(court_backboard_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, lanes_load(lists->fixed[55]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[56]), lanes_load(lists->fixed[57]), lanes_load(lists->fixed[58]), lanes_load(lists->fixed[59]));
+            M reachable = _o87.near;
+            const LANES(court_reachable_in_flight_out) _o88 =
                 LANES(court_reachable_in_flight)(kept, reachable);
-            reachable = _o86.reachable;
+            reachable = _o88.reachable;
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
                 lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -12758,7 +12797,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(reachable_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f87)(lists, i);
+                LANES(court_bounded_fix_f89)(lists, i);
             V doubt = lanes_load(lists->reachable_doubt + i);
             V extent = lanes_load(lists->reachable_extent + i);
             V last = lanes_load(lists->reachable_last + i);
@@ -12773,94 +12812,94 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_horizon_out) _o88 =
-                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[15]));
-            V until = _o88.horizon;
-            V pad = _o88.pad;
-            const LANES(court_backboard_prepare_out) _o89 =
-                LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[56]), lanes_load(lists->fixed[57]), lanes_load(lists->fixed[58]), lanes_load(lists->fixed[59]), lanes_load(lists->fixed[60]), lanes_load(lists->fixed[61]), lanes_load(lists->fixed[62]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[63]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[64]), lanes_load(lists->fixed[65]), lanes_load(lists->fixed[66]));
-            V low0 = _o89.low0;
-            V high0 = _o89.high0;
-            V low1 = _o89.low1;
-            V high1 = _o89.high1;
-            V ceiling = _o89.ceiling;
-            V latest = _o89.latest;
-            V lost = _o89.lost;
-            const LANES(court_beginning_out) _o90 =
+            const LANES(court_horizon_out) _o90 =
+                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
+            V until = _o90.horizon;
+            V pad = _o90.pad;
+            const LANES(court_backboard_prepare_out) _o91 =
+                LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[60]), lanes_load(lists->fixed[61]), lanes_load(lists->fixed[62]), lanes_load(lists->fixed[63]), lanes_load(lists->fixed[64]), lanes_load(lists->fixed[65]), lanes_load(lists->fixed[66]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]), lanes_load(lists->fixed[70]));
+            V low0 = _o91.low0;
+            V high0 = _o91.high0;
+            V low1 = _o91.low1;
+            V high1 = _o91.high1;
+            V ceiling = _o91.ceiling;
+            V latest = _o91.latest;
+            V lost = _o91.lost;
+            const LANES(court_beginning_out) _o92 =
                 LANES(court_beginning)();
-            V share = _o90.share;
-            V arrival = _o90.arrival;
-            M certain = _o90.certain;
-            const LANES(court_allowance_out) _o91 =
-                LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]));
-            V position_level = _o91.position_level;
-            V velocity_level = _o91.velocity_level;
-            V excess = _o91.excess;
-            const LANES(court_backboard_margins_out) _o92 =
-                LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]), lanes_load(lists->fixed[70]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]));
-            V flat = _o92.margin;
-            V tilt = _o92.leaving_margin;
-            V rate_slack = _o92.rate_margin;
-            const LANES(court_backboard_enter_out) _o93 =
+            V share = _o92.share;
+            V arrival = _o92.arrival;
+            M certain = _o92.certain;
+            const LANES(court_allowance_out) _o93 =
+                LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
+            V position_level = _o93.position_level;
+            V velocity_level = _o93.velocity_level;
+            V excess = _o93.excess;
+            const LANES(court_backboard_margins_out) _o94 =
+                LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[80]), lanes_load(lists->fixed[81]));
+            V flat = _o94.margin;
+            V tilt = _o94.leaving_margin;
+            V rate_slack = _o94.rate_margin;
+            const LANES(court_backboard_enter_out) _o95 =
                 LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o93.t;
-            V end = _o93.end;
-            M searching = _o93.searching;
-            const LANES(court_beyond_windows_out) _o94 =
+            V t = _o95.t;
+            V end = _o95.end;
+            M searching = _o95.searching;
+            const LANES(court_beyond_windows_out) _o96 =
                 LANES(court_beyond_windows)(doubt, excess, late, lost, pad, searching);
-            doubt = _o94.doubt;
-            const M _m95 = lanes_both(rows, searching);
-            if (lanes_any(_m95)) {
-                const LANES(court_nearby_out) _o96 =
+            doubt = _o96.doubt;
+            const M _m97 = lanes_both(rows, searching);
+            if (lanes_any(_m97)) {
+                const LANES(court_nearby_out) _o98 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o96.leaving;
-                V margin = _o96.margin;
-                const LANES(court_backboard_advance_out) _o97 =
-                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[80]));
-                V gap = _o97.gap;
-                V rate = _o97.rate;
-                V bend = _o97.bend;
-                V step = _o97.step;
-                V next = _o97.next;
-                V clearance = _o97.clearance;
-                const LANES(court_struck_or_still_out) _o98 =
+                V leaving = _o98.leaving;
+                V margin = _o98.margin;
+                const LANES(court_backboard_advance_out) _o99 =
+                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[84]));
+                V gap = _o99.gap;
+                V rate = _o99.rate;
+                V bend = _o99.bend;
+                V step = _o99.step;
+                V next = _o99.next;
+                V clearance = _o99.clearance;
+                const LANES(court_struck_or_still_out) _o100 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o98.hit;
-                M sure = _o98.sure;
-                M vague = _o98.vague;
-                const M _m99 = lanes_both(_m95, vague);
-                if (lanes_any(_m99)) {
-                    const LANES(court_finer_out) _o100 =
+                M hit = _o100.hit;
+                M sure = _o100.sure;
+                M vague = _o100.vague;
+                const M _m101 = lanes_both(_m97, vague);
+                if (lanes_any(_m101)) {
+                    const LANES(court_finer_out) _o102 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m99, _o100.share, share);
-                    const LANES(court_allowance_out) _o101 =
-                        LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]));
-                    V position_level = _o101.position_level;
-                    V velocity_level = _o101.velocity_level;
-                    V excess = _o101.excess;
-                    const LANES(court_backboard_margins_out) _o102 =
-                        LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]), lanes_load(lists->fixed[70]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]));
-                    flat = lanes_select(_m99, _o102.margin, flat);
-                    tilt = lanes_select(_m99, _o102.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m99, _o102.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o103 =
+                    share = lanes_select(_m101, _o102.share, share);
+                    const LANES(court_allowance_out) _o103 =
+                        LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
+                    V position_level = _o103.position_level;
+                    V velocity_level = _o103.velocity_level;
+                    V excess = _o103.excess;
+                    const LANES(court_backboard_margins_out) _o104 =
+                        LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[80]), lanes_load(lists->fixed[81]));
+                    flat = lanes_select(_m101, _o104.margin, flat);
+                    tilt = lanes_select(_m101, _o104.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m101, _o104.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o105 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m99, _o103.doubt, doubt);
+                    doubt = lanes_select(_m101, _o105.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o104 =
+                const LANES(court_advanced_out) _o106 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = lanes_select(_m95, _o104.arrival, arrival);
-                certain = lanes_choose(_m95, _o104.certain, certain);
-                M exhausted = _o104.exhausted;
-                searching = lanes_choose(_m95, _o104.searching, searching);
-                t = lanes_select(_m95, _o104.t, t);
-                const M _m105 = lanes_both(_m95, exhausted);
+                arrival = lanes_select(_m97, _o106.arrival, arrival);
+                certain = lanes_choose(_m97, _o106.certain, certain);
+                M exhausted = _o106.exhausted;
+                searching = lanes_choose(_m97, _o106.searching, searching);
+                t = lanes_select(_m97, _o106.t, t);
+                const M _m107 = lanes_both(_m97, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o106 =
+                    const LANES(court_backboard_enter_out) _o108 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m105, _o106.t, t);
-                    end = lanes_select(_m105, _o106.end, end);
-                    searching = lanes_choose(_m105, _o106.searching, searching);
+                    t = lanes_select(_m107, _o108.t, t);
+                    end = lanes_select(_m107, _o108.end, end);
+                    searching = lanes_choose(_m107, _o108.searching, searching);
                 }
             }
             lanes_store(lists->reachable_arrival + i, arrival);
@@ -12975,7 +13014,7 @@ static void LANES(court_bounded)(const court_job *job)
                     y = lanes_expand(lists->reachable_searching_y + taken, idle, y);
                     z = lanes_expand(lists->reachable_searching_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f107)(lists, taken, idle);
+                        LANES(court_bounded_fix_f109)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = reachable_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -12984,56 +13023,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o108 =
+                const LANES(court_nearby_out) _o110 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o108.leaving;
-                V margin = _o108.margin;
-                const LANES(court_backboard_advance_out) _o109 =
-                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[80]));
-                V gap = _o109.gap;
-                V rate = _o109.rate;
-                V bend = _o109.bend;
-                V step = _o109.step;
-                V next = _o109.next;
-                V clearance = _o109.clearance;
-                const LANES(court_struck_or_still_out) _o110 =
+                V leaving = _o110.leaving;
+                V margin = _o110.margin;
+                const LANES(court_backboard_advance_out) _o111 =
+                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[84]));
+                V gap = _o111.gap;
+                V rate = _o111.rate;
+                V bend = _o111.bend;
+                V step = _o111.step;
+                V next = _o111.next;
+                V clearance = _o111.clearance;
+                const LANES(court_struck_or_still_out) _o112 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o110.hit;
-                M sure = _o110.sure;
-                M vague = _o110.vague;
-                const M _m111 = lanes_both(active, vague);
-                if (lanes_any(_m111)) {
-                    const LANES(court_finer_out) _o112 =
+                M hit = _o112.hit;
+                M sure = _o112.sure;
+                M vague = _o112.vague;
+                const M _m113 = lanes_both(active, vague);
+                if (lanes_any(_m113)) {
+                    const LANES(court_finer_out) _o114 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m111, _o112.share, share);
-                    const LANES(court_allowance_out) _o113 =
-                        LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]));
-                    V position_level = _o113.position_level;
-                    V velocity_level = _o113.velocity_level;
-                    V excess = _o113.excess;
-                    const LANES(court_backboard_margins_out) _o114 =
-                        LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]), lanes_load(lists->fixed[70]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]));
-                    flat = lanes_select(_m111, _o114.margin, flat);
-                    tilt = lanes_select(_m111, _o114.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m111, _o114.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o115 =
+                    share = lanes_select(_m113, _o114.share, share);
+                    const LANES(court_allowance_out) _o115 =
+                        LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
+                    V position_level = _o115.position_level;
+                    V velocity_level = _o115.velocity_level;
+                    V excess = _o115.excess;
+                    const LANES(court_backboard_margins_out) _o116 =
+                        LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[80]), lanes_load(lists->fixed[81]));
+                    flat = lanes_select(_m113, _o116.margin, flat);
+                    tilt = lanes_select(_m113, _o116.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m113, _o116.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o117 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m111, _o115.doubt, doubt);
+                    doubt = lanes_select(_m113, _o117.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o116 =
+                const LANES(court_advanced_out) _o118 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o116.arrival;
-                certain = _o116.certain;
-                M exhausted = _o116.exhausted;
-                searching = _o116.searching;
-                t = _o116.t;
-                const M _m117 = lanes_both(active, exhausted);
+                arrival = _o118.arrival;
+                certain = _o118.certain;
+                M exhausted = _o118.exhausted;
+                searching = _o118.searching;
+                t = _o118.t;
+                const M _m119 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o118 =
+                    const LANES(court_backboard_enter_out) _o120 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m117, _o118.t, t);
-                    end = lanes_select(_m117, _o118.end, end);
-                    searching = lanes_choose(_m117, _o118.searching, searching);
+                    t = lanes_select(_m119, _o120.t, t);
+                    end = lanes_select(_m119, _o120.end, end);
+                    searching = lanes_choose(_m119, _o120.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -13076,7 +13115,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(reachable_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f119)(lists, i);
+                LANES(court_bounded_fix_f121)(lists, i);
             V arrival = lanes_load(lists->reachable_arrival + i);
             V ceiling = lanes_load(lists->reachable_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->reachable_certain + i));
@@ -13092,40 +13131,40 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_questioned_out) _o120 =
+            const LANES(court_questioned_out) _o122 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o120.doubt;
-            const LANES(court_found_out) _o121 =
+            doubt = _o122.doubt;
+            const LANES(court_found_out) _o123 =
                 LANES(court_found)(arrival);
-            M arrives = _o121.arrives;
-            M refining = _o121.refining;
-            V rate = _o121.rate;
-            const LANES(court_nearby_out) _o122 =
+            M arrives = _o123.arrives;
+            M refining = _o123.refining;
+            V rate = _o123.rate;
+            const LANES(court_nearby_out) _o124 =
                 LANES(court_nearby)(flat, K(1.0), last, arrival, tilt);
-            V leaving = _o122.leaving;
-            const M _m123 = lanes_both(rows, refining);
-            if (lanes_any(_m123)) {
-                const LANES(court_backboard_refine_out) _o124 =
-                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[78]));
-                V refined = _o124.time;
-                V gap = _o124.gap;
-                rate = lanes_select(_m123, _o124.rate, rate);
-                const LANES(court_polished_out) _o125 =
+            V leaving = _o124.leaving;
+            const M _m125 = lanes_both(rows, refining);
+            if (lanes_any(_m125)) {
+                const LANES(court_backboard_refine_out) _o126 =
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]));
+                V refined = _o126.time;
+                V gap = _o126.gap;
+                rate = lanes_select(_m125, _o126.rate, rate);
+                const LANES(court_polished_out) _o127 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m123, _o125.arrival, arrival);
-                refining = lanes_choose(_m123, _o125.refining, refining);
+                arrival = lanes_select(_m125, _o127.arrival, arrival);
+                refining = lanes_choose(_m125, _o127.refining, refining);
             }
-            const M _m126 = lanes_both(rows, refining);
-            if (lanes_any(_m126)) {
-                const LANES(court_backboard_refine_out) _o127 =
-                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[78]));
-                V refined = _o127.time;
-                V gap = _o127.gap;
-                rate = lanes_select(_m126, _o127.rate, rate);
-                const LANES(court_polished_out) _o128 =
+            const M _m128 = lanes_both(rows, refining);
+            if (lanes_any(_m128)) {
+                const LANES(court_backboard_refine_out) _o129 =
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]));
+                V refined = _o129.time;
+                V gap = _o129.gap;
+                rate = lanes_select(_m128, _o129.rate, rate);
+                const LANES(court_polished_out) _o130 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m126, _o128.arrival, arrival);
-                refining = lanes_choose(_m126, _o128.refining, refining);
+                arrival = lanes_select(_m128, _o130.arrival, arrival);
+                refining = lanes_choose(_m128, _o130.refining, refining);
             }
             lanes_store(lists->reachable_arrival + i, arrival);
             lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -13187,7 +13226,7 @@ static void LANES(court_bounded)(const court_job *job)
                     y = lanes_expand(lists->reachable_refining_y + taken, idle, y);
                     z = lanes_expand(lists->reachable_refining_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f129)(lists, taken, idle);
+                        LANES(court_bounded_fix_f131)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = reachable_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -13196,15 +13235,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_backboard_refine_out) _o130 =
-                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[78]));
-                V refined = _o130.time;
-                V gap = _o130.gap;
-                V rate = _o130.rate;
-                const LANES(court_polished_out) _o131 =
+                const LANES(court_backboard_refine_out) _o132 =
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]));
+                V refined = _o132.time;
+                V gap = _o132.gap;
+                V rate = _o132.rate;
+                const LANES(court_polished_out) _o133 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o131.arrival;
-                refining = _o131.refining;
+                arrival = _o133.arrival;
+                refining = _o133.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -13228,7 +13267,7 @@ static void LANES(court_bounded)(const court_job *job)
         }
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f132)(lists, i);
+                LANES(court_bounded_fix_f134)(lists, i);
             V arrival = lanes_load(lists->reachable_arrival + i);
             M arrives = lanes_less(K(0.0), lanes_load(lists->reachable_arrives + i));
             V ceiling = lanes_load(lists->reachable_ceiling + i);
@@ -13244,33 +13283,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->reachable_velocity_error + i);
             V when = lanes_load(lists->reachable_when + i);
             V which = lanes_load(lists->reachable_which + i);
-            const LANES(court_backboard_margins_out) _o133 =
-                LANES(court_backboard_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]), lanes_load(lists->fixed[70]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]));
-            V flat = _o133.margin;
-            V tilt = _o133.leaving_margin;
-            V rate_margin = _o133.rate_margin;
-            const LANES(court_own_margin_out) _o134 =
+            const LANES(court_backboard_margins_out) _o135 =
+                LANES(court_backboard_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[80]), lanes_load(lists->fixed[81]));
+            V flat = _o135.margin;
+            V tilt = _o135.leaving_margin;
+            V rate_margin = _o135.rate_margin;
+            const LANES(court_own_margin_out) _o136 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o134.margin;
-            const LANES(court_crossing_out) _o135 =
+            V margin = _o136.margin;
+            const LANES(court_crossing_out) _o137 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o135.clearance;
-            V delay = _o135.delay;
-            const LANES(court_landed_out) _o136 =
+            V clearance = _o137.clearance;
+            V delay = _o137.delay;
+            const LANES(court_landed_out) _o138 =
                 LANES(court_landed)(arrival);
-            V time = _o136.time;
-            const LANES(court_landed_surely_out) _o137 =
+            V time = _o138.time;
+            const LANES(court_landed_surely_out) _o139 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o137.delay;
-            doubt = _o137.doubt;
-            const LANES(court_tied_out) _o138 =
+            delay = _o139.delay;
+            doubt = _o139.doubt;
+            const LANES(court_tied_out) _o140 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o138.doubt;
-            late = _o138.late;
-            const LANES(court_sooner_out) _o139 =
+            doubt = _o140.doubt;
+            late = _o140.late;
+            const LANES(court_sooner_out) _o141 =
                 LANES(court_sooner)(arrives, K(1.0), time, when, which);
-            when = _o139.when;
-            which = _o139.which;
+            when = _o141.when;
+            which = _o141.which;
             lanes_store(lists->reachable_doubt + i, doubt);
             lanes_store(lists->reachable_late + i, late);
             lanes_store(lists->reachable_when + i, when);
@@ -13289,7 +13328,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f140)(lists, i);
+                LANES(court_bounded_fix_f142)(lists, i);
             V doubt = lanes_load(lists->doubt + i);
             V extent = lanes_load(lists->extent + i);
             M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
@@ -13306,30 +13345,30 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o141 =
-                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[15]));
-            V until = _o141.horizon;
-            V pad = _o141.pad;
-            const LANES(court_halved_out) _o142 =
-                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[49]));
-            V middle_x = _o142.middle_x;
-            V reach_x = _o142.reach_x;
-            V later_middle_x = _o142.later_middle_x;
-            V later_reach_x = _o142.later_reach_x;
-            V middle_y = _o142.middle_y;
-            V reach_y = _o142.reach_y;
-            V later_middle_y = _o142.later_middle_y;
-            V later_reach_y = _o142.later_reach_y;
-            V middle_z = _o142.middle_z;
-            V reach_z = _o142.reach_z;
-            V later_middle_z = _o142.later_middle_z;
-            V later_reach_z = _o142.later_reach_z;
-            const LANES(court_bridge_near_out) _o143 =
-                LANES(court_bridge_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, lanes_load(lists->fixed[50]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[84]), lanes_load(lists->fixed[85]));
-            M reachable = _o143.near;
-            const LANES(court_reachable_in_flight_out) _o144 =
+            const LANES(court_horizon_out) _o143 =
+                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
+            V until = _o143.horizon;
+            V pad = _o143.pad;
+            const LANES(court_halved_out) _o144 =
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[54]));
+            V middle_x = _o144.middle_x;
+            V reach_x = _o144.reach_x;
+            V later_middle_x = _o144.later_middle_x;
+            V later_reach_x = _o144.later_reach_x;
+            V middle_y = _o144.middle_y;
+            V reach_y = _o144.reach_y;
+            V later_middle_y = _o144.later_middle_y;
+            V later_reach_y = _o144.later_reach_y;
+            V middle_z = _o144.middle_z;
+            V reach_z = _o144.reach_z;
+            V later_middle_z = _o144.later_middle_z;
+            V later_reach_z = _o144.later_reach_z;
+            const LANES(court_bridge_near_out) _o145 =
+                LANES(court_bridge_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, lanes_load(lists->fixed[55]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[85]), lanes_load(lists->fixed[86]), lanes_load(lists->fixed[87]), lanes_load(lists->fixed[88]));
+            M reachable = _o145.near;
+            const LANES(court_reachable_in_flight_out) _o146 =
                 LANES(court_reachable_in_flight)(kept, reachable);
-            reachable = _o144.reachable;
+            reachable = _o146.reachable;
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
                 lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -13365,7 +13404,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(reachable_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f145)(lists, i);
+                LANES(court_bounded_fix_f147)(lists, i);
             V doubt = lanes_load(lists->reachable_doubt + i);
             V extent = lanes_load(lists->reachable_extent + i);
             V last = lanes_load(lists->reachable_last + i);
@@ -13380,94 +13419,94 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_horizon_out) _o146 =
-                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[15]));
-            V until = _o146.horizon;
-            V pad = _o146.pad;
-            const LANES(court_bridge_prepare_out) _o147 =
-                LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[2]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[86]), lanes_load(lists->fixed[87]), lanes_load(lists->fixed[88]), lanes_load(lists->fixed[89]), lanes_load(lists->fixed[90]), lanes_load(lists->fixed[91]), lanes_load(lists->fixed[92]), lanes_load(lists->fixed[93]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[94]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[95]), lanes_load(lists->fixed[96]), lanes_load(lists->fixed[97]));
-            V low0 = _o147.low0;
-            V high0 = _o147.high0;
-            V low1 = _o147.low1;
-            V high1 = _o147.high1;
-            V ceiling = _o147.ceiling;
-            V latest = _o147.latest;
-            V lost = _o147.lost;
-            const LANES(court_beginning_out) _o148 =
+            const LANES(court_horizon_out) _o148 =
+                LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
+            V until = _o148.horizon;
+            V pad = _o148.pad;
+            const LANES(court_bridge_prepare_out) _o149 =
+                LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[8]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[89]), lanes_load(lists->fixed[90]), lanes_load(lists->fixed[91]), lanes_load(lists->fixed[92]), lanes_load(lists->fixed[93]), lanes_load(lists->fixed[94]), lanes_load(lists->fixed[95]), lanes_load(lists->fixed[96]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[97]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]), lanes_load(lists->fixed[100]));
+            V low0 = _o149.low0;
+            V high0 = _o149.high0;
+            V low1 = _o149.low1;
+            V high1 = _o149.high1;
+            V ceiling = _o149.ceiling;
+            V latest = _o149.latest;
+            V lost = _o149.lost;
+            const LANES(court_beginning_out) _o150 =
                 LANES(court_beginning)();
-            V share = _o148.share;
-            V arrival = _o148.arrival;
-            M certain = _o148.certain;
-            const LANES(court_allowance_out) _o149 =
-                LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]));
-            V position_level = _o149.position_level;
-            V velocity_level = _o149.velocity_level;
-            V excess = _o149.excess;
-            const LANES(court_bridge_margins_out) _o150 =
-                LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]));
-            V flat = _o150.margin;
-            V tilt = _o150.leaving_margin;
-            V rate_slack = _o150.rate_margin;
-            const LANES(court_bridge_enter_out) _o151 =
+            V share = _o150.share;
+            V arrival = _o150.arrival;
+            M certain = _o150.certain;
+            const LANES(court_allowance_out) _o151 =
+                LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
+            V position_level = _o151.position_level;
+            V velocity_level = _o151.velocity_level;
+            V excess = _o151.excess;
+            const LANES(court_bridge_margins_out) _o152 =
+                LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[110]));
+            V flat = _o152.margin;
+            V tilt = _o152.leaving_margin;
+            V rate_slack = _o152.rate_margin;
+            const LANES(court_bridge_enter_out) _o153 =
                 LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o151.t;
-            V end = _o151.end;
-            M searching = _o151.searching;
-            const LANES(court_beyond_windows_out) _o152 =
+            V t = _o153.t;
+            V end = _o153.end;
+            M searching = _o153.searching;
+            const LANES(court_beyond_windows_out) _o154 =
                 LANES(court_beyond_windows)(doubt, excess, late, lost, pad, searching);
-            doubt = _o152.doubt;
-            const M _m153 = lanes_both(rows, searching);
-            if (lanes_any(_m153)) {
-                const LANES(court_nearby_out) _o154 =
+            doubt = _o154.doubt;
+            const M _m155 = lanes_both(rows, searching);
+            if (lanes_any(_m155)) {
+                const LANES(court_nearby_out) _o156 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o154.leaving;
-                V margin = _o154.margin;
-                const LANES(court_bridge_advance_out) _o155 =
-                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[80]));
-                V gap = _o155.gap;
-                V rate = _o155.rate;
-                V bend = _o155.bend;
-                V step = _o155.step;
-                V next = _o155.next;
-                V clearance = _o155.clearance;
-                const LANES(court_struck_or_still_out) _o156 =
+                V leaving = _o156.leaving;
+                V margin = _o156.margin;
+                const LANES(court_bridge_advance_out) _o157 =
+                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[84]));
+                V gap = _o157.gap;
+                V rate = _o157.rate;
+                V bend = _o157.bend;
+                V step = _o157.step;
+                V next = _o157.next;
+                V clearance = _o157.clearance;
+                const LANES(court_struck_or_still_out) _o158 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o156.hit;
-                M sure = _o156.sure;
-                M vague = _o156.vague;
-                const M _m157 = lanes_both(_m153, vague);
-                if (lanes_any(_m157)) {
-                    const LANES(court_finer_out) _o158 =
+                M hit = _o158.hit;
+                M sure = _o158.sure;
+                M vague = _o158.vague;
+                const M _m159 = lanes_both(_m155, vague);
+                if (lanes_any(_m159)) {
+                    const LANES(court_finer_out) _o160 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m157, _o158.share, share);
-                    const LANES(court_allowance_out) _o159 =
-                        LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]));
-                    V position_level = _o159.position_level;
-                    V velocity_level = _o159.velocity_level;
-                    V excess = _o159.excess;
-                    const LANES(court_bridge_margins_out) _o160 =
-                        LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]));
-                    flat = lanes_select(_m157, _o160.margin, flat);
-                    tilt = lanes_select(_m157, _o160.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m157, _o160.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o161 =
+                    share = lanes_select(_m159, _o160.share, share);
+                    const LANES(court_allowance_out) _o161 =
+                        LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
+                    V position_level = _o161.position_level;
+                    V velocity_level = _o161.velocity_level;
+                    V excess = _o161.excess;
+                    const LANES(court_bridge_margins_out) _o162 =
+                        LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[110]));
+                    flat = lanes_select(_m159, _o162.margin, flat);
+                    tilt = lanes_select(_m159, _o162.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m159, _o162.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o163 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m157, _o161.doubt, doubt);
+                    doubt = lanes_select(_m159, _o163.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o162 =
+                const LANES(court_advanced_out) _o164 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = lanes_select(_m153, _o162.arrival, arrival);
-                certain = lanes_choose(_m153, _o162.certain, certain);
-                M exhausted = _o162.exhausted;
-                searching = lanes_choose(_m153, _o162.searching, searching);
-                t = lanes_select(_m153, _o162.t, t);
-                const M _m163 = lanes_both(_m153, exhausted);
+                arrival = lanes_select(_m155, _o164.arrival, arrival);
+                certain = lanes_choose(_m155, _o164.certain, certain);
+                M exhausted = _o164.exhausted;
+                searching = lanes_choose(_m155, _o164.searching, searching);
+                t = lanes_select(_m155, _o164.t, t);
+                const M _m165 = lanes_both(_m155, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o164 =
+                    const LANES(court_bridge_enter_out) _o166 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m163, _o164.t, t);
-                    end = lanes_select(_m163, _o164.end, end);
-                    searching = lanes_choose(_m163, _o164.searching, searching);
+                    t = lanes_select(_m165, _o166.t, t);
+                    end = lanes_select(_m165, _o166.end, end);
+                    searching = lanes_choose(_m165, _o166.searching, searching);
                 }
             }
             lanes_store(lists->reachable_arrival + i, arrival);
@@ -13582,7 +13621,7 @@ static void LANES(court_bounded)(const court_job *job)
                     y = lanes_expand(lists->reachable_searching_y + taken, idle, y);
                     z = lanes_expand(lists->reachable_searching_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f165)(lists, taken, idle);
+                        LANES(court_bounded_fix_f167)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = reachable_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -13591,56 +13630,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o166 =
+                const LANES(court_nearby_out) _o168 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o166.leaving;
-                V margin = _o166.margin;
-                const LANES(court_bridge_advance_out) _o167 =
-                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[80]));
-                V gap = _o167.gap;
-                V rate = _o167.rate;
-                V bend = _o167.bend;
-                V step = _o167.step;
-                V next = _o167.next;
-                V clearance = _o167.clearance;
-                const LANES(court_struck_or_still_out) _o168 =
+                V leaving = _o168.leaving;
+                V margin = _o168.margin;
+                const LANES(court_bridge_advance_out) _o169 =
+                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[84]));
+                V gap = _o169.gap;
+                V rate = _o169.rate;
+                V bend = _o169.bend;
+                V step = _o169.step;
+                V next = _o169.next;
+                V clearance = _o169.clearance;
+                const LANES(court_struck_or_still_out) _o170 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o168.hit;
-                M sure = _o168.sure;
-                M vague = _o168.vague;
-                const M _m169 = lanes_both(active, vague);
-                if (lanes_any(_m169)) {
-                    const LANES(court_finer_out) _o170 =
+                M hit = _o170.hit;
+                M sure = _o170.sure;
+                M vague = _o170.vague;
+                const M _m171 = lanes_both(active, vague);
+                if (lanes_any(_m171)) {
+                    const LANES(court_finer_out) _o172 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m169, _o170.share, share);
-                    const LANES(court_allowance_out) _o171 =
-                        LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]));
-                    V position_level = _o171.position_level;
-                    V velocity_level = _o171.velocity_level;
-                    V excess = _o171.excess;
-                    const LANES(court_bridge_margins_out) _o172 =
-                        LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]));
-                    flat = lanes_select(_m169, _o172.margin, flat);
-                    tilt = lanes_select(_m169, _o172.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m169, _o172.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o173 =
+                    share = lanes_select(_m171, _o172.share, share);
+                    const LANES(court_allowance_out) _o173 =
+                        LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
+                    V position_level = _o173.position_level;
+                    V velocity_level = _o173.velocity_level;
+                    V excess = _o173.excess;
+                    const LANES(court_bridge_margins_out) _o174 =
+                        LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[110]));
+                    flat = lanes_select(_m171, _o174.margin, flat);
+                    tilt = lanes_select(_m171, _o174.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m171, _o174.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o175 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m169, _o173.doubt, doubt);
+                    doubt = lanes_select(_m171, _o175.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o174 =
+                const LANES(court_advanced_out) _o176 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o174.arrival;
-                certain = _o174.certain;
-                M exhausted = _o174.exhausted;
-                searching = _o174.searching;
-                t = _o174.t;
-                const M _m175 = lanes_both(active, exhausted);
+                arrival = _o176.arrival;
+                certain = _o176.certain;
+                M exhausted = _o176.exhausted;
+                searching = _o176.searching;
+                t = _o176.t;
+                const M _m177 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o176 =
+                    const LANES(court_bridge_enter_out) _o178 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m175, _o176.t, t);
-                    end = lanes_select(_m175, _o176.end, end);
-                    searching = lanes_choose(_m175, _o176.searching, searching);
+                    t = lanes_select(_m177, _o178.t, t);
+                    end = lanes_select(_m177, _o178.end, end);
+                    searching = lanes_choose(_m177, _o178.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -13683,7 +13722,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(reachable_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f177)(lists, i);
+                LANES(court_bounded_fix_f179)(lists, i);
             V arrival = lanes_load(lists->reachable_arrival + i);
             V ceiling = lanes_load(lists->reachable_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->reachable_certain + i));
@@ -13699,40 +13738,40 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_questioned_out) _o178 =
+            const LANES(court_questioned_out) _o180 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o178.doubt;
-            const LANES(court_found_out) _o179 =
+            doubt = _o180.doubt;
+            const LANES(court_found_out) _o181 =
                 LANES(court_found)(arrival);
-            M arrives = _o179.arrives;
-            M refining = _o179.refining;
-            V rate = _o179.rate;
-            const LANES(court_nearby_out) _o180 =
+            M arrives = _o181.arrives;
+            M refining = _o181.refining;
+            V rate = _o181.rate;
+            const LANES(court_nearby_out) _o182 =
                 LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o180.leaving;
-            const M _m181 = lanes_both(rows, refining);
-            if (lanes_any(_m181)) {
-                const LANES(court_bridge_refine_out) _o182 =
-                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[78]));
-                V refined = _o182.time;
-                V gap = _o182.gap;
-                rate = lanes_select(_m181, _o182.rate, rate);
-                const LANES(court_polished_out) _o183 =
+            V leaving = _o182.leaving;
+            const M _m183 = lanes_both(rows, refining);
+            if (lanes_any(_m183)) {
+                const LANES(court_bridge_refine_out) _o184 =
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[82]));
+                V refined = _o184.time;
+                V gap = _o184.gap;
+                rate = lanes_select(_m183, _o184.rate, rate);
+                const LANES(court_polished_out) _o185 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m181, _o183.arrival, arrival);
-                refining = lanes_choose(_m181, _o183.refining, refining);
+                arrival = lanes_select(_m183, _o185.arrival, arrival);
+                refining = lanes_choose(_m183, _o185.refining, refining);
             }
-            const M _m184 = lanes_both(rows, refining);
-            if (lanes_any(_m184)) {
-                const LANES(court_bridge_refine_out) _o185 =
-                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[78]));
-                V refined = _o185.time;
-                V gap = _o185.gap;
-                rate = lanes_select(_m184, _o185.rate, rate);
-                const LANES(court_polished_out) _o186 =
+            const M _m186 = lanes_both(rows, refining);
+            if (lanes_any(_m186)) {
+                const LANES(court_bridge_refine_out) _o187 =
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[82]));
+                V refined = _o187.time;
+                V gap = _o187.gap;
+                rate = lanes_select(_m186, _o187.rate, rate);
+                const LANES(court_polished_out) _o188 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m184, _o186.arrival, arrival);
-                refining = lanes_choose(_m184, _o186.refining, refining);
+                arrival = lanes_select(_m186, _o188.arrival, arrival);
+                refining = lanes_choose(_m186, _o188.refining, refining);
             }
             lanes_store(lists->reachable_arrival + i, arrival);
             lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -13794,7 +13833,7 @@ static void LANES(court_bounded)(const court_job *job)
                     y = lanes_expand(lists->reachable_refining_y + taken, idle, y);
                     z = lanes_expand(lists->reachable_refining_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f187)(lists, taken, idle);
+                        LANES(court_bounded_fix_f189)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = reachable_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -13803,15 +13842,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_bridge_refine_out) _o188 =
-                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[78]));
-                V refined = _o188.time;
-                V gap = _o188.gap;
-                V rate = _o188.rate;
-                const LANES(court_polished_out) _o189 =
+                const LANES(court_bridge_refine_out) _o190 =
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[82]));
+                V refined = _o190.time;
+                V gap = _o190.gap;
+                V rate = _o190.rate;
+                const LANES(court_polished_out) _o191 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o189.arrival;
-                refining = _o189.refining;
+                arrival = _o191.arrival;
+                refining = _o191.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -13835,7 +13874,7 @@ static void LANES(court_bounded)(const court_job *job)
         }
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f190)(lists, i);
+                LANES(court_bounded_fix_f192)(lists, i);
             V arrival = lanes_load(lists->reachable_arrival + i);
             M arrives = lanes_less(K(0.0), lanes_load(lists->reachable_arrives + i));
             V ceiling = lanes_load(lists->reachable_ceiling + i);
@@ -13851,33 +13890,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->reachable_velocity_error + i);
             V when = lanes_load(lists->reachable_when + i);
             V which = lanes_load(lists->reachable_which + i);
-            const LANES(court_bridge_margins_out) _o191 =
-                LANES(court_bridge_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]));
-            V flat = _o191.margin;
-            V tilt = _o191.leaving_margin;
-            V rate_margin = _o191.rate_margin;
-            const LANES(court_own_margin_out) _o192 =
+            const LANES(court_bridge_margins_out) _o193 =
+                LANES(court_bridge_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[110]));
+            V flat = _o193.margin;
+            V tilt = _o193.leaving_margin;
+            V rate_margin = _o193.rate_margin;
+            const LANES(court_own_margin_out) _o194 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o192.margin;
-            const LANES(court_crossing_out) _o193 =
+            V margin = _o194.margin;
+            const LANES(court_crossing_out) _o195 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o193.clearance;
-            V delay = _o193.delay;
-            const LANES(court_landed_out) _o194 =
+            V clearance = _o195.clearance;
+            V delay = _o195.delay;
+            const LANES(court_landed_out) _o196 =
                 LANES(court_landed)(arrival);
-            V time = _o194.time;
-            const LANES(court_landed_surely_out) _o195 =
+            V time = _o196.time;
+            const LANES(court_landed_surely_out) _o197 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o195.delay;
-            doubt = _o195.doubt;
-            const LANES(court_tied_out) _o196 =
+            delay = _o197.delay;
+            doubt = _o197.doubt;
+            const LANES(court_tied_out) _o198 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o196.doubt;
-            late = _o196.late;
-            const LANES(court_sooner_out) _o197 =
+            doubt = _o198.doubt;
+            late = _o198.late;
+            const LANES(court_sooner_out) _o199 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o197.when;
-            which = _o197.which;
+            when = _o199.when;
+            which = _o199.which;
             lanes_store(lists->reachable_doubt + i, doubt);
             lanes_store(lists->reachable_late + i, late);
             lanes_store(lists->reachable_when + i, when);
@@ -13933,22 +13972,22 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m198 = lanes_both(rows, limited);
-            if (lanes_any(_m198)) {
-                const LANES(court_expiry_out) _o199 =
+            const M _m200 = lanes_both(rows, limited);
+            if (lanes_any(_m200)) {
+                const LANES(court_expiry_out) _o201 =
                     LANES(court_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o199.time;
-                V delay = _o199.delay;
-                M arrives = _o199.arrives;
-                doubt = lanes_select(_m198, _o199.doubt, doubt);
-                const LANES(court_tied_out) _o200 =
+                V time = _o201.time;
+                V delay = _o201.delay;
+                M arrives = _o201.arrives;
+                doubt = lanes_select(_m200, _o201.doubt, doubt);
+                const LANES(court_tied_out) _o202 =
                     LANES(court_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m198, _o200.doubt, doubt);
-                late = lanes_select(_m198, _o200.late, late);
-                const LANES(court_sooner_out) _o201 =
+                doubt = lanes_select(_m200, _o202.doubt, doubt);
+                late = lanes_select(_m200, _o202.late, late);
+                const LANES(court_sooner_out) _o203 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m198, _o201.when, when);
-                which = lanes_select(_m198, _o201.which, which);
+                when = lanes_select(_m200, _o203.when, when);
+                which = lanes_select(_m200, _o203.which, which);
             }
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->late + i, late);
@@ -14054,7 +14093,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f486)(lists, i);
+                LANES(court_bounded_fix_f488)(lists, i);
             const V p_ring_friction = lanes_load(lists->p_ring_friction + (i & varying));
             const V p_ring_restitution = lanes_load(lists->p_ring_restitution + (i & varying));
             V assured = lanes_load(lists->assured + i);
@@ -14103,90 +14142,90 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o487 =
+            const LANES(court_departed_out) _o489 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o487.moves;
-            M ends = _o487.ends;
-            M touches = _o487.touches;
-            V reached = _o487.reached;
-            M edge = _o487.edge;
-            const LANES(court_body_of_out) _o488 =
+            M moves = _o489.moves;
+            M ends = _o489.ends;
+            M touches = _o489.touches;
+            V reached = _o489.reached;
+            M edge = _o489.edge;
+            const LANES(court_body_of_out) _o490 =
                 LANES(court_body_of)(which);
-            V body = _o488.body;
-            const M _m489 = lanes_both(rows, moves);
-            if (lanes_any(_m489)) {
-                const LANES(court_passing_doubt_out) _o490 =
-                    LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[158]));
-                M unsure = _o490.unsure;
-                const LANES(court_undecided_out) _o491 =
+            V body = _o490.body;
+            const M _m491 = lanes_both(rows, moves);
+            if (lanes_any(_m491)) {
+                const LANES(court_passing_doubt_out) _o492 =
+                    LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[161]));
+                M unsure = _o492.unsure;
+                const LANES(court_undecided_out) _o493 =
                     LANES(court_undecided)(uncertain, unsure);
-                uncertain = lanes_select(_m489, _o491.uncertain, uncertain);
-                const LANES(court_passing_out) _o492 =
-                    LANES(court_passing)(through, when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[14]));
-                through = lanes_select(_m489, _o492.through, through);
-                const LANES(court_flight_out) _o493 =
-                    LANES(court_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[31]));
-                x = lanes_select(_m489, _o493.x, x);
-                y = lanes_select(_m489, _o493.y, y);
-                z = lanes_select(_m489, _o493.z, z);
-                vx = lanes_select(_m489, _o493.vx, vx);
-                vy = lanes_select(_m489, _o493.vy, vy);
-                vz = lanes_select(_m489, _o493.vz, vz);
-                const LANES(court_ticked_out) _o494 =
+                uncertain = lanes_select(_m491, _o493.uncertain, uncertain);
+                const LANES(court_passing_out) _o494 =
+                    LANES(court_passing)(through, when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[19]));
+                through = lanes_select(_m491, _o494.through, through);
+                const LANES(court_flight_out) _o495 =
+                    LANES(court_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]));
+                x = lanes_select(_m491, _o495.x, x);
+                y = lanes_select(_m491, _o495.y, y);
+                z = lanes_select(_m491, _o495.z, z);
+                vx = lanes_select(_m491, _o495.vx, vx);
+                vy = lanes_select(_m491, _o495.vy, vy);
+                vz = lanes_select(_m491, _o495.vz, vz);
+                const LANES(court_ticked_out) _o496 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m489, _o494.clock, clock);
+                clock = lanes_select(_m491, _o496.clock, clock);
             }
-            const M _m495 = lanes_both(rows, limited);
-            if (lanes_any(_m495)) {
-                const LANES(court_expired_out) _o496 =
+            const M _m497 = lanes_both(rows, limited);
+            if (lanes_any(_m497)) {
+                const LANES(court_expired_out) _o498 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m495, _o496.clock, clock);
-                body = lanes_select(_m495, _o496.body, body);
-                reached = lanes_select(_m495, _o496.reached, reached);
-                ends = lanes_choose(_m495, _o496.ends, ends);
+                clock = lanes_select(_m497, _o498.clock, clock);
+                body = lanes_select(_m497, _o498.body, body);
+                reached = lanes_select(_m497, _o498.reached, reached);
+                ends = lanes_choose(_m497, _o498.ends, ends);
             }
-            const LANES(court_unhopped_out) _o497 =
+            const LANES(court_unhopped_out) _o499 =
                 LANES(court_unhopped)();
-            M hopped = _o497.hopped;
-            const M _m498 = lanes_both(rows, kept);
-            if (lanes_any(_m498)) {
-                const LANES(court_kept_on_out) _o499 =
+            M hopped = _o499.hopped;
+            const M _m500 = lanes_both(rows, kept);
+            if (lanes_any(_m500)) {
+                const LANES(court_kept_on_out) _o501 =
                     LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m498, _o499.body, body);
-                reached = lanes_select(_m498, _o499.reached, reached);
-                doubt = lanes_select(_m498, _o499.doubt, doubt);
-                ends = lanes_choose(_m498, _o499.ends, ends);
-                hopped = lanes_choose(_m498, _o499.hopped, hopped);
-                last = lanes_select(_m498, _o499.last, last);
-                mode = lanes_select(_m498, _o499.mode, mode);
-                held = lanes_select(_m498, _o499.held, held);
-                rolls = lanes_select(_m498, _o499.rolls, rolls);
+                body = lanes_select(_m500, _o501.body, body);
+                reached = lanes_select(_m500, _o501.reached, reached);
+                doubt = lanes_select(_m500, _o501.doubt, doubt);
+                ends = lanes_choose(_m500, _o501.ends, ends);
+                hopped = lanes_choose(_m500, _o501.hopped, hopped);
+                last = lanes_select(_m500, _o501.last, last);
+                mode = lanes_select(_m500, _o501.mode, mode);
+                held = lanes_select(_m500, _o501.held, held);
+                rolls = lanes_select(_m500, _o501.rolls, rolls);
             }
-            const LANES(court_displacement_out) _o500 =
-                LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[159]));
-            V slack = _o500.margin;
-            const LANES(court_here_out) _o501 =
+            const LANES(court_displacement_out) _o502 =
+                LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[162]));
+            V slack = _o502.margin;
+            const LANES(court_here_out) _o503 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o501.here;
-            const M _m502 = lanes_both(rows, here);
+            M here = _o503.here;
+            const M _m504 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o503 =
-                    LANES(court_end_bounds)(x, y, lanes_load(lists->fixed[1]));
-                V g0 = _o503.g0;
-                const LANES(court_end_reached_out) _o504 =
+                const LANES(court_end_bounds_out) _o505 =
+                    LANES(court_end_bounds)(x, y, lanes_load(lists->fixed[7]));
+                V g0 = _o505.g0;
+                const LANES(court_end_reached_out) _o506 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m502, _o504.reached, reached);
-                const LANES(court_end_edge_out) _o505 =
+                reached = lanes_select(_m504, _o506.reached, reached);
+                const LANES(court_end_edge_out) _o507 =
                     LANES(court_end_edge)(g0, slack, through);
-                edge = lanes_choose(_m502, _o505.edge, edge);
+                edge = lanes_choose(_m504, _o507.edge, edge);
             }
-            const LANES(court_doubted_in_contact_out) _o506 =
+            const LANES(court_doubted_in_contact_out) _o508 =
                 LANES(court_doubted_in_contact)(assured, doubt, edge, last, late, uncertain, when, which);
-            uncertain = _o506.uncertain;
-            const LANES(court_accounted_out) _o507 =
+            uncertain = _o508.uncertain;
+            const LANES(court_accounted_out) _o509 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o507.contacts;
-            V outcome = _o507.outcome;
+            contacts = _o509.contacts;
+            V outcome = _o509.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -14199,260 +14238,260 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o508 =
+            const LANES(court_meeting_out) _o510 =
                 LANES(court_meeting)(claims, ends, touches);
-            M meeting = _o508.meeting;
-            const LANES(court_unslowed_out) _o509 =
+            M meeting = _o510.meeting;
+            const LANES(court_unslowed_out) _o511 =
                 LANES(court_unslowed)();
-            M slow = _o509.slow;
-            const M _m510 = lanes_both(rows, meeting);
-            if (lanes_any(_m510)) {
-                const LANES(court_end_normal_out) _o511 =
+            M slow = _o511.slow;
+            const M _m512 = lanes_both(rows, meeting);
+            if (lanes_any(_m512)) {
+                const LANES(court_end_normal_out) _o513 =
                     LANES(court_end_normal)();
-                V nx = _o511.nx;
-                V ny = _o511.ny;
-                V nz = _o511.nz;
-                const LANES(court_here_out) _o512 =
+                V nx = _o513.nx;
+                V ny = _o513.ny;
+                V nz = _o513.nz;
+                const LANES(court_here_out) _o514 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o512.here;
-                const M _m513 = lanes_both(_m510, here);
+                M here = _o514.here;
+                const M _m515 = lanes_both(_m512, here);
                 {
-                    const LANES(court_ring_normal_out) _o514 =
-                        LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[108]));
-                    nx = lanes_select(_m513, _o514.nx, nx);
-                    ny = lanes_select(_m513, _o514.ny, ny);
-                    nz = lanes_select(_m513, _o514.nz, nz);
-                    const LANES(court_counted_out) _o515 =
+                    const LANES(court_ring_normal_out) _o516 =
+                        LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[111]));
+                    nx = lanes_select(_m515, _o516.nx, nx);
+                    ny = lanes_select(_m515, _o516.ny, ny);
+                    nz = lanes_select(_m515, _o516.nz, nz);
+                    const LANES(court_counted_out) _o517 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m513, _o515.count, count_0);
+                    count_0 = lanes_select(_m515, _o517.count, count_0);
                 }
-                const LANES(court_here_out) _o516 =
+                const LANES(court_here_out) _o518 =
                     LANES(court_here)(K(1.0), which);
-                here = _o516.here;
-                const M _m517 = lanes_both(_m510, here);
+                here = _o518.here;
+                const M _m519 = lanes_both(_m512, here);
                 {
-                    const LANES(court_backboard_normal_out) _o518 =
-                        LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[9]));
-                    nx = lanes_select(_m517, _o518.nx, nx);
-                    ny = lanes_select(_m517, _o518.ny, ny);
-                    nz = lanes_select(_m517, _o518.nz, nz);
-                    const LANES(court_counted_out) _o519 =
+                    const LANES(court_backboard_normal_out) _o520 =
+                        LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
+                    nx = lanes_select(_m519, _o520.nx, nx);
+                    ny = lanes_select(_m519, _o520.ny, ny);
+                    nz = lanes_select(_m519, _o520.nz, nz);
+                    const LANES(court_counted_out) _o521 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m517, _o519.count, count_1);
+                    count_1 = lanes_select(_m519, _o521.count, count_1);
                 }
-                const LANES(court_here_out) _o520 =
+                const LANES(court_here_out) _o522 =
                     LANES(court_here)(K(2.0), which);
-                here = _o520.here;
-                const M _m521 = lanes_both(_m510, here);
+                here = _o522.here;
+                const M _m523 = lanes_both(_m512, here);
                 {
-                    const LANES(court_bridge_normal_out) _o522 =
-                        LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[10]));
-                    nx = lanes_select(_m521, _o522.nx, nx);
-                    ny = lanes_select(_m521, _o522.ny, ny);
-                    nz = lanes_select(_m521, _o522.nz, nz);
-                    const LANES(court_counted_out) _o523 =
+                    const LANES(court_bridge_normal_out) _o524 =
+                        LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
+                    nx = lanes_select(_m523, _o524.nx, nx);
+                    ny = lanes_select(_m523, _o524.ny, ny);
+                    nz = lanes_select(_m523, _o524.nz, nz);
+                    const LANES(court_counted_out) _o525 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m521, _o523.count, count_2);
+                    count_2 = lanes_select(_m523, _o525.count, count_2);
                 }
-                const LANES(court_elsewhere_out) _o524 =
+                const LANES(court_elsewhere_out) _o526 =
                     LANES(court_elsewhere)();
-                V curving = _o524.curving;
-                const LANES(court_anew_out) _o525 =
+                V curving = _o526.curving;
+                const LANES(court_anew_out) _o527 =
                     LANES(court_anew)();
-                V left_nx = _o525.left_nx;
-                V left_ny = _o525.left_ny;
-                V left_nz = _o525.left_nz;
-                const LANES(court_again_out) _o526 =
+                V left_nx = _o527.left_nx;
+                V left_ny = _o527.left_ny;
+                V left_nz = _o527.left_nz;
+                const LANES(court_again_out) _o528 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o526.again;
-                const M _m527 = lanes_both(_m510, again);
-                if (lanes_any(_m527)) {
-                    const LANES(court_ring_curvature_out) _o528 =
-                        LANES(court_ring_curvature)(lanes_load(lists->fixed[160]));
-                    curving = lanes_select(_m527, _o528.curvature, curving);
-                    const LANES(court_started_out) _o529 =
-                        LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[31]));
-                    V from_x = _o529.from_x;
-                    V from_y = _o529.from_y;
-                    V from_z = _o529.from_z;
-                    const LANES(court_ring_normal_out) _o530 =
-                        LANES(court_ring_normal)(from_x, from_y, from_z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[108]));
-                    left_nx = lanes_select(_m527, _o530.nx, left_nx);
-                    left_ny = lanes_select(_m527, _o530.ny, left_ny);
-                    left_nz = lanes_select(_m527, _o530.nz, left_nz);
+                M again = _o528.again;
+                const M _m529 = lanes_both(_m512, again);
+                if (lanes_any(_m529)) {
+                    const LANES(court_ring_curvature_out) _o530 =
+                        LANES(court_ring_curvature)(lanes_load(lists->fixed[163]));
+                    curving = lanes_select(_m529, _o530.curvature, curving);
+                    const LANES(court_started_out) _o531 =
+                        LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[36]));
+                    V from_x = _o531.from_x;
+                    V from_y = _o531.from_y;
+                    V from_z = _o531.from_z;
+                    const LANES(court_ring_normal_out) _o532 =
+                        LANES(court_ring_normal)(from_x, from_y, from_z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[111]));
+                    left_nx = lanes_select(_m529, _o532.nx, left_nx);
+                    left_ny = lanes_select(_m529, _o532.ny, left_ny);
+                    left_nz = lanes_select(_m529, _o532.nz, left_nz);
                 }
-                const LANES(court_again_out) _o531 =
+                const LANES(court_again_out) _o533 =
                     LANES(court_again)(K(1.0), last, which);
-                again = _o531.again;
-                const M _m532 = lanes_both(_m510, again);
-                if (lanes_any(_m532)) {
-                    const LANES(court_backboard_curvature_out) _o533 =
-                        LANES(court_backboard_curvature)(lanes_load(lists->fixed[109]));
-                    curving = lanes_select(_m532, _o533.curvature, curving);
-                    const LANES(court_started_out) _o534 =
-                        LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[31]));
-                    V from_x = _o534.from_x;
-                    V from_y = _o534.from_y;
-                    V from_z = _o534.from_z;
-                    const LANES(court_backboard_normal_out) _o535 =
-                        LANES(court_backboard_normal)(from_x, from_y, from_z, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[9]));
-                    left_nx = lanes_select(_m532, _o535.nx, left_nx);
-                    left_ny = lanes_select(_m532, _o535.ny, left_ny);
-                    left_nz = lanes_select(_m532, _o535.nz, left_nz);
+                again = _o533.again;
+                const M _m534 = lanes_both(_m512, again);
+                if (lanes_any(_m534)) {
+                    const LANES(court_backboard_curvature_out) _o535 =
+                        LANES(court_backboard_curvature)(lanes_load(lists->fixed[112]));
+                    curving = lanes_select(_m534, _o535.curvature, curving);
+                    const LANES(court_started_out) _o536 =
+                        LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[36]));
+                    V from_x = _o536.from_x;
+                    V from_y = _o536.from_y;
+                    V from_z = _o536.from_z;
+                    const LANES(court_backboard_normal_out) _o537 =
+                        LANES(court_backboard_normal)(from_x, from_y, from_z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
+                    left_nx = lanes_select(_m534, _o537.nx, left_nx);
+                    left_ny = lanes_select(_m534, _o537.ny, left_ny);
+                    left_nz = lanes_select(_m534, _o537.nz, left_nz);
                 }
-                const LANES(court_again_out) _o536 =
+                const LANES(court_again_out) _o538 =
                     LANES(court_again)(K(2.0), last, which);
-                again = _o536.again;
-                const M _m537 = lanes_both(_m510, again);
-                if (lanes_any(_m537)) {
-                    const LANES(court_bridge_curvature_out) _o538 =
-                        LANES(court_bridge_curvature)(lanes_load(lists->fixed[109]));
-                    curving = lanes_select(_m537, _o538.curvature, curving);
-                    const LANES(court_started_out) _o539 =
-                        LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[31]));
-                    V from_x = _o539.from_x;
-                    V from_y = _o539.from_y;
-                    V from_z = _o539.from_z;
-                    const LANES(court_bridge_normal_out) _o540 =
-                        LANES(court_bridge_normal)(from_x, from_y, from_z, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[10]));
-                    left_nx = lanes_select(_m537, _o540.nx, left_nx);
-                    left_ny = lanes_select(_m537, _o540.ny, left_ny);
-                    left_nz = lanes_select(_m537, _o540.nz, left_nz);
+                again = _o538.again;
+                const M _m539 = lanes_both(_m512, again);
+                if (lanes_any(_m539)) {
+                    const LANES(court_bridge_curvature_out) _o540 =
+                        LANES(court_bridge_curvature)(lanes_load(lists->fixed[112]));
+                    curving = lanes_select(_m539, _o540.curvature, curving);
+                    const LANES(court_started_out) _o541 =
+                        LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[36]));
+                    V from_x = _o541.from_x;
+                    V from_y = _o541.from_y;
+                    V from_z = _o541.from_z;
+                    const LANES(court_bridge_normal_out) _o542 =
+                        LANES(court_bridge_normal)(from_x, from_y, from_z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
+                    left_nx = lanes_select(_m539, _o542.nx, left_nx);
+                    left_ny = lanes_select(_m539, _o542.ny, left_ny);
+                    left_nz = lanes_select(_m539, _o542.nz, left_nz);
                 }
-                const LANES(court_carry_flight_out) _o541 =
-                    LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, lanes_load(lists->fixed[16]));
-                dx = lanes_select(_m510, _o541.dx, dx);
-                dy = lanes_select(_m510, _o541.dy, dy);
-                dz = lanes_select(_m510, _o541.dz, dz);
-                V lifting = _o541.lifting;
-                dvx = lanes_select(_m510, _o541.dvx, dvx);
-                dvy = lanes_select(_m510, _o541.dvy, dvy);
-                dvz = lanes_select(_m510, _o541.dvz, dvz);
-                V delay = _o541.delay;
-                V shift = _o541.shift;
-                const LANES(court_delayed_out) _o542 =
+                const LANES(court_carry_flight_out) _o543 =
+                    LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, lanes_load(lists->fixed[21]));
+                dx = lanes_select(_m512, _o543.dx, dx);
+                dy = lanes_select(_m512, _o543.dy, dy);
+                dz = lanes_select(_m512, _o543.dz, dz);
+                V lifting = _o543.lifting;
+                dvx = lanes_select(_m512, _o543.dvx, dvx);
+                dvy = lanes_select(_m512, _o543.dvy, dvy);
+                dvz = lanes_select(_m512, _o543.dvz, dvz);
+                V delay = _o543.delay;
+                V shift = _o543.shift;
+                const LANES(court_delayed_out) _o544 =
                     LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m510, _o542.clock_error, clock_error);
-                const M _m543 = lanes_both(_m510, ends);
+                clock_error = lanes_select(_m512, _o544.clock_error, clock_error);
+                const M _m545 = lanes_both(_m512, ends);
                 {
-                    const LANES(court_floored_out) _o544 =
+                    const LANES(court_floored_out) _o546 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m543, _o544.dx, dx);
-                    dy = lanes_select(_m543, _o544.dy, dy);
-                    dz = lanes_select(_m543, _o544.dz, dz);
+                    dx = lanes_select(_m545, _o546.dx, dx);
+                    dy = lanes_select(_m545, _o546.dy, dy);
+                    dz = lanes_select(_m545, _o546.dz, dz);
                 }
-                const LANES(court_unturned_out) _o545 =
+                const LANES(court_unturned_out) _o547 =
                     LANES(court_unturned)();
-                V dnx = _o545.dnx;
-                V dny = _o545.dny;
-                V dnz = _o545.dnz;
-                V turn = _o545.turn;
-                const LANES(court_here_out) _o546 =
+                V dnx = _o547.dnx;
+                V dny = _o547.dny;
+                V dnz = _o547.dnz;
+                V turn = _o547.turn;
+                const LANES(court_here_out) _o548 =
                     LANES(court_here)(K(0.0), which);
-                here = _o546.here;
-                const M _m547 = lanes_both(_m510, here);
-                if (lanes_any(_m547)) {
-                    const LANES(court_ring_carry_normal_out) _o548 =
-                        LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[160]));
-                    dnx = lanes_select(_m547, _o548.dnx, dnx);
-                    dny = lanes_select(_m547, _o548.dny, dny);
-                    dnz = lanes_select(_m547, _o548.dnz, dnz);
-                    turn = lanes_select(_m547, _o548.turn, turn);
+                here = _o548.here;
+                const M _m549 = lanes_both(_m512, here);
+                if (lanes_any(_m549)) {
+                    const LANES(court_ring_carry_normal_out) _o550 =
+                        LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[163]));
+                    dnx = lanes_select(_m549, _o550.dnx, dnx);
+                    dny = lanes_select(_m549, _o550.dny, dny);
+                    dnz = lanes_select(_m549, _o550.dnz, dnz);
+                    turn = lanes_select(_m549, _o550.turn, turn);
                 }
-                const LANES(court_here_out) _o549 =
+                const LANES(court_here_out) _o551 =
                     LANES(court_here)(K(1.0), which);
-                here = _o549.here;
-                const M _m550 = lanes_both(_m510, here);
+                here = _o551.here;
+                const M _m552 = lanes_both(_m512, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o551 =
-                        LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[9]));
-                    dnx = lanes_select(_m550, _o551.dnx, dnx);
-                    dny = lanes_select(_m550, _o551.dny, dny);
-                    dnz = lanes_select(_m550, _o551.dnz, dnz);
-                    turn = lanes_select(_m550, _o551.turn, turn);
+                    const LANES(court_backboard_carry_normal_out) _o553 =
+                        LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
+                    dnx = lanes_select(_m552, _o553.dnx, dnx);
+                    dny = lanes_select(_m552, _o553.dny, dny);
+                    dnz = lanes_select(_m552, _o553.dnz, dnz);
+                    turn = lanes_select(_m552, _o553.turn, turn);
                 }
-                const LANES(court_here_out) _o552 =
+                const LANES(court_here_out) _o554 =
                     LANES(court_here)(K(2.0), which);
-                here = _o552.here;
-                const M _m553 = lanes_both(_m510, here);
+                here = _o554.here;
+                const M _m555 = lanes_both(_m512, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o554 =
-                        LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[10]));
-                    dnx = lanes_select(_m553, _o554.dnx, dnx);
-                    dny = lanes_select(_m553, _o554.dny, dny);
-                    dnz = lanes_select(_m553, _o554.dnz, dnz);
-                    turn = lanes_select(_m553, _o554.turn, turn);
+                    const LANES(court_bridge_carry_normal_out) _o556 =
+                        LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
+                    dnx = lanes_select(_m555, _o556.dnx, dnx);
+                    dny = lanes_select(_m555, _o556.dny, dny);
+                    dnz = lanes_select(_m555, _o556.dnz, dnz);
+                    turn = lanes_select(_m555, _o556.turn, turn);
                 }
-                const LANES(court_untaken_out) _o555 =
+                const LANES(court_untaken_out) _o557 =
                     LANES(court_untaken)();
-                M struck_0 = _o555.mine;
-                const LANES(court_ring_impact_taken_out) _o556 =
+                M struck_0 = _o557.mine;
+                const LANES(court_ring_impact_taken_out) _o558 =
                     LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
-                V its_0_ring_impact = _o556.its_0;
-                V its_1_ring_impact = _o556.its_1;
+                V its_0_ring_impact = _o558.its_0;
+                V its_1_ring_impact = _o558.its_1;
                 {
-                    const double *const _t558[][2] = {
+                    const double *const _t560[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t559[][1] = {
+                    static const double _t561[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k557 = 0; _k557 < 3; _k557++) {
-                        const V own_1 = lanes_load(_t558[_k557][0] + (i & varying));
-                        const V own_2 = lanes_load(_t558[_k557][1] + (i & varying));
-                        const V own_index = K(_t559[_k557][0]);
-                        const LANES(court_here_out) _o560 =
+                    for (size_t _k559 = 0; _k559 < 3; _k559++) {
+                        const V own_1 = lanes_load(_t560[_k559][0] + (i & varying));
+                        const V own_2 = lanes_load(_t560[_k559][1] + (i & varying));
+                        const V own_index = K(_t561[_k559][0]);
+                        const LANES(court_here_out) _o562 =
                             LANES(court_here)(own_index, which);
-                        M here = _o560.here;
-                        const M _m561 = lanes_both(_m510, here);
-                        if (lanes_any(_m561)) {
-                            const LANES(court_ring_impact_taken_out) _o562 =
+                        M here = _o562.here;
+                        const M _m563 = lanes_both(_m512, here);
+                        if (lanes_any(_m563)) {
+                            const LANES(court_ring_impact_taken_out) _o564 =
                                 LANES(court_ring_impact_taken)(own_2, own_1);
-                            struck_0 = lanes_choose(_m561, _o562.mine, struck_0);
-                            its_0_ring_impact = lanes_select(_m561, _o562.its_0, its_0_ring_impact);
-                            its_1_ring_impact = lanes_select(_m561, _o562.its_1, its_1_ring_impact);
+                            struck_0 = lanes_choose(_m563, _o564.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m563, _o564.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m563, _o564.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m563 = lanes_both(_m510, struck_0);
-                if (lanes_any(_m563)) {
-                    const LANES(court_ring_impact_doubt_out) _o564 =
-                        LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[161]), lanes_load(lists->fixed[162]));
-                    M unsure = _o564.unsure;
-                    const LANES(court_undecided_out) _o565 =
+                const M _m565 = lanes_both(_m512, struck_0);
+                if (lanes_any(_m565)) {
+                    const LANES(court_ring_impact_doubt_out) _o566 =
+                        LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[164]), lanes_load(lists->fixed[165]));
+                    M unsure = _o566.unsure;
+                    const LANES(court_undecided_out) _o567 =
                         LANES(court_undecided)(uncertain, unsure);
-                    uncertain = lanes_select(_m563, _o565.uncertain, uncertain);
-                    const LANES(court_carry_ring_impact_out) _o566 =
-                        LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[161]), lanes_load(lists->fixed[162]), lanes_load(lists->fixed[163]));
-                    dvx = lanes_select(_m563, _o566.dvx, dvx);
-                    dvy = lanes_select(_m563, _o566.dvy, dvy);
-                    dvz = lanes_select(_m563, _o566.dvz, dvz);
-                    dwx = lanes_select(_m563, _o566.dwx, dwx);
-                    dwy = lanes_select(_m563, _o566.dwy, dwy);
-                    dwz = lanes_select(_m563, _o566.dwz, dwz);
-                    const LANES(court_ring_impact_out) _o567 =
-                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[161]), lanes_load(lists->fixed[162]), lanes_load(lists->fixed[163]));
-                    vx = lanes_select(_m563, _o567.vx, vx);
-                    vy = lanes_select(_m563, _o567.vy, vy);
-                    vz = lanes_select(_m563, _o567.vz, vz);
-                    wx = lanes_select(_m563, _o567.wx, wx);
-                    wy = lanes_select(_m563, _o567.wy, wy);
-                    wz = lanes_select(_m563, _o567.wz, wz);
+                    uncertain = lanes_select(_m565, _o567.uncertain, uncertain);
+                    const LANES(court_carry_ring_impact_out) _o568 =
+                        LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[164]), lanes_load(lists->fixed[165]), lanes_load(lists->fixed[166]));
+                    dvx = lanes_select(_m565, _o568.dvx, dvx);
+                    dvy = lanes_select(_m565, _o568.dvy, dvy);
+                    dvz = lanes_select(_m565, _o568.dvz, dvz);
+                    dwx = lanes_select(_m565, _o568.dwx, dwx);
+                    dwy = lanes_select(_m565, _o568.dwy, dwy);
+                    dwz = lanes_select(_m565, _o568.dwz, dwz);
+                    const LANES(court_ring_impact_out) _o569 =
+                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[164]), lanes_load(lists->fixed[165]), lanes_load(lists->fixed[166]));
+                    vx = lanes_select(_m565, _o569.vx, vx);
+                    vy = lanes_select(_m565, _o569.vy, vy);
+                    vz = lanes_select(_m565, _o569.vz, vz);
+                    wx = lanes_select(_m565, _o569.wx, wx);
+                    wy = lanes_select(_m565, _o569.wy, wy);
+                    wz = lanes_select(_m565, _o569.wz, wz);
                 }
-                const M _m568 = lanes_both(_m510, touches);
+                const M _m570 = lanes_both(_m512, touches);
                 {
-                    const LANES(court_touched_out) _o569 =
+                    const LANES(court_touched_out) _o571 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m568, _o569.first, first);
-                    last = lanes_select(_m568, _o569.last, last);
-                    const LANES(court_slowed_out) _o570 =
-                        LANES(court_slowed)(nx, ny, nz, position_error, vx, vy, vz, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[164]), lanes_load(lists->fixed[165]));
-                    slow = lanes_choose(_m568, _o570.slow, slow);
-                    assured = lanes_select(_m568, _o570.assured, assured);
+                    first = lanes_select(_m570, _o571.first, first);
+                    last = lanes_select(_m570, _o571.last, last);
+                    const LANES(court_slowed_out) _o572 =
+                        LANES(court_slowed)(nx, ny, nz, position_error, vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[167]), lanes_load(lists->fixed[168]));
+                    slow = lanes_choose(_m570, _o572.slow, slow);
+                    assured = lanes_select(_m570, _o572.assured, assured);
                 }
             }
             lanes_store(lists->assured + i, assured);
@@ -14547,7 +14586,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f623)(lists, i);
+                LANES(court_bounded_fix_f625)(lists, i);
             V clock = lanes_load(lists->clock + i);
             V clock_error = lanes_load(lists->clock_error + i);
             V dvx = lanes_load(lists->dvx + i);
@@ -14574,43 +14613,43 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m624 = lanes_both(rows, limited);
-            if (lanes_any(_m624)) {
-                const LANES(court_timed_out) _o625 =
+            const M _m626 = lanes_both(rows, limited);
+            if (lanes_any(_m626)) {
+                const LANES(court_timed_out) _o627 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o625.timed;
-                const M _m626 = lanes_both(_m624, timed);
-                if (lanes_any(_m626)) {
-                    const LANES(court_carry_time_out) _o627 =
-                        LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, lanes_load(lists->fixed[16]), lanes_load(lists->fixed[48]));
-                    dx = lanes_select(_m626, _o627.dx, dx);
-                    dy = lanes_select(_m626, _o627.dy, dy);
-                    dz = lanes_select(_m626, _o627.dz, dz);
-                    dvx = lanes_select(_m626, _o627.dvx, dvx);
-                    dvy = lanes_select(_m626, _o627.dvy, dvy);
-                    dvz = lanes_select(_m626, _o627.dvz, dvz);
-                    clock_error = lanes_select(_m626, _o627.clock_error, clock_error);
+                M timed = _o627.timed;
+                const M _m628 = lanes_both(_m626, timed);
+                if (lanes_any(_m628)) {
+                    const LANES(court_carry_time_out) _o629 =
+                        LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[53]));
+                    dx = lanes_select(_m628, _o629.dx, dx);
+                    dy = lanes_select(_m628, _o629.dy, dy);
+                    dz = lanes_select(_m628, _o629.dz, dz);
+                    dvx = lanes_select(_m628, _o629.dvx, dvx);
+                    dvy = lanes_select(_m628, _o629.dvy, dvy);
+                    dvz = lanes_select(_m628, _o629.dvz, dvz);
+                    clock_error = lanes_select(_m628, _o629.clock_error, clock_error);
                 }
             }
-            const M _m628 = lanes_both(rows, hopped);
-            if (lanes_any(_m628)) {
-                const LANES(court_carry_hop_out) _o629 =
+            const M _m630 = lanes_both(rows, hopped);
+            if (lanes_any(_m630)) {
+                const LANES(court_carry_hop_out) _o631 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m628, _o629.dx, dx);
-                dy = lanes_select(_m628, _o629.dy, dy);
-                dz = lanes_select(_m628, _o629.dz, dz);
+                dx = lanes_select(_m630, _o631.dx, dx);
+                dy = lanes_select(_m630, _o631.dy, dy);
+                dz = lanes_select(_m630, _o631.dz, dz);
             }
-            const LANES(court_closing_out) _o630 =
+            const LANES(court_closing_out) _o632 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o630.closed;
-            const M _m631 = lanes_both(rows, closed);
+            M closed = _o632.closed;
+            const M _m633 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o632 =
+                const LANES(court_claimed_errors_out) _o634 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m631, _o632.position_error, position_claim);
-                velocity_claim = lanes_select(_m631, _o632.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m631, _o632.spin_error, spin_claim);
-                time_claim = lanes_select(_m631, _o632.time_error, time_claim);
+                position_claim = lanes_select(_m633, _o634.position_error, position_claim);
+                velocity_claim = lanes_select(_m633, _o634.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m633, _o634.spin_error, spin_claim);
+                time_claim = lanes_select(_m633, _o634.time_error, time_claim);
             }
             lanes_store(lists->clock_error + i, clock_error);
             lanes_store(lists->dvx + i, dvx);

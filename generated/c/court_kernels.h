@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 17608efa79d077d6,
+   Generated from templates/c/kernels.h.j2, scene court, derivation fdb99a920399295a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -353,6 +353,23 @@ LANES(court_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _
     const V _s28 = lanes_select(_s2, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s1), lanes_mul(_c11, _s27)), K(1.0), K(0.0)));
     const V _s29 = lanes_select(_s14, _s28, lanes_select(lanes_at_most(lanes_abs(_s13), _s27), K(1.0), _s28));
     return (LANES(court_valid_out)){ lanes_select(_s26, _s15, lanes_select(lanes_at_most(K(0.0), _s25), _s15, K(0.0))), lanes_select(_s26, _s29, lanes_select(lanes_at_most(lanes_abs(_s25), _s27), K(1.0), _s29)) };
+}
+
+/* Where a start may overlap a surface, or be in doubt; and what is said elsewhere.
+   Table 2. 21 operations: 3 additions, 5 subtractions, 2 multiplications, 5 absolute values, 3 comparisons, 2 conjunctions, 1 complement. */
+typedef struct {
+    M near;
+    V valid;
+    V doubt;
+} LANES(court_aside_out);
+
+LANES_INLINE LANES(court_aside_out)
+LANES(court_aside)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
+{
+    const V _s0 = lanes_abs(x);
+    const V _s1 = lanes_mul(K(8.0), lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_add(_c0, _s0), lanes_abs(y)), lanes_abs(z))));
+    const M _s2 = lanes_both(lanes_both(lanes_less(_s1, lanes_sub(_s0, _c1)), lanes_less(_s1, lanes_sub(lanes_abs(lanes_sub(x, _c2)), _c3))), lanes_less(_s1, lanes_sub(lanes_abs(lanes_sub(x, _c4)), _c5)));
+    return (LANES(court_aside_out)){ lanes_not(_s2), K(1.0), K(0.0) };
 }
 
 /* Whether a ball starts as one that has fallen through the ring.

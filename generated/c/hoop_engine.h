@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation aa6452a71138efb3,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 683a817ba09f97be,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -232,7 +232,7 @@ typedef struct {
     LANES(hoop_column) open_refining_y;
     LANES(hoop_column) open_refining_z;
     /* What kernels make of parameters alone. */
-    _Alignas(64) double fixed[49][LANES_WIDTH];
+    _Alignas(64) double fixed[50][LANES_WIDTH];
     _Alignas(64) float fixed_single[26][LANES_WIDTH];
 } LANES(hoop_plain_lists);
 
@@ -450,13 +450,13 @@ static void LANES(hoop_plain_fix)(LANES(hoop_plain_lists) *lists)
     const V p_ring_radius = lanes_load(lists->p_ring_radius);
     const V p_wire_radius = lanes_load(lists->p_wire_radius);
     {
-        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
         const V _s1 = lanes_sub(p_ball_radius, p_board_distance);
         const V _s2 = lanes_mul(K(2.0), p_ball_radius);
-        const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
+        const V _s3 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s4 = lanes_div(K(1.0), p_gravity);
         const V _s5 = lanes_neg(_s4);
-        const V _s6 = lanes_mul(K(1.00006103515625), _s0);
+        const V _s6 = lanes_mul(K(1.00006103515625), _s3);
         const V _s7 = lanes_add(p_ring_radius, _s6);
         const V _s8 = lanes_mul(_s7, _s7);
         const V _s9 = lanes_mul(K(9.313225746154785e-10), _s8);
@@ -466,55 +466,56 @@ static void LANES(hoop_plain_fix)(LANES(hoop_plain_lists) *lists)
         const V _s13 = lanes_mul(_s12, _s12);
         const V _s14 = lanes_div(K(1.0), _s12);
         const V _s15 = lanes_div(_s6, _s12);
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[1], p_board_distance);
-        lanes_store(lists->fixed[2], p_board_half_width);
-        lanes_store(lists->fixed[3], p_board_bottom);
-        lanes_store(lists->fixed[4], p_board_top);
-        lanes_store(lists->fixed[5], p_bridge_half_width);
-        lanes_store(lists->fixed[6], _s0);
-        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[8], _s1);
-        lanes_store(lists->fixed[9], lanes_sub(_s1, _s2));
-        lanes_store(lists->fixed[10], lanes_sub(lanes_sub(_s0, _s2), lanes_mul(K(2.0), p_wire_radius)));
-        lanes_store(lists->fixed[11], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
-        lanes_store(lists->fixed[12], lanes_add(lanes_add(lanes_add(_s3, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
-        lanes_store(lists->fixed[13], _s4);
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[15], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[16], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[17], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[18], _s5);
-        lanes_store(lists->fixed[19], lanes_mul(K(0.5), _s5));
-        lanes_store(lists->fixed[20], lanes_mul(p_bridge_half_width, p_bridge_half_width));
-        lanes_store(lists->fixed[21], lanes_neg(p_board_distance));
-        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[23], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[24], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[25], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[26], _s6);
-        lanes_store(lists->fixed[27], lanes_mul(K(5.820766091346741e-11), _s7));
-        lanes_store(lists->fixed[28], lanes_mul(K(65536.0), _s7));
-        lanes_store(lists->fixed[29], _s8);
-        lanes_store(lists->fixed[30], _s9);
-        lanes_store(lists->fixed[31], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[32], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[33], _s13);
-        lanes_store(lists->fixed[34], lanes_mul(_s12, _s13));
-        lanes_store(lists->fixed[35], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[36], lanes_add(_s9, _s13));
-        lanes_store(lists->fixed[37], lanes_mul(_s14, lanes_mul(_s14, _s14)));
-        lanes_store(lists->fixed[38], _s7);
-        lanes_store(lists->fixed[39], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s7));
-        lanes_store(lists->fixed[40], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[41], lanes_max(K(1.0), _s15));
-        lanes_store(lists->fixed[42], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[43], lanes_mul(K(9.094947017729282e-13), _s7));
-        lanes_store(lists->fixed[44], _s12);
-        lanes_store(lists->fixed[45], lanes_div(K(1.0), _s0));
-        lanes_store(lists->fixed[46], p_restitution);
-        lanes_store(lists->fixed[47], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[48], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[0], p_board_distance);
+        lanes_store(lists->fixed[1], lanes_add(lanes_add(lanes_add(_s0, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
+        lanes_store(lists->fixed[2], lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius));
+        lanes_store(lists->fixed[3], _s1);
+        lanes_store(lists->fixed[4], lanes_sub(_s1, _s2));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[6], p_board_half_width);
+        lanes_store(lists->fixed[7], p_board_bottom);
+        lanes_store(lists->fixed[8], p_board_top);
+        lanes_store(lists->fixed[9], p_bridge_half_width);
+        lanes_store(lists->fixed[10], _s3);
+        lanes_store(lists->fixed[11], lanes_mul(_s3, _s3));
+        lanes_store(lists->fixed[12], lanes_sub(lanes_sub(_s3, _s2), lanes_mul(K(2.0), p_wire_radius)));
+        lanes_store(lists->fixed[13], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
+        lanes_store(lists->fixed[14], _s4);
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[16], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[18], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[19], _s5);
+        lanes_store(lists->fixed[20], lanes_mul(K(0.5), _s5));
+        lanes_store(lists->fixed[21], lanes_mul(p_bridge_half_width, p_bridge_half_width));
+        lanes_store(lists->fixed[22], lanes_neg(p_board_distance));
+        lanes_store(lists->fixed[23], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[24], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s3)));
+        lanes_store(lists->fixed[25], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[26], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[27], _s6);
+        lanes_store(lists->fixed[28], lanes_mul(K(5.820766091346741e-11), _s7));
+        lanes_store(lists->fixed[29], lanes_mul(K(65536.0), _s7));
+        lanes_store(lists->fixed[30], _s8);
+        lanes_store(lists->fixed[31], _s9);
+        lanes_store(lists->fixed[32], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s3));
+        lanes_store(lists->fixed[34], _s13);
+        lanes_store(lists->fixed[35], lanes_mul(_s12, _s13));
+        lanes_store(lists->fixed[36], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[37], lanes_add(_s9, _s13));
+        lanes_store(lists->fixed[38], lanes_mul(_s14, lanes_mul(_s14, _s14)));
+        lanes_store(lists->fixed[39], _s7);
+        lanes_store(lists->fixed[40], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s3), _s7));
+        lanes_store(lists->fixed[41], lanes_mul(K(5.00030517578125), _s3));
+        lanes_store(lists->fixed[42], lanes_max(K(1.0), _s15));
+        lanes_store(lists->fixed[43], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[44], lanes_mul(K(9.094947017729282e-13), _s7));
+        lanes_store(lists->fixed[45], _s12);
+        lanes_store(lists->fixed[46], lanes_div(K(1.0), _s3));
+        lanes_store(lists->fixed[47], p_restitution);
+        lanes_store(lists->fixed[48], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[49], lanes_div(K(1.0), p_ball_radius));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -575,23 +576,24 @@ static void LANES(hoop_plain_fix_f1)(LANES(hoop_plain_lists) *lists, size_t i)
     const V p_ring_radius = lanes_load(lists->p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->p_wire_radius + i);
     {
-        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
         const V _s1 = lanes_sub(p_ball_radius, p_board_distance);
         const V _s2 = lanes_mul(K(2.0), p_ball_radius);
-        const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[1], p_board_distance);
-        lanes_store(lists->fixed[2], p_board_half_width);
-        lanes_store(lists->fixed[3], p_board_bottom);
-        lanes_store(lists->fixed[4], p_board_top);
-        lanes_store(lists->fixed[5], p_bridge_half_width);
-        lanes_store(lists->fixed[6], _s0);
-        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[8], _s1);
-        lanes_store(lists->fixed[9], lanes_sub(_s1, _s2));
-        lanes_store(lists->fixed[10], lanes_sub(lanes_sub(_s0, _s2), lanes_mul(K(2.0), p_wire_radius)));
-        lanes_store(lists->fixed[11], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
-        lanes_store(lists->fixed[12], lanes_add(lanes_add(lanes_add(_s3, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
+        const V _s3 = lanes_add(p_ball_radius, p_wire_radius);
+        lanes_store(lists->fixed[0], p_board_distance);
+        lanes_store(lists->fixed[1], lanes_add(lanes_add(lanes_add(_s0, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
+        lanes_store(lists->fixed[2], lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius));
+        lanes_store(lists->fixed[3], _s1);
+        lanes_store(lists->fixed[4], lanes_sub(_s1, _s2));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[6], p_board_half_width);
+        lanes_store(lists->fixed[7], p_board_bottom);
+        lanes_store(lists->fixed[8], p_board_top);
+        lanes_store(lists->fixed[9], p_bridge_half_width);
+        lanes_store(lists->fixed[10], _s3);
+        lanes_store(lists->fixed[11], lanes_mul(_s3, _s3));
+        lanes_store(lists->fixed[12], lanes_sub(lanes_sub(_s3, _s2), lanes_mul(K(2.0), p_wire_radius)));
+        lanes_store(lists->fixed[13], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
     }
 }
 
@@ -599,7 +601,7 @@ static void LANES(hoop_plain_fix_f1)(LANES(hoop_plain_lists) *lists, size_t i)
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_plain_fix_f5)(LANES(hoop_plain_lists) *lists, size_t i)
+static void LANES(hoop_plain_fix_f7)(LANES(hoop_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
@@ -623,39 +625,39 @@ static void LANES(hoop_plain_fix_f5)(LANES(hoop_plain_lists) *lists, size_t i)
         const V _s8 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s9 = lanes_max(_s7, _s8);
         const V _s10 = lanes_mul(_s9, _s9);
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[1], p_board_distance);
-        lanes_store(lists->fixed[2], p_board_half_width);
-        lanes_store(lists->fixed[3], p_board_bottom);
-        lanes_store(lists->fixed[4], p_board_top);
-        lanes_store(lists->fixed[5], p_bridge_half_width);
-        lanes_store(lists->fixed[6], _s0);
-        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[8], lanes_sub(p_ball_radius, p_board_distance));
-        lanes_store(lists->fixed[13], _s1);
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[15], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[16], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[17], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[18], _s2);
-        lanes_store(lists->fixed[19], lanes_mul(K(0.5), _s2));
-        lanes_store(lists->fixed[20], lanes_mul(p_bridge_half_width, p_bridge_half_width));
-        lanes_store(lists->fixed[21], lanes_neg(p_board_distance));
-        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[23], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[24], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[25], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[26], _s3);
-        lanes_store(lists->fixed[27], lanes_mul(K(5.820766091346741e-11), _s4));
-        lanes_store(lists->fixed[28], lanes_mul(K(65536.0), _s4));
-        lanes_store(lists->fixed[29], _s5);
-        lanes_store(lists->fixed[30], _s6);
-        lanes_store(lists->fixed[31], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[32], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[33], _s10);
-        lanes_store(lists->fixed[34], lanes_mul(_s9, _s10));
-        lanes_store(lists->fixed[35], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[36], lanes_add(_s6, _s10));
+        lanes_store(lists->fixed[0], p_board_distance);
+        lanes_store(lists->fixed[3], lanes_sub(p_ball_radius, p_board_distance));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[6], p_board_half_width);
+        lanes_store(lists->fixed[7], p_board_bottom);
+        lanes_store(lists->fixed[8], p_board_top);
+        lanes_store(lists->fixed[9], p_bridge_half_width);
+        lanes_store(lists->fixed[10], _s0);
+        lanes_store(lists->fixed[11], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[14], _s1);
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[16], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[18], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[19], _s2);
+        lanes_store(lists->fixed[20], lanes_mul(K(0.5), _s2));
+        lanes_store(lists->fixed[21], lanes_mul(p_bridge_half_width, p_bridge_half_width));
+        lanes_store(lists->fixed[22], lanes_neg(p_board_distance));
+        lanes_store(lists->fixed[23], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[24], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[25], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[26], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[27], _s3);
+        lanes_store(lists->fixed[28], lanes_mul(K(5.820766091346741e-11), _s4));
+        lanes_store(lists->fixed[29], lanes_mul(K(65536.0), _s4));
+        lanes_store(lists->fixed[30], _s5);
+        lanes_store(lists->fixed[31], _s6);
+        lanes_store(lists->fixed[32], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[34], _s10);
+        lanes_store(lists->fixed[35], lanes_mul(_s9, _s10));
+        lanes_store(lists->fixed[36], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[37], lanes_add(_s6, _s10));
     }
 }
 
@@ -663,16 +665,16 @@ static void LANES(hoop_plain_fix_f5)(LANES(hoop_plain_lists) *lists, size_t i)
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_plain_fix_f42)(LANES(hoop_plain_lists) *lists, size_t i)
+static void LANES(hoop_plain_fix_f44)(LANES(hoop_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
     const V p_ring_radius = lanes_load(lists->open_p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
     {
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[23], lanes_mul(K(0.5), p_gravity));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -721,7 +723,7 @@ static void LANES(hoop_plain_fix_f42)(LANES(hoop_plain_lists) *lists, size_t i)
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_plain_fix_f53)(LANES(hoop_plain_lists) *lists, size_t taken, M idle)
+static void LANES(hoop_plain_fix_f55)(LANES(hoop_plain_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_leaping_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_leaping_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -757,7 +759,7 @@ static void LANES(hoop_plain_fix_f53)(LANES(hoop_plain_lists) *lists, size_t tak
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_plain_fix_f56)(LANES(hoop_plain_lists) *lists, size_t i)
+static void LANES(hoop_plain_fix_f58)(LANES(hoop_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_searching_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_searching_p_gravity + i);
@@ -772,23 +774,23 @@ static void LANES(hoop_plain_fix_f56)(LANES(hoop_plain_lists) *lists, size_t i)
         const V _s5 = lanes_max(_s3, _s4);
         const V _s6 = lanes_div(K(1.0), _s5);
         const V _s7 = lanes_div(_s1, _s5);
-        lanes_store(lists->fixed[13], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[16], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[23], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[24], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[25], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[26], _s1);
-        lanes_store(lists->fixed[29], lanes_mul(_s2, _s2));
-        lanes_store(lists->fixed[31], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[32], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[33], lanes_mul(_s5, _s5));
-        lanes_store(lists->fixed[35], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[37], lanes_mul(_s6, lanes_mul(_s6, _s6)));
-        lanes_store(lists->fixed[38], _s2);
-        lanes_store(lists->fixed[39], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[40], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[41], lanes_max(K(1.0), _s7));
+        lanes_store(lists->fixed[14], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[24], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[25], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[26], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[27], _s1);
+        lanes_store(lists->fixed[30], lanes_mul(_s2, _s2));
+        lanes_store(lists->fixed[32], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[34], lanes_mul(_s5, _s5));
+        lanes_store(lists->fixed[36], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[38], lanes_mul(_s6, lanes_mul(_s6, _s6)));
+        lanes_store(lists->fixed[39], _s2);
+        lanes_store(lists->fixed[40], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[41], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[42], lanes_max(K(1.0), _s7));
     }
 }
 
@@ -796,7 +798,7 @@ static void LANES(hoop_plain_fix_f56)(LANES(hoop_plain_lists) *lists, size_t i)
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_plain_fix_f61)(LANES(hoop_plain_lists) *lists, size_t taken, M idle)
+static void LANES(hoop_plain_fix_f63)(LANES(hoop_plain_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_searching_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_searching_searching_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -814,18 +816,18 @@ static void LANES(hoop_plain_fix_f61)(LANES(hoop_plain_lists) *lists, size_t tak
         const V _s4 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s5 = lanes_max(_s3, _s4);
         const V _s6 = lanes_div(_s1, _s5);
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[26], _s1);
-        lanes_store(lists->fixed[38], _s2);
-        lanes_store(lists->fixed[39], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[40], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[41], lanes_max(K(1.0), _s6));
-        lanes_store(lists->fixed[42], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[43], lanes_mul(K(9.094947017729282e-13), _s2));
-        lanes_store(lists->fixed[44], _s5);
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[11], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[23], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[27], _s1);
+        lanes_store(lists->fixed[39], _s2);
+        lanes_store(lists->fixed[40], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[41], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[42], lanes_max(K(1.0), _s6));
+        lanes_store(lists->fixed[43], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[44], lanes_mul(K(9.094947017729282e-13), _s2));
+        lanes_store(lists->fixed[45], _s5);
     }
 }
 
@@ -833,7 +835,7 @@ static void LANES(hoop_plain_fix_f61)(LANES(hoop_plain_lists) *lists, size_t tak
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_plain_fix_f72)(LANES(hoop_plain_lists) *lists, size_t i)
+static void LANES(hoop_plain_fix_f74)(LANES(hoop_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
@@ -841,10 +843,10 @@ static void LANES(hoop_plain_fix_f72)(LANES(hoop_plain_lists) *lists, size_t i)
     const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
     {
         const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[11], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[23], lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -852,7 +854,7 @@ static void LANES(hoop_plain_fix_f72)(LANES(hoop_plain_lists) *lists, size_t i)
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_plain_fix_f81)(LANES(hoop_plain_lists) *lists, size_t taken, M idle)
+static void LANES(hoop_plain_fix_f83)(LANES(hoop_plain_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -864,10 +866,10 @@ static void LANES(hoop_plain_fix_f81)(LANES(hoop_plain_lists) *lists, size_t tak
     lanes_store(lists->turning_p_wire_radius, p_wire_radius);
     {
         const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[11], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[23], lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -875,7 +877,7 @@ static void LANES(hoop_plain_fix_f81)(LANES(hoop_plain_lists) *lists, size_t tak
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_plain_fix_f86)(LANES(hoop_plain_lists) *lists, size_t i)
+static void LANES(hoop_plain_fix_f88)(LANES(hoop_plain_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_distance = lanes_load(lists->p_board_distance + i);
@@ -885,15 +887,15 @@ static void LANES(hoop_plain_fix_f86)(LANES(hoop_plain_lists) *lists, size_t i)
     const V p_wire_radius = lanes_load(lists->p_wire_radius + i);
     {
         const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[6], _s0);
-        lanes_store(lists->fixed[8], lanes_sub(p_ball_radius, p_board_distance));
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[22], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[45], lanes_div(K(1.0), _s0));
-        lanes_store(lists->fixed[46], p_restitution);
-        lanes_store(lists->fixed[47], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[48], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[3], lanes_sub(p_ball_radius, p_board_distance));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[10], _s0);
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[23], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[46], lanes_div(K(1.0), _s0));
+        lanes_store(lists->fixed[47], p_restitution);
+        lanes_store(lists->fixed[48], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[49], lanes_div(K(1.0), p_ball_radius));
     }
 }
 
@@ -941,6 +943,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
 
         /* A new shot is looked at once. */
         for (size_t i = fresh; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
                 LANES(hoop_plain_fix_f1)(lists, i);
             V last = lanes_load(lists->last + i);
@@ -957,12 +960,19 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const LANES(hoop_finite_state_out) _o2 =
                 LANES(hoop_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
             M finite = _o2.finite;
-            const LANES(hoop_valid_out) _o3 =
-                LANES(hoop_valid)(last, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]));
+            const LANES(hoop_aside_out) _o3 =
+                LANES(hoop_aside)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]));
+            M near = _o3.near;
             V valid = _o3.valid;
-            const LANES(hoop_admitted_out) _o4 =
+            const M _m4 = lanes_both(rows, near);
+            if (lanes_any(_m4)) {
+                const LANES(hoop_valid_out) _o5 =
+                    LANES(hoop_valid)(last, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[0]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[1]));
+                valid = lanes_select(_m4, _o5.valid, valid);
+            }
+            const LANES(hoop_admitted_out) _o6 =
                 LANES(hoop_admitted)(K(INFINITY), finite, permitted, valid);
-            V outcome = _o4.outcome;
+            V outcome = _o6.outcome;
             lanes_store(lists->outcome + i, outcome);
         }
 
@@ -981,7 +991,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const M rows = lanes_first(shots - i);
             LANES(hoop_ahead)(job, begun + i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_plain_fix_f5)(lists, i);
+                LANES(hoop_plain_fix_f7)(lists, i);
             V last = lanes_load(lists->last + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
@@ -989,137 +999,137 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(hoop_error_bounds_out) _o6 =
+            const LANES(hoop_error_bounds_out) _o8 =
                 LANES(hoop_error_bounds)(K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0));
-            V time_error = _o6.time_error;
-            const LANES(hoop_scale_out) _o7 =
-                LANES(hoop_scale)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[13]));
-            V extent = _o7.extent;
-            V speed = _o7.speed;
-            V excess = _o7.excess;
-            const LANES(hoop_opening_out) _o8 =
+            V time_error = _o8.time_error;
+            const LANES(hoop_scale_out) _o9 =
+                LANES(hoop_scale)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]));
+            V extent = _o9.extent;
+            V speed = _o9.speed;
+            V excess = _o9.excess;
+            const LANES(hoop_opening_out) _o10 =
                 LANES(hoop_opening)(excess, K(0.0), K(0.0));
-            V when = _o8.when;
-            V which = _o8.which;
-            const LANES(hoop_limited_out) _o9 =
+            V when = _o10.when;
+            V which = _o10.which;
+            const LANES(hoop_limited_out) _o11 =
                 LANES(hoop_limited)(time_limit);
-            M limited = _o9.limited;
-            const LANES(hoop_left_out) _o10 =
+            M limited = _o11.limited;
+            const LANES(hoop_left_out) _o12 =
                 LANES(hoop_left)(K(3.0), last);
-            V leaving = _o10.leaving;
-            const LANES(hoop_end_arrival_out) _o11 =
-                LANES(hoop_end_arrival)(leaving, z, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]));
-            V time = _o11.time;
-            V rate = _o11.rate;
-            V bend = _o11.bend;
-            const LANES(hoop_meeting_plane_out) _o12 =
+            V leaving = _o12.leaving;
+            const LANES(hoop_end_arrival_out) _o13 =
+                LANES(hoop_end_arrival)(leaving, z, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]), lanes_load(lists->fixed[20]));
+            V time = _o13.time;
+            V rate = _o13.rate;
+            V bend = _o13.bend;
+            const LANES(hoop_meeting_plane_out) _o14 =
                 LANES(hoop_meeting_plane)(bend, rate, time);
-            M arrives = _o12.arrives;
-            const LANES(hoop_timely_out) _o13 =
+            M arrives = _o14.arrives;
+            const LANES(hoop_timely_out) _o15 =
                 LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-            M possible = _o13.possible;
-            const M _m14 = lanes_both(rows, possible);
+            M possible = _o15.possible;
+            const M _m16 = lanes_both(rows, possible);
             {
-                const LANES(hoop_sooner_out) _o15 =
+                const LANES(hoop_sooner_out) _o17 =
                     LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-                when = lanes_select(_m14, _o15.when, when);
-                which = lanes_select(_m14, _o15.which, which);
+                when = lanes_select(_m16, _o17.when, when);
+                which = lanes_select(_m16, _o17.which, which);
             }
-            const LANES(hoop_released_out) _o16 =
+            const LANES(hoop_released_out) _o18 =
                 LANES(hoop_released)(last);
-            M released = _o16.released;
-            M reachable = _o16.reachable;
-            const M _m17 = lanes_both(rows, released);
-            if (lanes_any(_m17)) {
-                const LANES(hoop_horizon_out) _o18 =
-                    LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[13]));
-                V until = _o18.horizon;
-                V pad = _o18.pad;
-                const LANES(hoop_reachable_out) _o19 =
-                    LANES(hoop_reachable)(extent, until, K(0.0), pad, K(0.0), speed, K(0.0), vx, x, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[0]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[21]));
-                reachable = lanes_choose(_m17, _o19.reachable, reachable);
+            M released = _o18.released;
+            M reachable = _o18.reachable;
+            const M _m19 = lanes_both(rows, released);
+            if (lanes_any(_m19)) {
+                const LANES(hoop_horizon_out) _o20 =
+                    LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[14]));
+                V until = _o20.horizon;
+                V pad = _o20.pad;
+                const LANES(hoop_reachable_out) _o21 =
+                    LANES(hoop_reachable)(extent, until, K(0.0), pad, K(0.0), speed, K(0.0), vx, x, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[22]));
+                reachable = lanes_choose(_m19, _o21.reachable, reachable);
             }
-            const M _m20 = lanes_both(rows, reachable);
-            if (lanes_any(_m20)) {
-                const LANES(hoop_left_out) _o21 =
+            const M _m22 = lanes_both(rows, reachable);
+            if (lanes_any(_m22)) {
+                const LANES(hoop_left_out) _o23 =
                     LANES(hoop_left)(K(1.0), last);
-                V leaving = _o21.leaving;
-                const LANES(hoop_backboard_arrival_out) _o22 =
-                    LANES(hoop_backboard_arrival)(leaving, x, vx, lanes_load(lists->fixed[8]));
-                V time = _o22.time;
-                V rate = _o22.rate;
-                V bend = _o22.bend;
-                const LANES(hoop_meeting_plane_out) _o23 =
+                V leaving = _o23.leaving;
+                const LANES(hoop_backboard_arrival_out) _o24 =
+                    LANES(hoop_backboard_arrival)(leaving, x, vx, lanes_load(lists->fixed[3]));
+                V time = _o24.time;
+                V rate = _o24.rate;
+                V bend = _o24.bend;
+                const LANES(hoop_meeting_plane_out) _o25 =
                     LANES(hoop_meeting_plane)(bend, rate, time);
-                M arrives = _o23.arrives;
-                const LANES(hoop_timely_out) _o24 =
+                M arrives = _o25.arrives;
+                const LANES(hoop_timely_out) _o26 =
                     LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-                M possible = _o24.possible;
-                const M _m25 = lanes_both(_m20, possible);
+                M possible = _o26.possible;
+                const M _m27 = lanes_both(_m22, possible);
                 {
-                    const LANES(hoop_flight_out) _o26 =
-                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]));
-                    V there_y = _o26.y;
-                    V there_z = _o26.z;
-                    const LANES(hoop_backboard_bounds_out) _o27 =
-                        LANES(hoop_backboard_bounds)(there_y, there_z, lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]));
-                    V g0 = _o27.g0;
-                    V g1 = _o27.g1;
-                    V g2 = _o27.g2;
-                    V g3 = _o27.g3;
-                    const LANES(hoop_backboard_within_out) _o28 =
+                    const LANES(hoop_flight_out) _o28 =
+                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]));
+                    V there_y = _o28.y;
+                    V there_z = _o28.z;
+                    const LANES(hoop_backboard_bounds_out) _o29 =
+                        LANES(hoop_backboard_bounds)(there_y, there_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]));
+                    V g0 = _o29.g0;
+                    V g1 = _o29.g1;
+                    V g2 = _o29.g2;
+                    V g3 = _o29.g3;
+                    const LANES(hoop_backboard_within_out) _o30 =
                         LANES(hoop_backboard_within)(g0, g1, g2, g3);
-                    M arrives = _o28.arrives;
-                    const LANES(hoop_sooner_out) _o29 =
+                    M arrives = _o30.arrives;
+                    const LANES(hoop_sooner_out) _o31 =
                         LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-                    when = lanes_select(_m25, _o29.when, when);
-                    which = lanes_select(_m25, _o29.which, which);
+                    when = lanes_select(_m27, _o31.when, when);
+                    which = lanes_select(_m27, _o31.which, which);
                 }
-                const LANES(hoop_left_out) _o30 =
+                const LANES(hoop_left_out) _o32 =
                     LANES(hoop_left)(K(2.0), last);
-                leaving = _o30.leaving;
-                const LANES(hoop_bridge_arrival_out) _o31 =
-                    LANES(hoop_bridge_arrival)(leaving, z, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]));
-                time = _o31.time;
-                rate = _o31.rate;
-                bend = _o31.bend;
-                const LANES(hoop_meeting_plane_out) _o32 =
+                leaving = _o32.leaving;
+                const LANES(hoop_bridge_arrival_out) _o33 =
+                    LANES(hoop_bridge_arrival)(leaving, z, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]), lanes_load(lists->fixed[20]));
+                time = _o33.time;
+                rate = _o33.rate;
+                bend = _o33.bend;
+                const LANES(hoop_meeting_plane_out) _o34 =
                     LANES(hoop_meeting_plane)(bend, rate, time);
-                arrives = _o32.arrives;
-                const LANES(hoop_timely_out) _o33 =
+                arrives = _o34.arrives;
+                const LANES(hoop_timely_out) _o35 =
                     LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-                possible = _o33.possible;
-                const M _m34 = lanes_both(_m20, possible);
-                if (lanes_any(_m34)) {
-                    const LANES(hoop_flight_out) _o35 =
-                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]));
-                    V there_x = _o35.x;
-                    V there_y = _o35.y;
-                    const LANES(hoop_bridge_bounds_out) _o36 =
-                        LANES(hoop_bridge_bounds)(there_x, there_y, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[5]));
-                    V g0 = _o36.g0;
-                    V g1 = _o36.g1;
-                    V g2 = _o36.g2;
-                    V g3 = _o36.g3;
-                    V g4 = _o36.g4;
-                    const LANES(hoop_bridge_within_out) _o37 =
+                possible = _o35.possible;
+                const M _m36 = lanes_both(_m22, possible);
+                if (lanes_any(_m36)) {
+                    const LANES(hoop_flight_out) _o37 =
+                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]));
+                    V there_x = _o37.x;
+                    V there_y = _o37.y;
+                    const LANES(hoop_bridge_bounds_out) _o38 =
+                        LANES(hoop_bridge_bounds)(there_x, there_y, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[0]), lanes_load(lists->fixed[9]));
+                    V g0 = _o38.g0;
+                    V g1 = _o38.g1;
+                    V g2 = _o38.g2;
+                    V g3 = _o38.g3;
+                    V g4 = _o38.g4;
+                    const LANES(hoop_bridge_within_out) _o39 =
                         LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-                    M arrives = _o37.arrives;
-                    const LANES(hoop_sooner_out) _o38 =
+                    M arrives = _o39.arrives;
+                    const LANES(hoop_sooner_out) _o40 =
                         LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-                    when = lanes_select(_m34, _o38.when, when);
-                    which = lanes_select(_m34, _o38.which, which);
+                    when = lanes_select(_m36, _o40.when, when);
+                    which = lanes_select(_m36, _o40.which, which);
                 }
             }
-            const LANES(hoop_horizon_out) _o39 =
-                LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[13]));
-            V until = _o39.horizon;
-            const LANES(hoop_ring_clear_out) _o40 =
-                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[36]));
-            V clear = _o40.clear;
-            const LANES(hoop_opens_out) _o41 =
+            const LANES(hoop_horizon_out) _o41 =
+                LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[14]));
+            V until = _o41.horizon;
+            const LANES(hoop_ring_clear_out) _o42 =
+                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[37]));
+            V clear = _o42.clear;
+            const LANES(hoop_opens_out) _o43 =
                 LANES(hoop_opens)(clear);
-            M open = _o41.open;
+            M open = _o43.open;
             lanes_store(lists->limited + i, lanes_select(limited, K(1.0), K(0.0)));
             lanes_store(lists->time_error + i, time_error);
             lanes_store(lists->when + i, when);
@@ -1153,7 +1163,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_plain_fix_f42)(lists, i);
+                LANES(hoop_plain_fix_f44)(lists, i);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
             V speed = lanes_load(lists->open_speed + i);
@@ -1164,82 +1174,82 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_beginning_out) _o43 =
+            const LANES(hoop_beginning_out) _o45 =
                 LANES(hoop_beginning)();
-            V share = _o43.share;
-            V arrival = _o43.arrival;
-            M certain = _o43.certain;
-            const LANES(hoop_left_out) _o44 =
+            V share = _o45.share;
+            V arrival = _o45.arrival;
+            M certain = _o45.certain;
+            const LANES(hoop_left_out) _o46 =
                 LANES(hoop_left)(K(0.0), last);
-            V leaving = _o44.leaving;
-            const LANES(hoop_ring_opened_out) _o45 =
+            V leaving = _o46.leaving;
+            const LANES(hoop_ring_opened_out) _o47 =
                 LANES(hoop_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[2]), singles_load(lists->fixed_single[3]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[5]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[7]), singles_load(lists->fixed_single[8]), singles_load(lists->fixed_single[9]));
-            S onset = _o45.t;
-            S wide_end = _o45.end;
-            M searching = _o45.searching;
-            S wide_low1 = _o45.low1;
-            S wide_high1 = _o45.high1;
-            S wide_low2 = _o45.low2;
-            S wide_high2 = _o45.high2;
-            S lapsed = _o45.latest;
-            M sound = _o45.sound;
-            const LANES(hoop_opened_out) _o46 =
+            S onset = _o47.t;
+            S wide_end = _o47.end;
+            M searching = _o47.searching;
+            S wide_low1 = _o47.low1;
+            S wide_high1 = _o47.high1;
+            S wide_low2 = _o47.low2;
+            S wide_high2 = _o47.high2;
+            S lapsed = _o47.latest;
+            M sound = _o47.sound;
+            const LANES(hoop_opened_out) _o48 =
                 LANES(hoop_opened)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _o46.time;
-            const LANES(hoop_ring_started_out) _o47 =
-                LANES(hoop_ring_started)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[0]));
-            V rho_start = _o47.rho_start;
-            V parting = _o47.parting;
-            V drift = _o47.drift;
-            const LANES(hoop_flight_out) _o48 =
-                LANES(hoop_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]));
-            V near_x = _o48.x;
-            V near_y = _o48.y;
-            V near_z = _o48.z;
-            V near_vz = _o48.vz;
-            const LANES(hoop_ring_grain_out) _o49 =
+            V since = _o48.time;
+            const LANES(hoop_ring_started_out) _o49 =
+                LANES(hoop_ring_started)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[5]));
+            V rho_start = _o49.rho_start;
+            V parting = _o49.parting;
+            V drift = _o49.drift;
+            const LANES(hoop_flight_out) _o50 =
+                LANES(hoop_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]));
+            V near_x = _o50.x;
+            V near_y = _o50.y;
+            V near_z = _o50.z;
+            V near_vz = _o50.vz;
+            const LANES(hoop_ring_grain_out) _o51 =
                 LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[10]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[11]), singles_load(lists->fixed_single[12]), singles_load(lists->fixed_single[13]), singles_load(lists->fixed_single[14]), singles_load(lists->fixed_single[15]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[16]), singles_load(lists->fixed_single[17]), singles_load(lists->fixed_single[18]));
-            S short_share = _o49.share;
-            S short_t = _o49.t;
-            S short_end = _o49.end;
-            S short_x = _o49.x;
-            S short_y = _o49.y;
-            S short_z = _o49.z;
-            S short_vx = _o49.vx;
-            S short_vy = _o49.vy;
-            S short_vz = _o49.vz;
-            S short_steady = _o49.steady;
-            S short_swing = _o49.swing;
-            S short_rho_start = _o49.rho_start;
-            S short_ceiling = _o49.ceiling;
-            S short_flat = _o49.flat;
-            S short_tilt = _o49.tilt;
-            S short_jerk = _o49.jerk;
-            S short_grit = _o49.grit;
-            S short_parting = _o49.parting;
-            S short_drift = _o49.drift;
-            S short_rate_margin = _o49.rate_margin;
-            S short_low1 = _o49.low1;
-            S short_high1 = _o49.high1;
-            S short_low2 = _o49.low2;
-            S short_high2 = _o49.high2;
-            M fits = _o49.fits;
-            const LANES(hoop_coarse_out) _o50 =
+            S short_share = _o51.share;
+            S short_t = _o51.t;
+            S short_end = _o51.end;
+            S short_x = _o51.x;
+            S short_y = _o51.y;
+            S short_z = _o51.z;
+            S short_vx = _o51.vx;
+            S short_vy = _o51.vy;
+            S short_vz = _o51.vz;
+            S short_steady = _o51.steady;
+            S short_swing = _o51.swing;
+            S short_rho_start = _o51.rho_start;
+            S short_ceiling = _o51.ceiling;
+            S short_flat = _o51.flat;
+            S short_tilt = _o51.tilt;
+            S short_jerk = _o51.jerk;
+            S short_grit = _o51.grit;
+            S short_parting = _o51.parting;
+            S short_drift = _o51.drift;
+            S short_rate_margin = _o51.rate_margin;
+            S short_low1 = _o51.low1;
+            S short_high1 = _o51.high1;
+            S short_low2 = _o51.low2;
+            S short_high2 = _o51.high2;
+            M fits = _o51.fits;
+            const LANES(hoop_coarse_out) _o52 =
                 LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
-            M leaping = _o50.leaping;
-            searching = _o50.searching;
-            M served = _o50.served;
-            V ceiling = _o50.ceiling;
-            V flat = _o50.flat;
-            V tilt = _o50.tilt;
-            const M _m51 = lanes_both(rows, leaping);
-            if (lanes_any(_m51)) {
-                const LANES(hoop_ring_leap_out) _o52 =
+            M leaping = _o52.leaping;
+            searching = _o52.searching;
+            M served = _o52.served;
+            V ceiling = _o52.ceiling;
+            V flat = _o52.flat;
+            V tilt = _o52.tilt;
+            const M _m53 = lanes_both(rows, leaping);
+            if (lanes_any(_m53)) {
+                const LANES(hoop_ring_leap_out) _o54 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
-                short_t = singles_select(singles_of(_m51), _o52.t, short_t);
-                short_end = singles_select(singles_of(_m51), _o52.end, short_end);
-                certain = lanes_choose(_m51, _o52.certain, certain);
-                leaping = lanes_choose(_m51, _o52.leaping, leaping);
+                short_t = singles_select(singles_of(_m53), _o54.t, short_t);
+                short_end = singles_select(singles_of(_m53), _o54.end, short_end);
+                certain = lanes_choose(_m53, _o54.certain, certain);
+                leaping = lanes_choose(_m53, _o54.leaping, leaping);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
@@ -1343,7 +1353,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     short_y = singles_expand(lists->open_leaping_short_y + taken, idle, short_y);
                     short_z = singles_expand(lists->open_leaping_short_z + taken, idle, short_z);
                     if (LANES_SELDOM(varying))
-                        LANES(hoop_plain_fix_f53)(lists, taken, idle);
+                        LANES(hoop_plain_fix_f55)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_leaping_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -1352,12 +1362,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o54 =
+                const LANES(hoop_ring_leap_out) _o56 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
-                short_t = _o54.t;
-                short_end = _o54.end;
-                M certain = _o54.certain;
-                leaping = _o54.leaping;
+                short_t = _o56.t;
+                short_end = _o56.end;
+                M certain = _o56.certain;
+                leaping = _o56.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -1400,11 +1410,11 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o55 =
+            const LANES(hoop_leapt_out) _o57 =
                 LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o55.arrival;
-            V t = _o55.t;
-            searching = _o55.searching;
+            arrival = _o57.arrival;
+            V t = _o57.t;
+            searching = _o57.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -1437,7 +1447,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_searching_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_plain_fix_f56)(lists, i);
+                LANES(hoop_plain_fix_f58)(lists, i);
             V arrival = lanes_load(lists->open_searching_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
             V extent = lanes_load(lists->open_searching_extent + i);
@@ -1452,33 +1462,33 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(hoop_ring_prepare_out) _o57 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]));
-            V steady = _o57.steady;
-            V swing = _o57.swing;
-            V rho_start = _o57.rho_start;
-            V low0 = _o57.low0;
-            V high0 = _o57.high0;
-            V low1 = _o57.low1;
-            V high1 = _o57.high1;
-            V low2 = _o57.low2;
-            V high2 = _o57.high2;
-            V ceiling = _o57.ceiling;
-            V latest = _o57.latest;
-            const LANES(hoop_allowance_out) _o58 =
-                LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[14]));
-            V position_level = _o58.position_level;
-            V velocity_level = _o58.velocity_level;
-            const LANES(hoop_ring_margins_out) _o59 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]));
-            V flat = _o59.margin;
-            V tilt = _o59.leaving_margin;
-            V rate_slack = _o59.rate_margin;
-            const LANES(hoop_ring_enter_out) _o60 =
+            const LANES(hoop_ring_prepare_out) _o59 =
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[26]));
+            V steady = _o59.steady;
+            V swing = _o59.swing;
+            V rho_start = _o59.rho_start;
+            V low0 = _o59.low0;
+            V high0 = _o59.high0;
+            V low1 = _o59.low1;
+            V high1 = _o59.high1;
+            V low2 = _o59.low2;
+            V high2 = _o59.high2;
+            V ceiling = _o59.ceiling;
+            V latest = _o59.latest;
+            const LANES(hoop_allowance_out) _o60 =
+                LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[15]));
+            V position_level = _o60.position_level;
+            V velocity_level = _o60.velocity_level;
+            const LANES(hoop_ring_margins_out) _o61 =
+                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]));
+            V flat = _o61.margin;
+            V tilt = _o61.leaving_margin;
+            V rate_slack = _o61.rate_margin;
+            const LANES(hoop_ring_enter_out) _o62 =
                 LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o60.t;
-            V end = _o60.end;
-            M searching = _o60.searching;
+            t = _o62.t;
+            V end = _o62.end;
+            M searching = _o62.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_rho_start + i, rho_start);
@@ -1589,7 +1599,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     y = lanes_expand(lists->open_searching_searching_y + taken, idle, y);
                     z = lanes_expand(lists->open_searching_searching_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(hoop_plain_fix_f61)(lists, taken, idle);
+                        LANES(hoop_plain_fix_f63)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_searching_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -1598,52 +1608,52 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o62 =
+                const LANES(hoop_nearby_out) _o64 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o62.leaving;
-                V margin = _o62.margin;
-                const LANES(hoop_ring_advance_out) _o63 =
-                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]));
-                V gap = _o63.gap;
-                V rate = _o63.rate;
-                V bend = _o63.bend;
-                V step = _o63.step;
-                V next = _o63.next;
-                V clearance = _o63.clearance;
-                const LANES(hoop_struck_out) _o64 =
+                V leaving = _o64.leaving;
+                V margin = _o64.margin;
+                const LANES(hoop_ring_advance_out) _o65 =
+                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]));
+                V gap = _o65.gap;
+                V rate = _o65.rate;
+                V bend = _o65.bend;
+                V step = _o65.step;
+                V next = _o65.next;
+                V clearance = _o65.clearance;
+                const LANES(hoop_struck_out) _o66 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o64.hit;
-                M sure = _o64.sure;
-                M vague = _o64.vague;
-                const M _m65 = lanes_both(active, vague);
-                if (lanes_any(_m65)) {
-                    const LANES(hoop_finer_out) _o66 =
+                M hit = _o66.hit;
+                M sure = _o66.sure;
+                M vague = _o66.vague;
+                const M _m67 = lanes_both(active, vague);
+                if (lanes_any(_m67)) {
+                    const LANES(hoop_finer_out) _o68 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m65, _o66.share, share);
-                    const LANES(hoop_allowance_out) _o67 =
-                        LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[14]));
-                    V position_level = _o67.position_level;
-                    V velocity_level = _o67.velocity_level;
-                    const LANES(hoop_ring_margins_out) _o68 =
-                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]));
-                    flat = lanes_select(_m65, _o68.margin, flat);
-                    tilt = lanes_select(_m65, _o68.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m65, _o68.rate_margin, rate_slack);
+                    share = lanes_select(_m67, _o68.share, share);
+                    const LANES(hoop_allowance_out) _o69 =
+                        LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[15]));
+                    V position_level = _o69.position_level;
+                    V velocity_level = _o69.velocity_level;
+                    const LANES(hoop_ring_margins_out) _o70 =
+                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]));
+                    flat = lanes_select(_m67, _o70.margin, flat);
+                    tilt = lanes_select(_m67, _o70.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m67, _o70.rate_margin, rate_slack);
                 }
-                const LANES(hoop_advanced_out) _o69 =
+                const LANES(hoop_advanced_out) _o71 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o69.arrival;
-                certain = _o69.certain;
-                M exhausted = _o69.exhausted;
-                searching = _o69.searching;
-                t = _o69.t;
-                const M _m70 = lanes_both(active, exhausted);
+                arrival = _o71.arrival;
+                certain = _o71.certain;
+                M exhausted = _o71.exhausted;
+                searching = _o71.searching;
+                t = _o71.t;
+                const M _m72 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o71 =
+                    const LANES(hoop_ring_enter_out) _o73 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m70, _o71.t, t);
-                    end = lanes_select(_m70, _o71.end, end);
-                    searching = lanes_choose(_m70, _o71.searching, searching);
+                    t = lanes_select(_m72, _o73.t, t);
+                    end = lanes_select(_m72, _o73.end, end);
+                    searching = lanes_choose(_m72, _o73.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -1687,7 +1697,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_plain_fix_f72)(lists, i);
+                LANES(hoop_plain_fix_f74)(lists, i);
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
@@ -1701,36 +1711,36 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o73 =
+            const LANES(hoop_found_out) _o75 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o73.arrives;
-            M refining = _o73.refining;
-            const LANES(hoop_nearby_out) _o74 =
+            M arrives = _o75.arrives;
+            M refining = _o75.refining;
+            const LANES(hoop_nearby_out) _o76 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o74.leaving;
-            const M _m75 = lanes_both(rows, refining);
-            if (lanes_any(_m75)) {
-                const LANES(hoop_ring_refine_out) _o76 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[7]));
-                V refined = _o76.time;
-                V gap = _o76.gap;
-                V rate = _o76.rate;
-                const LANES(hoop_polished_out) _o77 =
+            V leaving = _o76.leaving;
+            const M _m77 = lanes_both(rows, refining);
+            if (lanes_any(_m77)) {
+                const LANES(hoop_ring_refine_out) _o78 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[11]));
+                V refined = _o78.time;
+                V gap = _o78.gap;
+                V rate = _o78.rate;
+                const LANES(hoop_polished_out) _o79 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m75, _o77.arrival, arrival);
-                refining = lanes_choose(_m75, _o77.refining, refining);
+                arrival = lanes_select(_m77, _o79.arrival, arrival);
+                refining = lanes_choose(_m77, _o79.refining, refining);
             }
-            const M _m78 = lanes_both(rows, refining);
-            if (lanes_any(_m78)) {
-                const LANES(hoop_ring_refine_out) _o79 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[7]));
-                V refined = _o79.time;
-                V gap = _o79.gap;
-                V rate = _o79.rate;
-                const LANES(hoop_polished_out) _o80 =
+            const M _m80 = lanes_both(rows, refining);
+            if (lanes_any(_m80)) {
+                const LANES(hoop_ring_refine_out) _o81 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[11]));
+                V refined = _o81.time;
+                V gap = _o81.gap;
+                V rate = _o81.rate;
+                const LANES(hoop_polished_out) _o82 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m78, _o80.arrival, arrival);
-                refining = lanes_choose(_m78, _o80.refining, refining);
+                arrival = lanes_select(_m80, _o82.arrival, arrival);
+                refining = lanes_choose(_m80, _o82.refining, refining);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -1789,7 +1799,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     y = lanes_expand(lists->open_refining_y + taken, idle, y);
                     z = lanes_expand(lists->open_refining_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(hoop_plain_fix_f81)(lists, taken, idle);
+                        LANES(hoop_plain_fix_f83)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -1798,15 +1808,15 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(hoop_ring_refine_out) _o82 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[7]));
-                V refined = _o82.time;
-                V gap = _o82.gap;
-                V rate = _o82.rate;
-                const LANES(hoop_polished_out) _o83 =
+                const LANES(hoop_ring_refine_out) _o84 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[11]));
+                V refined = _o84.time;
+                V gap = _o84.gap;
+                V rate = _o84.rate;
+                const LANES(hoop_polished_out) _o85 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o83.arrival;
-                refining = _o83.refining;
+                arrival = _o85.arrival;
+                refining = _o85.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -1830,13 +1840,13 @@ static void LANES(hoop_plain)(const hoop_job *job)
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(hoop_landed_out) _o84 =
+            const LANES(hoop_landed_out) _o86 =
                 LANES(hoop_landed)(arrival);
-            V time = _o84.time;
-            const LANES(hoop_sooner_out) _o85 =
+            V time = _o86.time;
+            const LANES(hoop_sooner_out) _o87 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o85.when;
-            which = _o85.which;
+            when = _o87.when;
+            which = _o87.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -1849,7 +1859,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_plain_fix_f86)(lists, i);
+                LANES(hoop_plain_fix_f88)(lists, i);
             V clock = lanes_load(lists->clock + i);
             V contacts = lanes_load(lists->contacts + i);
             V count_0 = lanes_load(lists->count_0 + i);
@@ -1870,65 +1880,65 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m87 = lanes_both(rows, limited);
-            if (lanes_any(_m87)) {
-                const LANES(hoop_expiry_out) _o88 =
+            const M _m89 = lanes_both(rows, limited);
+            if (lanes_any(_m89)) {
+                const LANES(hoop_expiry_out) _o90 =
                     LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
-                V time = _o88.time;
-                M arrives = _o88.arrives;
-                const LANES(hoop_sooner_out) _o89 =
+                V time = _o90.time;
+                M arrives = _o90.arrives;
+                const LANES(hoop_sooner_out) _o91 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m87, _o89.when, when);
-                which = lanes_select(_m87, _o89.which, which);
+                when = lanes_select(_m89, _o91.when, when);
+                which = lanes_select(_m89, _o91.which, which);
             }
-            const LANES(hoop_departed_out) _o90 =
+            const LANES(hoop_departed_out) _o92 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o90.moves;
-            M ends = _o90.ends;
-            M touches = _o90.touches;
-            V reached = _o90.reached;
-            const LANES(hoop_body_of_out) _o91 =
+            M moves = _o92.moves;
+            M ends = _o92.ends;
+            M touches = _o92.touches;
+            V reached = _o92.reached;
+            const LANES(hoop_body_of_out) _o93 =
                 LANES(hoop_body_of)(which);
-            V body = _o91.body;
-            const M _m92 = lanes_both(rows, moves);
+            V body = _o93.body;
+            const M _m94 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o93 =
-                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[22]));
-                x = lanes_select(_m92, _o93.x, x);
-                y = lanes_select(_m92, _o93.y, y);
-                z = lanes_select(_m92, _o93.z, z);
-                vx = lanes_select(_m92, _o93.vx, vx);
-                vy = lanes_select(_m92, _o93.vy, vy);
-                vz = lanes_select(_m92, _o93.vz, vz);
-                const LANES(hoop_ticked_out) _o94 =
+                const LANES(hoop_flight_out) _o95 =
+                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]));
+                x = lanes_select(_m94, _o95.x, x);
+                y = lanes_select(_m94, _o95.y, y);
+                z = lanes_select(_m94, _o95.z, z);
+                vx = lanes_select(_m94, _o95.vx, vx);
+                vy = lanes_select(_m94, _o95.vy, vy);
+                vz = lanes_select(_m94, _o95.vz, vz);
+                const LANES(hoop_ticked_out) _o96 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m92, _o94.clock, clock);
+                clock = lanes_select(_m94, _o96.clock, clock);
             }
-            const M _m95 = lanes_both(rows, limited);
-            if (lanes_any(_m95)) {
-                const LANES(hoop_expired_out) _o96 =
+            const M _m97 = lanes_both(rows, limited);
+            if (lanes_any(_m97)) {
+                const LANES(hoop_expired_out) _o98 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m95, _o96.clock, clock);
-                body = lanes_select(_m95, _o96.body, body);
-                reached = lanes_select(_m95, _o96.reached, reached);
-                ends = lanes_choose(_m95, _o96.ends, ends);
+                clock = lanes_select(_m97, _o98.clock, clock);
+                body = lanes_select(_m97, _o98.body, body);
+                reached = lanes_select(_m97, _o98.reached, reached);
+                ends = lanes_choose(_m97, _o98.ends, ends);
             }
-            const LANES(hoop_here_out) _o97 =
+            const LANES(hoop_here_out) _o99 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o97.here;
-            const M _m98 = lanes_both(rows, here);
+            M here = _o99.here;
+            const M _m100 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o99 =
-                    LANES(hoop_end_bounds)(x, y, lanes_load(lists->fixed[0]));
-                V g0 = _o99.g0;
-                const LANES(hoop_end_reached_out) _o100 =
+                const LANES(hoop_end_bounds_out) _o101 =
+                    LANES(hoop_end_bounds)(x, y, lanes_load(lists->fixed[5]));
+                V g0 = _o101.g0;
+                const LANES(hoop_end_reached_out) _o102 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m98, _o100.reached, reached);
+                reached = lanes_select(_m100, _o102.reached, reached);
             }
-            const LANES(hoop_accounted_out) _o101 =
+            const LANES(hoop_accounted_out) _o103 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o101.contacts;
-            V outcome = _o101.outcome;
+            contacts = _o103.contacts;
+            V outcome = _o103.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -1941,97 +1951,97 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o102 =
+            const LANES(hoop_meeting_out) _o104 =
                 LANES(hoop_meeting)(K(0.0), ends, touches);
-            M meeting = _o102.meeting;
-            const M _m103 = lanes_both(rows, meeting);
-            if (lanes_any(_m103)) {
-                const LANES(hoop_end_normal_out) _o104 =
+            M meeting = _o104.meeting;
+            const M _m105 = lanes_both(rows, meeting);
+            if (lanes_any(_m105)) {
+                const LANES(hoop_end_normal_out) _o106 =
                     LANES(hoop_end_normal)();
-                V nx = _o104.nx;
-                V ny = _o104.ny;
-                V nz = _o104.nz;
-                const LANES(hoop_here_out) _o105 =
+                V nx = _o106.nx;
+                V ny = _o106.ny;
+                V nz = _o106.nz;
+                const LANES(hoop_here_out) _o107 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o105.here;
-                const M _m106 = lanes_both(_m103, here);
+                M here = _o107.here;
+                const M _m108 = lanes_both(_m105, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o107 =
-                        LANES(hoop_ring_normal)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[45]));
-                    nx = lanes_select(_m106, _o107.nx, nx);
-                    ny = lanes_select(_m106, _o107.ny, ny);
-                    nz = lanes_select(_m106, _o107.nz, nz);
-                    const LANES(hoop_counted_out) _o108 =
+                    const LANES(hoop_ring_normal_out) _o109 =
+                        LANES(hoop_ring_normal)(x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[46]));
+                    nx = lanes_select(_m108, _o109.nx, nx);
+                    ny = lanes_select(_m108, _o109.ny, ny);
+                    nz = lanes_select(_m108, _o109.nz, nz);
+                    const LANES(hoop_counted_out) _o110 =
                         LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m106, _o108.count, count_0);
+                    count_0 = lanes_select(_m108, _o110.count, count_0);
                 }
-                const LANES(hoop_here_out) _o109 =
+                const LANES(hoop_here_out) _o111 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o109.here;
-                const M _m110 = lanes_both(_m103, here);
+                here = _o111.here;
+                const M _m112 = lanes_both(_m105, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o111 =
+                    const LANES(hoop_backboard_normal_out) _o113 =
                         LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m110, _o111.nx, nx);
-                    ny = lanes_select(_m110, _o111.ny, ny);
-                    nz = lanes_select(_m110, _o111.nz, nz);
-                    const LANES(hoop_counted_out) _o112 =
+                    nx = lanes_select(_m112, _o113.nx, nx);
+                    ny = lanes_select(_m112, _o113.ny, ny);
+                    nz = lanes_select(_m112, _o113.nz, nz);
+                    const LANES(hoop_counted_out) _o114 =
                         LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m110, _o112.count, count_1);
+                    count_1 = lanes_select(_m112, _o114.count, count_1);
                 }
-                const LANES(hoop_here_out) _o113 =
+                const LANES(hoop_here_out) _o115 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o113.here;
-                const M _m114 = lanes_both(_m103, here);
+                here = _o115.here;
+                const M _m116 = lanes_both(_m105, here);
                 {
-                    const LANES(hoop_bridge_normal_out) _o115 =
+                    const LANES(hoop_bridge_normal_out) _o117 =
                         LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m114, _o115.nx, nx);
-                    ny = lanes_select(_m114, _o115.ny, ny);
-                    nz = lanes_select(_m114, _o115.nz, nz);
-                    const LANES(hoop_counted_out) _o116 =
+                    nx = lanes_select(_m116, _o117.nx, nx);
+                    ny = lanes_select(_m116, _o117.ny, ny);
+                    nz = lanes_select(_m116, _o117.nz, nz);
+                    const LANES(hoop_counted_out) _o118 =
                         LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m114, _o116.count, count_2);
+                    count_2 = lanes_select(_m116, _o118.count, count_2);
                 }
-                const M _m117 = lanes_both(_m103, touches);
-                if (lanes_any(_m117)) {
-                    const LANES(hoop_impact_out) _o118 =
-                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]));
-                    vx = lanes_select(_m117, _o118.vx, vx);
-                    vy = lanes_select(_m117, _o118.vy, vy);
-                    vz = lanes_select(_m117, _o118.vz, vz);
-                    wx = lanes_select(_m117, _o118.wx, wx);
-                    wy = lanes_select(_m117, _o118.wy, wy);
-                    wz = lanes_select(_m117, _o118.wz, wz);
+                const M _m119 = lanes_both(_m105, touches);
+                if (lanes_any(_m119)) {
+                    const LANES(hoop_impact_out) _o120 =
+                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
+                    vx = lanes_select(_m119, _o120.vx, vx);
+                    vy = lanes_select(_m119, _o120.vy, vy);
+                    vz = lanes_select(_m119, _o120.vz, vz);
+                    wx = lanes_select(_m119, _o120.wx, wx);
+                    wy = lanes_select(_m119, _o120.wy, wy);
+                    wz = lanes_select(_m119, _o120.wz, wz);
                 }
-                const LANES(hoop_here_out) _o119 =
+                const LANES(hoop_here_out) _o121 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o119.here;
-                const M _m120 = lanes_both(_m103, here);
+                here = _o121.here;
+                const M _m122 = lanes_both(_m105, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o121 =
-                        LANES(hoop_backboard_place)(y, z, lanes_load(lists->fixed[8]));
-                    x = lanes_select(_m120, _o121.x, x);
-                    y = lanes_select(_m120, _o121.y, y);
-                    z = lanes_select(_m120, _o121.z, z);
+                    const LANES(hoop_backboard_place_out) _o123 =
+                        LANES(hoop_backboard_place)(y, z, lanes_load(lists->fixed[3]));
+                    x = lanes_select(_m122, _o123.x, x);
+                    y = lanes_select(_m122, _o123.y, y);
+                    z = lanes_select(_m122, _o123.z, z);
                 }
-                const LANES(hoop_here_out) _o122 =
+                const LANES(hoop_here_out) _o124 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o122.here;
-                const M _m123 = lanes_both(_m103, here);
+                here = _o124.here;
+                const M _m125 = lanes_both(_m105, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o124 =
-                        LANES(hoop_bridge_place)(x, y, lanes_load(lists->fixed[6]));
-                    x = lanes_select(_m123, _o124.x, x);
-                    y = lanes_select(_m123, _o124.y, y);
-                    z = lanes_select(_m123, _o124.z, z);
+                    const LANES(hoop_bridge_place_out) _o126 =
+                        LANES(hoop_bridge_place)(x, y, lanes_load(lists->fixed[10]));
+                    x = lanes_select(_m125, _o126.x, x);
+                    y = lanes_select(_m125, _o126.y, y);
+                    z = lanes_select(_m125, _o126.z, z);
                 }
-                const M _m125 = lanes_both(_m103, touches);
+                const M _m127 = lanes_both(_m105, touches);
                 {
-                    const LANES(hoop_touched_out) _o126 =
+                    const LANES(hoop_touched_out) _o128 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m125, _o126.first, first);
-                    last = lanes_select(_m125, _o126.last, last);
+                    first = lanes_select(_m127, _o128.first, first);
+                    last = lanes_select(_m127, _o128.last, last);
                 }
             }
             lanes_store(lists->clock + i, clock);
@@ -2298,7 +2308,7 @@ typedef struct {
     LANES(hoop_column) open_refining_y;
     LANES(hoop_column) open_refining_z;
     /* What kernels make of parameters alone. */
-    _Alignas(64) double fixed[56][LANES_WIDTH];
+    _Alignas(64) double fixed[57][LANES_WIDTH];
     _Alignas(64) float fixed_single[26][LANES_WIDTH];
 } LANES(hoop_bounded_lists);
 
@@ -2571,17 +2581,17 @@ static void LANES(hoop_bounded_fix)(LANES(hoop_bounded_lists) *lists)
     const V p_ring_radius = lanes_load(lists->p_ring_radius);
     const V p_wire_radius = lanes_load(lists->p_wire_radius);
     {
-        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s1 = lanes_sub(p_ball_radius, p_board_distance);
-        const V _s2 = lanes_mul(K(2.0), p_ball_radius);
-        const V _s3 = lanes_abs(p_board_bottom);
-        const V _s4 = lanes_abs(p_board_top);
-        const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), _s3), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), _s4), lanes_abs(p_bridge_half_width));
+        const V _s0 = lanes_abs(p_board_bottom);
+        const V _s1 = lanes_abs(p_board_top);
+        const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), _s0), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), _s1), lanes_abs(p_bridge_half_width));
+        const V _s3 = lanes_sub(p_ball_radius, p_board_distance);
+        const V _s4 = lanes_mul(K(2.0), p_ball_radius);
+        const V _s5 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s6 = lanes_div(K(1.0), p_gravity);
         const V _s7 = lanes_neg(_s6);
         const V _s8 = lanes_mul(K(6.667843360785852e-16), p_ball_radius);
         const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth), p_ring_radius), p_wire_radius);
-        const V _s10 = lanes_mul(K(1.00006103515625), _s0);
+        const V _s10 = lanes_mul(K(1.00006103515625), _s5);
         const V _s11 = lanes_add(p_ring_radius, _s10);
         const V _s12 = lanes_mul(_s11, _s11);
         const V _s13 = lanes_mul(K(9.313225746154785e-10), _s12);
@@ -2592,62 +2602,63 @@ static void LANES(hoop_bounded_fix)(LANES(hoop_bounded_lists) *lists)
         const V _s18 = lanes_div(K(1.0), _s16);
         const V _s19 = lanes_div(_s10, _s16);
         const V _s20 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[1], p_board_distance);
-        lanes_store(lists->fixed[2], p_board_half_width);
-        lanes_store(lists->fixed[3], p_board_bottom);
-        lanes_store(lists->fixed[4], p_board_top);
-        lanes_store(lists->fixed[5], p_bridge_half_width);
-        lanes_store(lists->fixed[6], _s0);
-        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[8], _s1);
-        lanes_store(lists->fixed[9], lanes_sub(_s1, _s2));
-        lanes_store(lists->fixed[10], lanes_sub(lanes_sub(_s0, _s2), lanes_mul(K(2.0), p_wire_radius)));
-        lanes_store(lists->fixed[11], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
-        lanes_store(lists->fixed[12], lanes_add(lanes_add(lanes_add(_s5, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
-        lanes_store(lists->fixed[13], _s6);
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[15], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[16], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[17], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[18], _s7);
-        lanes_store(lists->fixed[19], lanes_mul(K(0.5), _s7));
-        lanes_store(lists->fixed[20], lanes_mul(K(6.667843360785852e-16), p_end_depth));
-        lanes_store(lists->fixed[21], lanes_mul(p_bridge_half_width, p_bridge_half_width));
-        lanes_store(lists->fixed[22], lanes_neg(p_board_distance));
-        lanes_store(lists->fixed[23], lanes_add(_s8, lanes_mul(K(8.890457814381136e-16), p_board_distance)));
-        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[25], lanes_add(lanes_add(_s9, _s3), _s4));
-        lanes_store(lists->fixed[26], lanes_add(_s8, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
-        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[30], _s10);
-        lanes_store(lists->fixed[31], lanes_mul(K(5.820766091346741e-11), _s11));
-        lanes_store(lists->fixed[32], lanes_mul(K(65536.0), _s11));
-        lanes_store(lists->fixed[33], _s12);
-        lanes_store(lists->fixed[34], _s13);
-        lanes_store(lists->fixed[35], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[36], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[37], _s17);
-        lanes_store(lists->fixed[38], lanes_mul(_s16, _s17));
-        lanes_store(lists->fixed[39], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[40], lanes_add(_s13, _s17));
-        lanes_store(lists->fixed[41], lanes_mul(_s18, lanes_mul(_s18, _s18)));
-        lanes_store(lists->fixed[42], _s11);
-        lanes_store(lists->fixed[43], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s11));
-        lanes_store(lists->fixed[44], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[45], lanes_max(K(1.0), _s19));
-        lanes_store(lists->fixed[46], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[47], lanes_mul(K(9.094947017729282e-13), _s11));
-        lanes_store(lists->fixed[48], _s16);
-        lanes_store(lists->fixed[49], lanes_div(K(1.0), _s0));
-        lanes_store(lists->fixed[50], lanes_div(K(1.0), lanes_min(_s20, _s0)));
-        lanes_store(lists->fixed[51], p_ball_radius);
-        lanes_store(lists->fixed[52], p_restitution);
-        lanes_store(lists->fixed[53], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[54], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[55], lanes_abs(K(0.0)));
+        lanes_store(lists->fixed[0], p_board_distance);
+        lanes_store(lists->fixed[1], lanes_add(lanes_add(lanes_add(_s2, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
+        lanes_store(lists->fixed[2], lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius));
+        lanes_store(lists->fixed[3], _s3);
+        lanes_store(lists->fixed[4], lanes_sub(_s3, _s4));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[6], p_board_half_width);
+        lanes_store(lists->fixed[7], p_board_bottom);
+        lanes_store(lists->fixed[8], p_board_top);
+        lanes_store(lists->fixed[9], p_bridge_half_width);
+        lanes_store(lists->fixed[10], _s5);
+        lanes_store(lists->fixed[11], lanes_mul(_s5, _s5));
+        lanes_store(lists->fixed[12], lanes_sub(lanes_sub(_s5, _s4), lanes_mul(K(2.0), p_wire_radius)));
+        lanes_store(lists->fixed[13], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
+        lanes_store(lists->fixed[14], _s6);
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[16], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[18], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[19], _s7);
+        lanes_store(lists->fixed[20], lanes_mul(K(0.5), _s7));
+        lanes_store(lists->fixed[21], lanes_mul(K(6.667843360785852e-16), p_end_depth));
+        lanes_store(lists->fixed[22], lanes_mul(p_bridge_half_width, p_bridge_half_width));
+        lanes_store(lists->fixed[23], lanes_neg(p_board_distance));
+        lanes_store(lists->fixed[24], lanes_add(_s8, lanes_mul(K(8.890457814381136e-16), p_board_distance)));
+        lanes_store(lists->fixed[25], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[26], lanes_add(lanes_add(_s9, _s0), _s1));
+        lanes_store(lists->fixed[27], lanes_add(_s8, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
+        lanes_store(lists->fixed[28], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s5)));
+        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[30], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[31], _s10);
+        lanes_store(lists->fixed[32], lanes_mul(K(5.820766091346741e-11), _s11));
+        lanes_store(lists->fixed[33], lanes_mul(K(65536.0), _s11));
+        lanes_store(lists->fixed[34], _s12);
+        lanes_store(lists->fixed[35], _s13);
+        lanes_store(lists->fixed[36], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[37], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s5));
+        lanes_store(lists->fixed[38], _s17);
+        lanes_store(lists->fixed[39], lanes_mul(_s16, _s17));
+        lanes_store(lists->fixed[40], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[41], lanes_add(_s13, _s17));
+        lanes_store(lists->fixed[42], lanes_mul(_s18, lanes_mul(_s18, _s18)));
+        lanes_store(lists->fixed[43], _s11);
+        lanes_store(lists->fixed[44], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s5), _s11));
+        lanes_store(lists->fixed[45], lanes_mul(K(5.00030517578125), _s5));
+        lanes_store(lists->fixed[46], lanes_max(K(1.0), _s19));
+        lanes_store(lists->fixed[47], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[48], lanes_mul(K(9.094947017729282e-13), _s11));
+        lanes_store(lists->fixed[49], _s16);
+        lanes_store(lists->fixed[50], lanes_div(K(1.0), _s5));
+        lanes_store(lists->fixed[51], lanes_div(K(1.0), lanes_min(_s20, _s5)));
+        lanes_store(lists->fixed[52], p_ball_radius);
+        lanes_store(lists->fixed[53], p_restitution);
+        lanes_store(lists->fixed[54], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[55], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[56], lanes_abs(K(0.0)));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -2708,23 +2719,24 @@ static void LANES(hoop_bounded_fix_f1)(LANES(hoop_bounded_lists) *lists, size_t 
     const V p_ring_radius = lanes_load(lists->p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->p_wire_radius + i);
     {
-        const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+        const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
         const V _s1 = lanes_sub(p_ball_radius, p_board_distance);
         const V _s2 = lanes_mul(K(2.0), p_ball_radius);
-        const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[1], p_board_distance);
-        lanes_store(lists->fixed[2], p_board_half_width);
-        lanes_store(lists->fixed[3], p_board_bottom);
-        lanes_store(lists->fixed[4], p_board_top);
-        lanes_store(lists->fixed[5], p_bridge_half_width);
-        lanes_store(lists->fixed[6], _s0);
-        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[8], _s1);
-        lanes_store(lists->fixed[9], lanes_sub(_s1, _s2));
-        lanes_store(lists->fixed[10], lanes_sub(lanes_sub(_s0, _s2), lanes_mul(K(2.0), p_wire_radius)));
-        lanes_store(lists->fixed[11], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
-        lanes_store(lists->fixed[12], lanes_add(lanes_add(lanes_add(_s3, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
+        const V _s3 = lanes_add(p_ball_radius, p_wire_radius);
+        lanes_store(lists->fixed[0], p_board_distance);
+        lanes_store(lists->fixed[1], lanes_add(lanes_add(lanes_add(_s0, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
+        lanes_store(lists->fixed[2], lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius));
+        lanes_store(lists->fixed[3], _s1);
+        lanes_store(lists->fixed[4], lanes_sub(_s1, _s2));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[6], p_board_half_width);
+        lanes_store(lists->fixed[7], p_board_bottom);
+        lanes_store(lists->fixed[8], p_board_top);
+        lanes_store(lists->fixed[9], p_bridge_half_width);
+        lanes_store(lists->fixed[10], _s3);
+        lanes_store(lists->fixed[11], lanes_mul(_s3, _s3));
+        lanes_store(lists->fixed[12], lanes_sub(lanes_sub(_s3, _s2), lanes_mul(K(2.0), p_wire_radius)));
+        lanes_store(lists->fixed[13], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
     }
 }
 
@@ -2732,7 +2744,7 @@ static void LANES(hoop_bounded_fix_f1)(LANES(hoop_bounded_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f5)(LANES(hoop_bounded_lists) *lists, size_t i)
+static void LANES(hoop_bounded_fix_f7)(LANES(hoop_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
@@ -2758,43 +2770,43 @@ static void LANES(hoop_bounded_fix_f5)(LANES(hoop_bounded_lists) *lists, size_t 
         const V _s10 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s11 = lanes_max(_s9, _s10);
         const V _s12 = lanes_mul(_s11, _s11);
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[1], p_board_distance);
-        lanes_store(lists->fixed[2], p_board_half_width);
-        lanes_store(lists->fixed[3], p_board_bottom);
-        lanes_store(lists->fixed[4], p_board_top);
-        lanes_store(lists->fixed[5], p_bridge_half_width);
-        lanes_store(lists->fixed[6], _s0);
-        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[8], lanes_sub(p_ball_radius, p_board_distance));
-        lanes_store(lists->fixed[13], _s1);
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[15], lanes_neg(p_end_depth));
-        lanes_store(lists->fixed[16], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[17], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[18], _s2);
-        lanes_store(lists->fixed[19], lanes_mul(K(0.5), _s2));
-        lanes_store(lists->fixed[20], lanes_mul(K(6.667843360785852e-16), p_end_depth));
-        lanes_store(lists->fixed[21], lanes_mul(p_bridge_half_width, p_bridge_half_width));
-        lanes_store(lists->fixed[22], lanes_neg(p_board_distance));
-        lanes_store(lists->fixed[23], lanes_add(_s3, lanes_mul(K(8.890457814381136e-16), p_board_distance)));
-        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[25], lanes_add(lanes_add(_s4, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
-        lanes_store(lists->fixed[26], lanes_add(_s3, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
-        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[30], _s5);
-        lanes_store(lists->fixed[31], lanes_mul(K(5.820766091346741e-11), _s6));
-        lanes_store(lists->fixed[32], lanes_mul(K(65536.0), _s6));
-        lanes_store(lists->fixed[33], _s7);
-        lanes_store(lists->fixed[34], _s8);
-        lanes_store(lists->fixed[35], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[36], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[37], _s12);
-        lanes_store(lists->fixed[38], lanes_mul(_s11, _s12));
-        lanes_store(lists->fixed[39], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[40], lanes_add(_s8, _s12));
+        lanes_store(lists->fixed[0], p_board_distance);
+        lanes_store(lists->fixed[3], lanes_sub(p_ball_radius, p_board_distance));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[6], p_board_half_width);
+        lanes_store(lists->fixed[7], p_board_bottom);
+        lanes_store(lists->fixed[8], p_board_top);
+        lanes_store(lists->fixed[9], p_bridge_half_width);
+        lanes_store(lists->fixed[10], _s0);
+        lanes_store(lists->fixed[11], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[14], _s1);
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[16], lanes_neg(p_end_depth));
+        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[18], lanes_neg(p_gravity));
+        lanes_store(lists->fixed[19], _s2);
+        lanes_store(lists->fixed[20], lanes_mul(K(0.5), _s2));
+        lanes_store(lists->fixed[21], lanes_mul(K(6.667843360785852e-16), p_end_depth));
+        lanes_store(lists->fixed[22], lanes_mul(p_bridge_half_width, p_bridge_half_width));
+        lanes_store(lists->fixed[23], lanes_neg(p_board_distance));
+        lanes_store(lists->fixed[24], lanes_add(_s3, lanes_mul(K(8.890457814381136e-16), p_board_distance)));
+        lanes_store(lists->fixed[25], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[26], lanes_add(lanes_add(_s4, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
+        lanes_store(lists->fixed[27], lanes_add(_s3, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
+        lanes_store(lists->fixed[28], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[30], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[31], _s5);
+        lanes_store(lists->fixed[32], lanes_mul(K(5.820766091346741e-11), _s6));
+        lanes_store(lists->fixed[33], lanes_mul(K(65536.0), _s6));
+        lanes_store(lists->fixed[34], _s7);
+        lanes_store(lists->fixed[35], _s8);
+        lanes_store(lists->fixed[36], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[37], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[38], _s12);
+        lanes_store(lists->fixed[39], lanes_mul(_s11, _s12));
+        lanes_store(lists->fixed[40], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[41], lanes_add(_s8, _s12));
     }
 }
 
@@ -2802,19 +2814,19 @@ static void LANES(hoop_bounded_fix_f5)(LANES(hoop_bounded_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f64)(LANES(hoop_bounded_lists) *lists, size_t i)
+static void LANES(hoop_bounded_fix_f66)(LANES(hoop_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
     const V p_ring_radius = lanes_load(lists->open_p_ring_radius + i);
     const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
     {
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, lanes_add(p_ball_radius, p_wire_radius))));
-        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[25], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[28], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, lanes_add(p_ball_radius, p_wire_radius))));
+        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[30], lanes_mul(K(1.52587890625e-05), p_wire_radius));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -2863,7 +2875,7 @@ static void LANES(hoop_bounded_fix_f64)(LANES(hoop_bounded_lists) *lists, size_t
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f78)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(hoop_bounded_fix_f80)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_leaping_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_leaping_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -2899,7 +2911,7 @@ static void LANES(hoop_bounded_fix_f78)(LANES(hoop_bounded_lists) *lists, size_t
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f81)(LANES(hoop_bounded_lists) *lists, size_t i)
+static void LANES(hoop_bounded_fix_f83)(LANES(hoop_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_searching_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_searching_p_gravity + i);
@@ -2914,23 +2926,23 @@ static void LANES(hoop_bounded_fix_f81)(LANES(hoop_bounded_lists) *lists, size_t
         const V _s5 = lanes_max(_s3, _s4);
         const V _s6 = lanes_div(K(1.0), _s5);
         const V _s7 = lanes_div(_s1, _s5);
-        lanes_store(lists->fixed[13], lanes_div(K(1.0), p_gravity));
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[16], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[30], _s1);
-        lanes_store(lists->fixed[33], lanes_mul(_s2, _s2));
-        lanes_store(lists->fixed[35], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[36], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[37], lanes_mul(_s5, _s5));
-        lanes_store(lists->fixed[39], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[41], lanes_mul(_s6, lanes_mul(_s6, _s6)));
-        lanes_store(lists->fixed[42], _s2);
-        lanes_store(lists->fixed[43], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[44], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[45], lanes_max(K(1.0), _s7));
+        lanes_store(lists->fixed[14], lanes_div(K(1.0), p_gravity));
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
+        lanes_store(lists->fixed[28], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
+        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[30], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[31], _s1);
+        lanes_store(lists->fixed[34], lanes_mul(_s2, _s2));
+        lanes_store(lists->fixed[36], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[37], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[38], lanes_mul(_s5, _s5));
+        lanes_store(lists->fixed[40], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[42], lanes_mul(_s6, lanes_mul(_s6, _s6)));
+        lanes_store(lists->fixed[43], _s2);
+        lanes_store(lists->fixed[44], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[45], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[46], lanes_max(K(1.0), _s7));
     }
 }
 
@@ -2938,7 +2950,7 @@ static void LANES(hoop_bounded_fix_f81)(LANES(hoop_bounded_lists) *lists, size_t
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f86)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(hoop_bounded_fix_f88)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_searching_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_searching_searching_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -2956,18 +2968,18 @@ static void LANES(hoop_bounded_fix_f86)(LANES(hoop_bounded_lists) *lists, size_t
         const V _s4 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s5 = lanes_max(_s3, _s4);
         const V _s6 = lanes_div(_s1, _s5);
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[30], _s1);
-        lanes_store(lists->fixed[42], _s2);
-        lanes_store(lists->fixed[43], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[44], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[45], lanes_max(K(1.0), _s6));
-        lanes_store(lists->fixed[46], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[47], lanes_mul(K(9.094947017729282e-13), _s2));
-        lanes_store(lists->fixed[48], _s5);
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[11], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[25], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[31], _s1);
+        lanes_store(lists->fixed[43], _s2);
+        lanes_store(lists->fixed[44], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[45], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[46], lanes_max(K(1.0), _s6));
+        lanes_store(lists->fixed[47], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[48], lanes_mul(K(9.094947017729282e-13), _s2));
+        lanes_store(lists->fixed[49], _s5);
     }
 }
 
@@ -2975,7 +2987,7 @@ static void LANES(hoop_bounded_fix_f86)(LANES(hoop_bounded_lists) *lists, size_t
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f99)(LANES(hoop_bounded_lists) *lists, size_t i)
+static void LANES(hoop_bounded_fix_f101)(LANES(hoop_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
@@ -2983,10 +2995,10 @@ static void LANES(hoop_bounded_fix_f99)(LANES(hoop_bounded_lists) *lists, size_t
     const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
     {
         const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[11], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[25], lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -2994,7 +3006,7 @@ static void LANES(hoop_bounded_fix_f99)(LANES(hoop_bounded_lists) *lists, size_t
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f108)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(hoop_bounded_fix_f110)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -3006,10 +3018,10 @@ static void LANES(hoop_bounded_fix_f108)(LANES(hoop_bounded_lists) *lists, size_
     lanes_store(lists->turning_p_wire_radius, p_wire_radius);
     {
         const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[7], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[11], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[25], lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -3017,7 +3029,7 @@ static void LANES(hoop_bounded_fix_f108)(LANES(hoop_bounded_lists) *lists, size_
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f111)(LANES(hoop_bounded_lists) *lists, size_t i)
+static void LANES(hoop_bounded_fix_f113)(LANES(hoop_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
@@ -3030,12 +3042,12 @@ static void LANES(hoop_bounded_fix_f111)(LANES(hoop_bounded_lists) *lists, size_
         const V _s3 = lanes_sub(p_ring_radius, _s1);
         const V _s4 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s5 = lanes_div(_s1, lanes_max(_s3, _s4));
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[30], _s1);
-        lanes_store(lists->fixed[42], _s2);
-        lanes_store(lists->fixed[43], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[44], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[45], lanes_max(K(1.0), _s5));
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[31], _s1);
+        lanes_store(lists->fixed[43], _s2);
+        lanes_store(lists->fixed[44], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[45], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[46], lanes_max(K(1.0), _s5));
     }
 }
 
@@ -3043,7 +3055,7 @@ static void LANES(hoop_bounded_fix_f111)(LANES(hoop_bounded_lists) *lists, size_
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f119)(LANES(hoop_bounded_lists) *lists, size_t i)
+static void LANES(hoop_bounded_fix_f121)(LANES(hoop_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
@@ -3060,19 +3072,19 @@ static void LANES(hoop_bounded_fix_f119)(LANES(hoop_bounded_lists) *lists, size_
         const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth), p_ring_radius), p_wire_radius);
         const V _s2 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
-        lanes_store(lists->fixed[0], p_ring_radius);
-        lanes_store(lists->fixed[6], _s0);
-        lanes_store(lists->fixed[8], lanes_sub(p_ball_radius, p_board_distance));
-        lanes_store(lists->fixed[14], p_gravity);
-        lanes_store(lists->fixed[24], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[25], lanes_add(lanes_add(_s1, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
-        lanes_store(lists->fixed[49], lanes_div(K(1.0), _s0));
-        lanes_store(lists->fixed[50], lanes_div(K(1.0), lanes_min(_s2, _s0)));
-        lanes_store(lists->fixed[51], p_ball_radius);
-        lanes_store(lists->fixed[52], p_restitution);
-        lanes_store(lists->fixed[53], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[54], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[55], lanes_abs(K(0.0)));
+        lanes_store(lists->fixed[3], lanes_sub(p_ball_radius, p_board_distance));
+        lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[10], _s0);
+        lanes_store(lists->fixed[15], p_gravity);
+        lanes_store(lists->fixed[25], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[26], lanes_add(lanes_add(_s1, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
+        lanes_store(lists->fixed[50], lanes_div(K(1.0), _s0));
+        lanes_store(lists->fixed[51], lanes_div(K(1.0), lanes_min(_s2, _s0)));
+        lanes_store(lists->fixed[52], p_ball_radius);
+        lanes_store(lists->fixed[53], p_restitution);
+        lanes_store(lists->fixed[54], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[55], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[56], lanes_abs(K(0.0)));
     }
 }
 
@@ -3121,6 +3133,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
 
         /* A new shot is looked at once. */
         for (size_t i = fresh; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
                 LANES(hoop_bounded_fix_f1)(lists, i);
             V last = lanes_load(lists->last + i);
@@ -3137,14 +3150,22 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_finite_state_out) _o2 =
                 LANES(hoop_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
             M finite = _o2.finite;
-            const LANES(hoop_valid_out) _o3 =
-                LANES(hoop_valid)(last, x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]));
+            const LANES(hoop_aside_out) _o3 =
+                LANES(hoop_aside)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]));
+            M near = _o3.near;
             V valid = _o3.valid;
             V doubt = _o3.doubt;
-            const LANES(hoop_admitted_out) _o4 =
+            const M _m4 = lanes_both(rows, near);
+            if (lanes_any(_m4)) {
+                const LANES(hoop_valid_out) _o5 =
+                    LANES(hoop_valid)(last, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[0]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[1]));
+                valid = lanes_select(_m4, _o5.valid, valid);
+                doubt = lanes_select(_m4, _o5.doubt, doubt);
+            }
+            const LANES(hoop_admitted_out) _o6 =
                 LANES(hoop_admitted)(doubt, finite, permitted, valid);
-            V outcome = _o4.outcome;
-            V uncertain = _o4.uncertain;
+            V outcome = _o6.outcome;
+            V uncertain = _o6.uncertain;
             lanes_store(lists->outcome + i, outcome);
             lanes_store(lists->uncertain + i, uncertain);
         }
@@ -3164,7 +3185,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const M rows = lanes_first(shots - i);
             LANES(hoop_ahead)(job, begun + i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_bounded_fix_f5)(lists, i);
+                LANES(hoop_bounded_fix_f7)(lists, i);
             V clock_error = lanes_load(lists->clock_error + i);
             V dvx = lanes_load(lists->dvx + i);
             V dvy = lanes_load(lists->dvy + i);
@@ -3182,223 +3203,223 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(hoop_error_bounds_out) _o6 =
+            const LANES(hoop_error_bounds_out) _o8 =
                 LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o6.position_error;
-            V velocity_error = _o6.velocity_error;
-            V time_error = _o6.time_error;
-            const LANES(hoop_scale_out) _o7 =
-                LANES(hoop_scale)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[13]));
-            V extent = _o7.extent;
-            V speed = _o7.speed;
-            V excess = _o7.excess;
-            const LANES(hoop_opening_out) _o8 =
+            V position_error = _o8.position_error;
+            V velocity_error = _o8.velocity_error;
+            V time_error = _o8.time_error;
+            const LANES(hoop_scale_out) _o9 =
+                LANES(hoop_scale)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]));
+            V extent = _o9.extent;
+            V speed = _o9.speed;
+            V excess = _o9.excess;
+            const LANES(hoop_opening_out) _o10 =
                 LANES(hoop_opening)(excess, position_error, velocity_error);
-            V when = _o8.when;
-            V which = _o8.which;
-            V late = _o8.late;
-            V doubt = _o8.doubt;
-            const LANES(hoop_limited_out) _o9 =
+            V when = _o10.when;
+            V which = _o10.which;
+            V late = _o10.late;
+            V doubt = _o10.doubt;
+            const LANES(hoop_limited_out) _o11 =
                 LANES(hoop_limited)(time_limit);
-            M limited = _o9.limited;
-            const LANES(hoop_left_out) _o10 =
+            M limited = _o11.limited;
+            const LANES(hoop_left_out) _o12 =
                 LANES(hoop_left)(K(3.0), last);
-            V leaving = _o10.leaving;
-            const LANES(hoop_end_arrival_out) _o11 =
-                LANES(hoop_end_arrival)(leaving, z, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]));
-            V time = _o11.time;
-            V rate = _o11.rate;
-            V bend = _o11.bend;
-            V apex = _o11.apex;
-            V height = _o11.height;
-            const LANES(hoop_meeting_plane_out) _o12 =
+            V leaving = _o12.leaving;
+            const LANES(hoop_end_arrival_out) _o13 =
+                LANES(hoop_end_arrival)(leaving, z, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]), lanes_load(lists->fixed[20]));
+            V time = _o13.time;
+            V rate = _o13.rate;
+            V bend = _o13.bend;
+            V apex = _o13.apex;
+            V height = _o13.height;
+            const LANES(hoop_meeting_plane_out) _o14 =
                 LANES(hoop_meeting_plane)(bend, rate, time);
-            M arrives = _o12.arrives;
-            V ceiling = _o12.ceiling;
-            const LANES(hoop_end_margin_out) _o13 =
-                LANES(hoop_end_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[20]));
-            V margin = _o13.margin;
-            const LANES(hoop_crossing_out) _o14 =
+            M arrives = _o14.arrives;
+            V ceiling = _o14.ceiling;
+            const LANES(hoop_end_margin_out) _o15 =
+                LANES(hoop_end_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[21]));
+            V margin = _o15.margin;
+            const LANES(hoop_crossing_out) _o16 =
                 LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-            V clearance = _o14.clearance;
-            V delay = _o14.delay;
-            const LANES(hoop_timely_out) _o15 =
+            V clearance = _o16.clearance;
+            V delay = _o16.delay;
+            const LANES(hoop_timely_out) _o17 =
                 LANES(hoop_timely)(arrives, delay, late, time, when);
-            M possible = _o15.possible;
-            const LANES(hoop_end_margin_out) _o16 =
-                LANES(hoop_end_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[20]));
-            margin = _o16.margin;
-            const LANES(hoop_grazed_out) _o17 =
+            M possible = _o17.possible;
+            const LANES(hoop_end_margin_out) _o18 =
+                LANES(hoop_end_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[21]));
+            margin = _o18.margin;
+            const LANES(hoop_grazed_out) _o19 =
                 LANES(hoop_grazed)(apex, doubt, height, margin);
-            doubt = _o17.doubt;
-            const M _m18 = lanes_both(rows, possible);
+            doubt = _o19.doubt;
+            const M _m20 = lanes_both(rows, possible);
             {
-                const LANES(hoop_crossed_out) _o19 =
+                const LANES(hoop_crossed_out) _o21 =
                     LANES(hoop_crossed)(arrives, clearance, doubt, time);
-                doubt = lanes_select(_m18, _o19.doubt, doubt);
-                const LANES(hoop_tied_out) _o20 =
+                doubt = lanes_select(_m20, _o21.doubt, doubt);
+                const LANES(hoop_tied_out) _o22 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m18, _o20.doubt, doubt);
-                late = lanes_select(_m18, _o20.late, late);
-                const LANES(hoop_sooner_out) _o21 =
+                doubt = lanes_select(_m20, _o22.doubt, doubt);
+                late = lanes_select(_m20, _o22.late, late);
+                const LANES(hoop_sooner_out) _o23 =
                     LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-                when = lanes_select(_m18, _o21.when, when);
-                which = lanes_select(_m18, _o21.which, which);
+                when = lanes_select(_m20, _o23.when, when);
+                which = lanes_select(_m20, _o23.which, which);
             }
-            const LANES(hoop_released_out) _o22 =
+            const LANES(hoop_released_out) _o24 =
                 LANES(hoop_released)(last);
-            M released = _o22.released;
-            M reachable = _o22.reachable;
-            const M _m23 = lanes_both(rows, released);
-            if (lanes_any(_m23)) {
-                const LANES(hoop_horizon_out) _o24 =
-                    LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[13]));
-                V until = _o24.horizon;
-                V pad = _o24.pad;
-                const LANES(hoop_reachable_out) _o25 =
-                    LANES(hoop_reachable)(extent, until, late, pad, position_error, speed, velocity_error, vx, x, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[0]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[22]));
-                reachable = lanes_choose(_m23, _o25.reachable, reachable);
+            M released = _o24.released;
+            M reachable = _o24.reachable;
+            const M _m25 = lanes_both(rows, released);
+            if (lanes_any(_m25)) {
+                const LANES(hoop_horizon_out) _o26 =
+                    LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[14]));
+                V until = _o26.horizon;
+                V pad = _o26.pad;
+                const LANES(hoop_reachable_out) _o27 =
+                    LANES(hoop_reachable)(extent, until, late, pad, position_error, speed, velocity_error, vx, x, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[23]));
+                reachable = lanes_choose(_m25, _o27.reachable, reachable);
             }
-            const M _m26 = lanes_both(rows, reachable);
-            if (lanes_any(_m26)) {
-                const LANES(hoop_left_out) _o27 =
+            const M _m28 = lanes_both(rows, reachable);
+            if (lanes_any(_m28)) {
+                const LANES(hoop_left_out) _o29 =
                     LANES(hoop_left)(K(1.0), last);
-                V leaving = _o27.leaving;
-                const LANES(hoop_backboard_arrival_out) _o28 =
-                    LANES(hoop_backboard_arrival)(leaving, x, vx, lanes_load(lists->fixed[8]));
-                V time = _o28.time;
-                V rate = _o28.rate;
-                V bend = _o28.bend;
-                V apex = _o28.apex;
-                V height = _o28.height;
-                const LANES(hoop_meeting_plane_out) _o29 =
+                V leaving = _o29.leaving;
+                const LANES(hoop_backboard_arrival_out) _o30 =
+                    LANES(hoop_backboard_arrival)(leaving, x, vx, lanes_load(lists->fixed[3]));
+                V time = _o30.time;
+                V rate = _o30.rate;
+                V bend = _o30.bend;
+                V apex = _o30.apex;
+                V height = _o30.height;
+                const LANES(hoop_meeting_plane_out) _o31 =
                     LANES(hoop_meeting_plane)(bend, rate, time);
-                M arrives = _o29.arrives;
-                V ceiling = _o29.ceiling;
-                const LANES(hoop_backboard_margin_out) _o30 =
-                    LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[23]));
-                V margin = _o30.margin;
-                const LANES(hoop_crossing_out) _o31 =
+                M arrives = _o31.arrives;
+                V ceiling = _o31.ceiling;
+                const LANES(hoop_backboard_margin_out) _o32 =
+                    LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[24]));
+                V margin = _o32.margin;
+                const LANES(hoop_crossing_out) _o33 =
                     LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-                V clearance = _o31.clearance;
-                V delay = _o31.delay;
-                const LANES(hoop_timely_out) _o32 =
+                V clearance = _o33.clearance;
+                V delay = _o33.delay;
+                const LANES(hoop_timely_out) _o34 =
                     LANES(hoop_timely)(arrives, delay, late, time, when);
-                M possible = _o32.possible;
-                const LANES(hoop_backboard_margin_out) _o33 =
-                    LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[23]));
-                margin = _o33.margin;
-                const LANES(hoop_grazed_out) _o34 =
+                M possible = _o34.possible;
+                const LANES(hoop_backboard_margin_out) _o35 =
+                    LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[24]));
+                margin = _o35.margin;
+                const LANES(hoop_grazed_out) _o36 =
                     LANES(hoop_grazed)(apex, doubt, height, margin);
-                doubt = lanes_select(_m26, _o34.doubt, doubt);
-                const M _m35 = lanes_both(_m26, possible);
-                if (lanes_any(_m35)) {
-                    const LANES(hoop_flight_out) _o36 =
-                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]));
-                    V there_y = _o36.y;
-                    V there_z = _o36.z;
-                    const LANES(hoop_backboard_bounds_out) _o37 =
-                        LANES(hoop_backboard_bounds)(there_y, there_z, lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]));
-                    V g0 = _o37.g0;
-                    V g1 = _o37.g1;
-                    V g2 = _o37.g2;
-                    V g3 = _o37.g3;
-                    const LANES(hoop_displacement_out) _o38 =
-                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[25]));
-                    V slack = _o38.margin;
-                    const LANES(hoop_backboard_edges_out) _o39 =
+                doubt = lanes_select(_m28, _o36.doubt, doubt);
+                const M _m37 = lanes_both(_m28, possible);
+                if (lanes_any(_m37)) {
+                    const LANES(hoop_flight_out) _o38 =
+                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]));
+                    V there_y = _o38.y;
+                    V there_z = _o38.z;
+                    const LANES(hoop_backboard_bounds_out) _o39 =
+                        LANES(hoop_backboard_bounds)(there_y, there_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]));
+                    V g0 = _o39.g0;
+                    V g1 = _o39.g1;
+                    V g2 = _o39.g2;
+                    V g3 = _o39.g3;
+                    const LANES(hoop_displacement_out) _o40 =
+                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[26]));
+                    V slack = _o40.margin;
+                    const LANES(hoop_backboard_edges_out) _o41 =
                         LANES(hoop_backboard_edges)(clearance, g0, g1, g2, g3, slack);
-                    M unsure = _o39.unsure;
-                    const LANES(hoop_questioned_out) _o40 =
+                    M unsure = _o41.unsure;
+                    const LANES(hoop_questioned_out) _o42 =
                         LANES(hoop_questioned)(doubt, time, unsure);
-                    doubt = lanes_select(_m35, _o40.doubt, doubt);
-                    const LANES(hoop_backboard_within_out) _o41 =
+                    doubt = lanes_select(_m37, _o42.doubt, doubt);
+                    const LANES(hoop_backboard_within_out) _o43 =
                         LANES(hoop_backboard_within)(g0, g1, g2, g3);
-                    M arrives = _o41.arrives;
-                    const LANES(hoop_tied_out) _o42 =
+                    M arrives = _o43.arrives;
+                    const LANES(hoop_tied_out) _o44 =
                         LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                    doubt = lanes_select(_m35, _o42.doubt, doubt);
-                    late = lanes_select(_m35, _o42.late, late);
-                    const LANES(hoop_sooner_out) _o43 =
+                    doubt = lanes_select(_m37, _o44.doubt, doubt);
+                    late = lanes_select(_m37, _o44.late, late);
+                    const LANES(hoop_sooner_out) _o45 =
                         LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-                    when = lanes_select(_m35, _o43.when, when);
-                    which = lanes_select(_m35, _o43.which, which);
+                    when = lanes_select(_m37, _o45.when, when);
+                    which = lanes_select(_m37, _o45.which, which);
                 }
-                const LANES(hoop_left_out) _o44 =
+                const LANES(hoop_left_out) _o46 =
                     LANES(hoop_left)(K(2.0), last);
-                leaving = _o44.leaving;
-                const LANES(hoop_bridge_arrival_out) _o45 =
-                    LANES(hoop_bridge_arrival)(leaving, z, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]));
-                time = _o45.time;
-                rate = _o45.rate;
-                bend = _o45.bend;
-                apex = _o45.apex;
-                height = _o45.height;
-                const LANES(hoop_meeting_plane_out) _o46 =
+                leaving = _o46.leaving;
+                const LANES(hoop_bridge_arrival_out) _o47 =
+                    LANES(hoop_bridge_arrival)(leaving, z, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]), lanes_load(lists->fixed[20]));
+                time = _o47.time;
+                rate = _o47.rate;
+                bend = _o47.bend;
+                apex = _o47.apex;
+                height = _o47.height;
+                const LANES(hoop_meeting_plane_out) _o48 =
                     LANES(hoop_meeting_plane)(bend, rate, time);
-                arrives = _o46.arrives;
-                ceiling = _o46.ceiling;
-                const LANES(hoop_bridge_margin_out) _o47 =
-                    LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[26]));
-                margin = _o47.margin;
-                const LANES(hoop_crossing_out) _o48 =
+                arrives = _o48.arrives;
+                ceiling = _o48.ceiling;
+                const LANES(hoop_bridge_margin_out) _o49 =
+                    LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[27]));
+                margin = _o49.margin;
+                const LANES(hoop_crossing_out) _o50 =
                     LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-                clearance = _o48.clearance;
-                delay = _o48.delay;
-                const LANES(hoop_timely_out) _o49 =
+                clearance = _o50.clearance;
+                delay = _o50.delay;
+                const LANES(hoop_timely_out) _o51 =
                     LANES(hoop_timely)(arrives, delay, late, time, when);
-                possible = _o49.possible;
-                const LANES(hoop_bridge_margin_out) _o50 =
-                    LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[26]));
-                margin = _o50.margin;
-                const LANES(hoop_grazed_out) _o51 =
+                possible = _o51.possible;
+                const LANES(hoop_bridge_margin_out) _o52 =
+                    LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[27]));
+                margin = _o52.margin;
+                const LANES(hoop_grazed_out) _o53 =
                     LANES(hoop_grazed)(apex, doubt, height, margin);
-                doubt = lanes_select(_m26, _o51.doubt, doubt);
-                const M _m52 = lanes_both(_m26, possible);
-                if (lanes_any(_m52)) {
-                    const LANES(hoop_flight_out) _o53 =
-                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]));
-                    V there_x = _o53.x;
-                    V there_y = _o53.y;
-                    const LANES(hoop_bridge_bounds_out) _o54 =
-                        LANES(hoop_bridge_bounds)(there_x, there_y, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[5]));
-                    V g0 = _o54.g0;
-                    V g1 = _o54.g1;
-                    V g2 = _o54.g2;
-                    V g3 = _o54.g3;
-                    V g4 = _o54.g4;
-                    const LANES(hoop_displacement_out) _o55 =
-                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[25]));
-                    V slack = _o55.margin;
-                    const LANES(hoop_bridge_edges_out) _o56 =
+                doubt = lanes_select(_m28, _o53.doubt, doubt);
+                const M _m54 = lanes_both(_m28, possible);
+                if (lanes_any(_m54)) {
+                    const LANES(hoop_flight_out) _o55 =
+                        LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]));
+                    V there_x = _o55.x;
+                    V there_y = _o55.y;
+                    const LANES(hoop_bridge_bounds_out) _o56 =
+                        LANES(hoop_bridge_bounds)(there_x, there_y, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[0]), lanes_load(lists->fixed[9]));
+                    V g0 = _o56.g0;
+                    V g1 = _o56.g1;
+                    V g2 = _o56.g2;
+                    V g3 = _o56.g3;
+                    V g4 = _o56.g4;
+                    const LANES(hoop_displacement_out) _o57 =
+                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[26]));
+                    V slack = _o57.margin;
+                    const LANES(hoop_bridge_edges_out) _o58 =
                         LANES(hoop_bridge_edges)(clearance, g0, g1, g2, g3, g4, slack);
-                    M unsure = _o56.unsure;
-                    const LANES(hoop_questioned_out) _o57 =
+                    M unsure = _o58.unsure;
+                    const LANES(hoop_questioned_out) _o59 =
                         LANES(hoop_questioned)(doubt, time, unsure);
-                    doubt = lanes_select(_m52, _o57.doubt, doubt);
-                    const LANES(hoop_bridge_within_out) _o58 =
+                    doubt = lanes_select(_m54, _o59.doubt, doubt);
+                    const LANES(hoop_bridge_within_out) _o60 =
                         LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-                    M arrives = _o58.arrives;
-                    const LANES(hoop_tied_out) _o59 =
+                    M arrives = _o60.arrives;
+                    const LANES(hoop_tied_out) _o61 =
                         LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                    doubt = lanes_select(_m52, _o59.doubt, doubt);
-                    late = lanes_select(_m52, _o59.late, late);
-                    const LANES(hoop_sooner_out) _o60 =
+                    doubt = lanes_select(_m54, _o61.doubt, doubt);
+                    late = lanes_select(_m54, _o61.late, late);
+                    const LANES(hoop_sooner_out) _o62 =
                         LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-                    when = lanes_select(_m52, _o60.when, when);
-                    which = lanes_select(_m52, _o60.which, which);
+                    when = lanes_select(_m54, _o62.when, when);
+                    which = lanes_select(_m54, _o62.which, which);
                 }
             }
-            const LANES(hoop_horizon_out) _o61 =
-                LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[13]));
-            V until = _o61.horizon;
-            V pad = _o61.pad;
-            const LANES(hoop_ring_clear_out) _o62 =
-                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]));
-            V clear = _o62.clear;
-            const LANES(hoop_opens_out) _o63 =
+            const LANES(hoop_horizon_out) _o63 =
+                LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[14]));
+            V until = _o63.horizon;
+            V pad = _o63.pad;
+            const LANES(hoop_ring_clear_out) _o64 =
+                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]));
+            V clear = _o64.clear;
+            const LANES(hoop_opens_out) _o65 =
                 LANES(hoop_opens)(clear);
-            M open = _o63.open;
+            M open = _o65.open;
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->extent + i, extent);
             lanes_store(lists->late + i, late);
@@ -3443,7 +3464,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_bounded_fix_f64)(lists, i);
+                LANES(hoop_bounded_fix_f66)(lists, i);
             V doubt = lanes_load(lists->open_doubt + i);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
@@ -3459,93 +3480,93 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_beginning_out) _o65 =
+            const LANES(hoop_beginning_out) _o67 =
                 LANES(hoop_beginning)();
-            V share = _o65.share;
-            V arrival = _o65.arrival;
-            M certain = _o65.certain;
-            const LANES(hoop_left_out) _o66 =
+            V share = _o67.share;
+            V arrival = _o67.arrival;
+            M certain = _o67.certain;
+            const LANES(hoop_left_out) _o68 =
                 LANES(hoop_left)(K(0.0), last);
-            V leaving = _o66.leaving;
-            const LANES(hoop_ring_opened_out) _o67 =
+            V leaving = _o68.leaving;
+            const LANES(hoop_ring_opened_out) _o69 =
                 LANES(hoop_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[2]), singles_load(lists->fixed_single[3]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[5]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[7]), singles_load(lists->fixed_single[8]), singles_load(lists->fixed_single[9]));
-            S onset = _o67.t;
-            S wide_end = _o67.end;
-            M searching = _o67.searching;
-            S wide_low1 = _o67.low1;
-            S wide_high1 = _o67.high1;
-            S wide_low2 = _o67.low2;
-            S wide_high2 = _o67.high2;
-            S lapsed = _o67.latest;
-            M sound = _o67.sound;
-            const LANES(hoop_opened_out) _o68 =
+            S onset = _o69.t;
+            S wide_end = _o69.end;
+            M searching = _o69.searching;
+            S wide_low1 = _o69.low1;
+            S wide_high1 = _o69.high1;
+            S wide_low2 = _o69.low2;
+            S wide_high2 = _o69.high2;
+            S lapsed = _o69.latest;
+            M sound = _o69.sound;
+            const LANES(hoop_opened_out) _o70 =
                 LANES(hoop_opened)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _o68.time;
-            V latest = _o68.latest;
-            const LANES(hoop_ring_started_out) _o69 =
-                LANES(hoop_ring_started)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[0]));
-            V rho_start = _o69.rho_start;
-            V parting = _o69.parting;
-            V drift = _o69.drift;
-            const LANES(hoop_flight_out) _o70 =
-                LANES(hoop_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]));
-            V near_x = _o70.x;
-            V near_y = _o70.y;
-            V near_z = _o70.z;
-            V near_vz = _o70.vz;
-            const LANES(hoop_ring_grain_out) _o71 =
+            V since = _o70.time;
+            V latest = _o70.latest;
+            const LANES(hoop_ring_started_out) _o71 =
+                LANES(hoop_ring_started)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[5]));
+            V rho_start = _o71.rho_start;
+            V parting = _o71.parting;
+            V drift = _o71.drift;
+            const LANES(hoop_flight_out) _o72 =
+                LANES(hoop_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]));
+            V near_x = _o72.x;
+            V near_y = _o72.y;
+            V near_z = _o72.z;
+            V near_vz = _o72.vz;
+            const LANES(hoop_ring_grain_out) _o73 =
                 LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[10]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[11]), singles_load(lists->fixed_single[12]), singles_load(lists->fixed_single[13]), singles_load(lists->fixed_single[14]), singles_load(lists->fixed_single[15]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[16]), singles_load(lists->fixed_single[17]), singles_load(lists->fixed_single[18]));
-            S short_share = _o71.share;
-            S short_t = _o71.t;
-            S short_end = _o71.end;
-            S short_x = _o71.x;
-            S short_y = _o71.y;
-            S short_z = _o71.z;
-            S short_vx = _o71.vx;
-            S short_vy = _o71.vy;
-            S short_vz = _o71.vz;
-            S short_steady = _o71.steady;
-            S short_swing = _o71.swing;
-            S short_rho_start = _o71.rho_start;
-            S short_ceiling = _o71.ceiling;
-            S short_flat = _o71.flat;
-            S short_tilt = _o71.tilt;
-            S short_jerk = _o71.jerk;
-            S short_grit = _o71.grit;
-            S short_parting = _o71.parting;
-            S short_drift = _o71.drift;
-            S short_rate_margin = _o71.rate_margin;
-            S short_low1 = _o71.low1;
-            S short_high1 = _o71.high1;
-            S short_low2 = _o71.low2;
-            S short_high2 = _o71.high2;
-            M fits = _o71.fits;
-            const LANES(hoop_coarse_out) _o72 =
+            S short_share = _o73.share;
+            S short_t = _o73.t;
+            S short_end = _o73.end;
+            S short_x = _o73.x;
+            S short_y = _o73.y;
+            S short_z = _o73.z;
+            S short_vx = _o73.vx;
+            S short_vy = _o73.vy;
+            S short_vz = _o73.vz;
+            S short_steady = _o73.steady;
+            S short_swing = _o73.swing;
+            S short_rho_start = _o73.rho_start;
+            S short_ceiling = _o73.ceiling;
+            S short_flat = _o73.flat;
+            S short_tilt = _o73.tilt;
+            S short_jerk = _o73.jerk;
+            S short_grit = _o73.grit;
+            S short_parting = _o73.parting;
+            S short_drift = _o73.drift;
+            S short_rate_margin = _o73.rate_margin;
+            S short_low1 = _o73.low1;
+            S short_high1 = _o73.high1;
+            S short_low2 = _o73.low2;
+            S short_high2 = _o73.high2;
+            M fits = _o73.fits;
+            const LANES(hoop_coarse_out) _o74 =
                 LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
-            M leaping = _o72.leaping;
-            searching = _o72.searching;
-            M served = _o72.served;
-            V ceiling = _o72.ceiling;
-            V flat = _o72.flat;
-            V tilt = _o72.tilt;
-            V allowing = _o72.allowing;
-            const LANES(hoop_allowance_out) _o73 =
-                LANES(hoop_allowance)(allowing, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]));
-            V excess = _o73.excess;
-            const LANES(hoop_ring_lost_out) _o74 =
-                LANES(hoop_ring_lost)(until, position_error, velocity_error, lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]));
-            V lost = _o74.lost;
-            const LANES(hoop_beyond_out) _o75 =
+            M leaping = _o74.leaping;
+            searching = _o74.searching;
+            M served = _o74.served;
+            V ceiling = _o74.ceiling;
+            V flat = _o74.flat;
+            V tilt = _o74.tilt;
+            V allowing = _o74.allowing;
+            const LANES(hoop_allowance_out) _o75 =
+                LANES(hoop_allowance)(allowing, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]));
+            V excess = _o75.excess;
+            const LANES(hoop_ring_lost_out) _o76 =
+                LANES(hoop_ring_lost)(until, position_error, velocity_error, lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]));
+            V lost = _o76.lost;
+            const LANES(hoop_beyond_out) _o77 =
                 LANES(hoop_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o75.doubt;
-            const M _m76 = lanes_both(rows, leaping);
-            if (lanes_any(_m76)) {
-                const LANES(hoop_ring_leap_out) _o77 =
+            doubt = _o77.doubt;
+            const M _m78 = lanes_both(rows, leaping);
+            if (lanes_any(_m78)) {
+                const LANES(hoop_ring_leap_out) _o79 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
-                short_t = singles_select(singles_of(_m76), _o77.t, short_t);
-                short_end = singles_select(singles_of(_m76), _o77.end, short_end);
-                certain = lanes_choose(_m76, _o77.certain, certain);
-                leaping = lanes_choose(_m76, _o77.leaping, leaping);
+                short_t = singles_select(singles_of(_m78), _o79.t, short_t);
+                short_end = singles_select(singles_of(_m78), _o79.end, short_end);
+                certain = lanes_choose(_m78, _o79.certain, certain);
+                leaping = lanes_choose(_m78, _o79.leaping, leaping);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
@@ -3651,7 +3672,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     short_y = singles_expand(lists->open_leaping_short_y + taken, idle, short_y);
                     short_z = singles_expand(lists->open_leaping_short_z + taken, idle, short_z);
                     if (LANES_SELDOM(varying))
-                        LANES(hoop_bounded_fix_f78)(lists, taken, idle);
+                        LANES(hoop_bounded_fix_f80)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_leaping_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -3660,12 +3681,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o79 =
+                const LANES(hoop_ring_leap_out) _o81 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
-                short_t = _o79.t;
-                short_end = _o79.end;
-                M certain = _o79.certain;
-                leaping = _o79.leaping;
+                short_t = _o81.t;
+                short_end = _o81.end;
+                M certain = _o81.certain;
+                leaping = _o81.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -3711,11 +3732,11 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o80 =
+            const LANES(hoop_leapt_out) _o82 =
                 LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o80.arrival;
-            V t = _o80.t;
-            searching = _o80.searching;
+            arrival = _o82.arrival;
+            V t = _o82.t;
+            searching = _o82.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -3751,7 +3772,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_searching_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_bounded_fix_f81)(lists, i);
+                LANES(hoop_bounded_fix_f83)(lists, i);
             V arrival = lanes_load(lists->open_searching_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
             V doubt = lanes_load(lists->open_searching_doubt + i);
@@ -3769,33 +3790,33 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(hoop_ring_prepare_out) _o82 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, lanes_load(lists->fixed[35]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]));
-            V steady = _o82.steady;
-            V swing = _o82.swing;
-            V rho_start = _o82.rho_start;
-            V low0 = _o82.low0;
-            V high0 = _o82.high0;
-            V low1 = _o82.low1;
-            V high1 = _o82.high1;
-            V low2 = _o82.low2;
-            V high2 = _o82.high2;
-            V ceiling = _o82.ceiling;
-            V latest = _o82.latest;
-            const LANES(hoop_allowance_out) _o83 =
-                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]));
-            V position_level = _o83.position_level;
-            V velocity_level = _o83.velocity_level;
-            const LANES(hoop_ring_margins_out) _o84 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]));
-            V flat = _o84.margin;
-            V tilt = _o84.leaving_margin;
-            V rate_slack = _o84.rate_margin;
-            const LANES(hoop_ring_enter_out) _o85 =
+            const LANES(hoop_ring_prepare_out) _o84 =
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, lanes_load(lists->fixed[36]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]));
+            V steady = _o84.steady;
+            V swing = _o84.swing;
+            V rho_start = _o84.rho_start;
+            V low0 = _o84.low0;
+            V high0 = _o84.high0;
+            V low1 = _o84.low1;
+            V high1 = _o84.high1;
+            V low2 = _o84.low2;
+            V high2 = _o84.high2;
+            V ceiling = _o84.ceiling;
+            V latest = _o84.latest;
+            const LANES(hoop_allowance_out) _o85 =
+                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]));
+            V position_level = _o85.position_level;
+            V velocity_level = _o85.velocity_level;
+            const LANES(hoop_ring_margins_out) _o86 =
+                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]));
+            V flat = _o86.margin;
+            V tilt = _o86.leaving_margin;
+            V rate_slack = _o86.rate_margin;
+            const LANES(hoop_ring_enter_out) _o87 =
                 LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o85.t;
-            V end = _o85.end;
-            M searching = _o85.searching;
+            t = _o87.t;
+            V end = _o87.end;
+            M searching = _o87.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_latest + i, latest);
@@ -3918,7 +3939,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     y = lanes_expand(lists->open_searching_searching_y + taken, idle, y);
                     z = lanes_expand(lists->open_searching_searching_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(hoop_bounded_fix_f86)(lists, taken, idle);
+                        LANES(hoop_bounded_fix_f88)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_searching_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -3927,56 +3948,56 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o87 =
+                const LANES(hoop_nearby_out) _o89 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o87.leaving;
-                V margin = _o87.margin;
-                const LANES(hoop_ring_advance_out) _o88 =
-                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]));
-                V gap = _o88.gap;
-                V rate = _o88.rate;
-                V bend = _o88.bend;
-                V step = _o88.step;
-                V next = _o88.next;
-                V clearance = _o88.clearance;
-                const LANES(hoop_struck_out) _o89 =
+                V leaving = _o89.leaving;
+                V margin = _o89.margin;
+                const LANES(hoop_ring_advance_out) _o90 =
+                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
+                V gap = _o90.gap;
+                V rate = _o90.rate;
+                V bend = _o90.bend;
+                V step = _o90.step;
+                V next = _o90.next;
+                V clearance = _o90.clearance;
+                const LANES(hoop_struck_out) _o91 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o89.hit;
-                M sure = _o89.sure;
-                M vague = _o89.vague;
-                const M _m90 = lanes_both(active, vague);
-                if (lanes_any(_m90)) {
-                    const LANES(hoop_finer_out) _o91 =
+                M hit = _o91.hit;
+                M sure = _o91.sure;
+                M vague = _o91.vague;
+                const M _m92 = lanes_both(active, vague);
+                if (lanes_any(_m92)) {
+                    const LANES(hoop_finer_out) _o93 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m90, _o91.share, share);
-                    const LANES(hoop_allowance_out) _o92 =
-                        LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]));
-                    V position_level = _o92.position_level;
-                    V velocity_level = _o92.velocity_level;
-                    V excess = _o92.excess;
-                    const LANES(hoop_ring_margins_out) _o93 =
-                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]));
-                    flat = lanes_select(_m90, _o93.margin, flat);
-                    tilt = lanes_select(_m90, _o93.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m90, _o93.rate_margin, rate_slack);
-                    const LANES(hoop_exceeded_out) _o94 =
+                    share = lanes_select(_m92, _o93.share, share);
+                    const LANES(hoop_allowance_out) _o94 =
+                        LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]));
+                    V position_level = _o94.position_level;
+                    V velocity_level = _o94.velocity_level;
+                    V excess = _o94.excess;
+                    const LANES(hoop_ring_margins_out) _o95 =
+                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]));
+                    flat = lanes_select(_m92, _o95.margin, flat);
+                    tilt = lanes_select(_m92, _o95.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m92, _o95.rate_margin, rate_slack);
+                    const LANES(hoop_exceeded_out) _o96 =
                         LANES(hoop_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m90, _o94.doubt, doubt);
+                    doubt = lanes_select(_m92, _o96.doubt, doubt);
                 }
-                const LANES(hoop_advanced_out) _o95 =
+                const LANES(hoop_advanced_out) _o97 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o95.arrival;
-                certain = _o95.certain;
-                M exhausted = _o95.exhausted;
-                searching = _o95.searching;
-                t = _o95.t;
-                const M _m96 = lanes_both(active, exhausted);
+                arrival = _o97.arrival;
+                certain = _o97.certain;
+                M exhausted = _o97.exhausted;
+                searching = _o97.searching;
+                t = _o97.t;
+                const M _m98 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o97 =
+                    const LANES(hoop_ring_enter_out) _o99 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m96, _o97.t, t);
-                    end = lanes_select(_m96, _o97.end, end);
-                    searching = lanes_choose(_m96, _o97.searching, searching);
+                    t = lanes_select(_m98, _o99.t, t);
+                    end = lanes_select(_m98, _o99.end, end);
+                    searching = lanes_choose(_m98, _o99.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -4018,9 +4039,9 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V doubt = lanes_load(lists->open_searching_doubt + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching_searching + i));
             V t = lanes_load(lists->open_searching_t + i);
-            const LANES(hoop_questioned_out) _o98 =
+            const LANES(hoop_questioned_out) _o100 =
                 LANES(hoop_questioned)(doubt, t, searching);
-            doubt = _o98.doubt;
+            doubt = _o100.doubt;
             lanes_store(lists->open_searching_doubt + i, doubt);
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
@@ -4040,7 +4061,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_bounded_fix_f99)(lists, i);
+                LANES(hoop_bounded_fix_f101)(lists, i);
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
@@ -4054,37 +4075,37 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o100 =
+            const LANES(hoop_found_out) _o102 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o100.arrives;
-            M refining = _o100.refining;
-            V rate = _o100.rate;
-            const LANES(hoop_nearby_out) _o101 =
+            M arrives = _o102.arrives;
+            M refining = _o102.refining;
+            V rate = _o102.rate;
+            const LANES(hoop_nearby_out) _o103 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o101.leaving;
-            const M _m102 = lanes_both(rows, refining);
-            if (lanes_any(_m102)) {
-                const LANES(hoop_ring_refine_out) _o103 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[7]));
-                V refined = _o103.time;
-                V gap = _o103.gap;
-                rate = lanes_select(_m102, _o103.rate, rate);
-                const LANES(hoop_polished_out) _o104 =
+            V leaving = _o103.leaving;
+            const M _m104 = lanes_both(rows, refining);
+            if (lanes_any(_m104)) {
+                const LANES(hoop_ring_refine_out) _o105 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[11]));
+                V refined = _o105.time;
+                V gap = _o105.gap;
+                rate = lanes_select(_m104, _o105.rate, rate);
+                const LANES(hoop_polished_out) _o106 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m102, _o104.arrival, arrival);
-                refining = lanes_choose(_m102, _o104.refining, refining);
+                arrival = lanes_select(_m104, _o106.arrival, arrival);
+                refining = lanes_choose(_m104, _o106.refining, refining);
             }
-            const M _m105 = lanes_both(rows, refining);
-            if (lanes_any(_m105)) {
-                const LANES(hoop_ring_refine_out) _o106 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[7]));
-                V refined = _o106.time;
-                V gap = _o106.gap;
-                rate = lanes_select(_m105, _o106.rate, rate);
-                const LANES(hoop_polished_out) _o107 =
+            const M _m107 = lanes_both(rows, refining);
+            if (lanes_any(_m107)) {
+                const LANES(hoop_ring_refine_out) _o108 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[11]));
+                V refined = _o108.time;
+                V gap = _o108.gap;
+                rate = lanes_select(_m107, _o108.rate, rate);
+                const LANES(hoop_polished_out) _o109 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m105, _o107.arrival, arrival);
-                refining = lanes_choose(_m105, _o107.refining, refining);
+                arrival = lanes_select(_m107, _o109.arrival, arrival);
+                refining = lanes_choose(_m107, _o109.refining, refining);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -4145,7 +4166,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     y = lanes_expand(lists->open_refining_y + taken, idle, y);
                     z = lanes_expand(lists->open_refining_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(hoop_bounded_fix_f108)(lists, taken, idle);
+                        LANES(hoop_bounded_fix_f110)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -4154,15 +4175,15 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(hoop_ring_refine_out) _o109 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[7]));
-                V refined = _o109.time;
-                V gap = _o109.gap;
-                V rate = _o109.rate;
-                const LANES(hoop_polished_out) _o110 =
+                const LANES(hoop_ring_refine_out) _o111 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[11]));
+                V refined = _o111.time;
+                V gap = _o111.gap;
+                V rate = _o111.rate;
+                const LANES(hoop_polished_out) _o112 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o110.arrival;
-                refining = _o110.refining;
+                arrival = _o112.arrival;
+                refining = _o112.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -4186,7 +4207,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         }
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             if (LANES_SELDOM(varying))
-                LANES(hoop_bounded_fix_f111)(lists, i);
+                LANES(hoop_bounded_fix_f113)(lists, i);
             V arrival = lanes_load(lists->open_arrival + i);
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V ceiling = lanes_load(lists->open_ceiling + i);
@@ -4202,33 +4223,33 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(hoop_ring_margins_out) _o112 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]));
-            V flat = _o112.margin;
-            V tilt = _o112.leaving_margin;
-            V rate_margin = _o112.rate_margin;
-            const LANES(hoop_own_margin_out) _o113 =
+            const LANES(hoop_ring_margins_out) _o114 =
+                LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]));
+            V flat = _o114.margin;
+            V tilt = _o114.leaving_margin;
+            V rate_margin = _o114.rate_margin;
+            const LANES(hoop_own_margin_out) _o115 =
                 LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o113.margin;
-            const LANES(hoop_crossing_out) _o114 =
+            V margin = _o115.margin;
+            const LANES(hoop_crossing_out) _o116 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o114.clearance;
-            V delay = _o114.delay;
-            const LANES(hoop_landed_out) _o115 =
+            V clearance = _o116.clearance;
+            V delay = _o116.delay;
+            const LANES(hoop_landed_out) _o117 =
                 LANES(hoop_landed)(arrival);
-            V time = _o115.time;
-            const LANES(hoop_landed_surely_out) _o116 =
+            V time = _o117.time;
+            const LANES(hoop_landed_surely_out) _o118 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o116.delay;
-            doubt = _o116.doubt;
-            const LANES(hoop_tied_out) _o117 =
+            delay = _o118.delay;
+            doubt = _o118.doubt;
+            const LANES(hoop_tied_out) _o119 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o117.doubt;
-            late = _o117.late;
-            const LANES(hoop_sooner_out) _o118 =
+            doubt = _o119.doubt;
+            late = _o119.late;
+            const LANES(hoop_sooner_out) _o120 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o118.when;
-            which = _o118.which;
+            when = _o120.when;
+            which = _o120.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -4245,7 +4266,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_bounded_fix_f119)(lists, i);
+                LANES(hoop_bounded_fix_f121)(lists, i);
             V clock = lanes_load(lists->clock + i);
             V clock_error = lanes_load(lists->clock_error + i);
             V contacts = lanes_load(lists->contacts + i);
@@ -4287,81 +4308,81 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m120 = lanes_both(rows, limited);
-            if (lanes_any(_m120)) {
-                const LANES(hoop_expiry_out) _o121 =
+            const M _m122 = lanes_both(rows, limited);
+            if (lanes_any(_m122)) {
+                const LANES(hoop_expiry_out) _o123 =
                     LANES(hoop_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o121.time;
-                V delay = _o121.delay;
-                M arrives = _o121.arrives;
-                doubt = lanes_select(_m120, _o121.doubt, doubt);
-                const LANES(hoop_tied_out) _o122 =
+                V time = _o123.time;
+                V delay = _o123.delay;
+                M arrives = _o123.arrives;
+                doubt = lanes_select(_m122, _o123.doubt, doubt);
+                const LANES(hoop_tied_out) _o124 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m120, _o122.doubt, doubt);
-                late = lanes_select(_m120, _o122.late, late);
-                const LANES(hoop_sooner_out) _o123 =
+                doubt = lanes_select(_m122, _o124.doubt, doubt);
+                late = lanes_select(_m122, _o124.late, late);
+                const LANES(hoop_sooner_out) _o125 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m120, _o123.when, when);
-                which = lanes_select(_m120, _o123.which, which);
+                when = lanes_select(_m122, _o125.when, when);
+                which = lanes_select(_m122, _o125.which, which);
             }
-            const LANES(hoop_departed_out) _o124 =
+            const LANES(hoop_departed_out) _o126 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o124.moves;
-            M ends = _o124.ends;
-            M touches = _o124.touches;
-            V reached = _o124.reached;
-            M edge = _o124.edge;
-            const LANES(hoop_body_of_out) _o125 =
+            M moves = _o126.moves;
+            M ends = _o126.ends;
+            M touches = _o126.touches;
+            V reached = _o126.reached;
+            M edge = _o126.edge;
+            const LANES(hoop_body_of_out) _o127 =
                 LANES(hoop_body_of)(which);
-            V body = _o125.body;
-            const M _m126 = lanes_both(rows, moves);
+            V body = _o127.body;
+            const M _m128 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o127 =
-                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[24]));
-                x = lanes_select(_m126, _o127.x, x);
-                y = lanes_select(_m126, _o127.y, y);
-                z = lanes_select(_m126, _o127.z, z);
-                vx = lanes_select(_m126, _o127.vx, vx);
-                vy = lanes_select(_m126, _o127.vy, vy);
-                vz = lanes_select(_m126, _o127.vz, vz);
-                const LANES(hoop_ticked_out) _o128 =
+                const LANES(hoop_flight_out) _o129 =
+                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]));
+                x = lanes_select(_m128, _o129.x, x);
+                y = lanes_select(_m128, _o129.y, y);
+                z = lanes_select(_m128, _o129.z, z);
+                vx = lanes_select(_m128, _o129.vx, vx);
+                vy = lanes_select(_m128, _o129.vy, vy);
+                vz = lanes_select(_m128, _o129.vz, vz);
+                const LANES(hoop_ticked_out) _o130 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m126, _o128.clock, clock);
+                clock = lanes_select(_m128, _o130.clock, clock);
             }
-            const M _m129 = lanes_both(rows, limited);
-            if (lanes_any(_m129)) {
-                const LANES(hoop_expired_out) _o130 =
+            const M _m131 = lanes_both(rows, limited);
+            if (lanes_any(_m131)) {
+                const LANES(hoop_expired_out) _o132 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m129, _o130.clock, clock);
-                body = lanes_select(_m129, _o130.body, body);
-                reached = lanes_select(_m129, _o130.reached, reached);
-                ends = lanes_choose(_m129, _o130.ends, ends);
+                clock = lanes_select(_m131, _o132.clock, clock);
+                body = lanes_select(_m131, _o132.body, body);
+                reached = lanes_select(_m131, _o132.reached, reached);
+                ends = lanes_choose(_m131, _o132.ends, ends);
             }
-            const LANES(hoop_displacement_out) _o131 =
-                LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[25]));
-            V slack = _o131.margin;
-            const LANES(hoop_here_out) _o132 =
+            const LANES(hoop_displacement_out) _o133 =
+                LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[26]));
+            V slack = _o133.margin;
+            const LANES(hoop_here_out) _o134 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o132.here;
-            const M _m133 = lanes_both(rows, here);
+            M here = _o134.here;
+            const M _m135 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o134 =
-                    LANES(hoop_end_bounds)(x, y, lanes_load(lists->fixed[0]));
-                V g0 = _o134.g0;
-                const LANES(hoop_end_reached_out) _o135 =
+                const LANES(hoop_end_bounds_out) _o136 =
+                    LANES(hoop_end_bounds)(x, y, lanes_load(lists->fixed[5]));
+                V g0 = _o136.g0;
+                const LANES(hoop_end_reached_out) _o137 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m133, _o135.reached, reached);
-                const LANES(hoop_end_edge_out) _o136 =
+                reached = lanes_select(_m135, _o137.reached, reached);
+                const LANES(hoop_end_edge_out) _o138 =
                     LANES(hoop_end_edge)(g0, slack);
-                edge = lanes_choose(_m133, _o136.edge, edge);
+                edge = lanes_choose(_m135, _o138.edge, edge);
             }
-            const LANES(hoop_doubted_out) _o137 =
+            const LANES(hoop_doubted_out) _o139 =
                 LANES(hoop_doubted)(doubt, edge, late, uncertain, when);
-            uncertain = _o137.uncertain;
-            const LANES(hoop_accounted_out) _o138 =
+            uncertain = _o139.uncertain;
+            const LANES(hoop_accounted_out) _o140 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o138.contacts;
-            V outcome = _o138.outcome;
+            contacts = _o140.contacts;
+            V outcome = _o140.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -4374,205 +4395,205 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o139 =
+            const LANES(hoop_meeting_out) _o141 =
                 LANES(hoop_meeting)(claims, ends, touches);
-            M meeting = _o139.meeting;
-            const M _m140 = lanes_both(rows, meeting);
-            if (lanes_any(_m140)) {
-                const LANES(hoop_end_normal_out) _o141 =
+            M meeting = _o141.meeting;
+            const M _m142 = lanes_both(rows, meeting);
+            if (lanes_any(_m142)) {
+                const LANES(hoop_end_normal_out) _o143 =
                     LANES(hoop_end_normal)();
-                V nx = _o141.nx;
-                V ny = _o141.ny;
-                V nz = _o141.nz;
-                const LANES(hoop_here_out) _o142 =
+                V nx = _o143.nx;
+                V ny = _o143.ny;
+                V nz = _o143.nz;
+                const LANES(hoop_here_out) _o144 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o142.here;
-                const M _m143 = lanes_both(_m140, here);
+                M here = _o144.here;
+                const M _m145 = lanes_both(_m142, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o144 =
-                        LANES(hoop_ring_normal)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[49]));
-                    nx = lanes_select(_m143, _o144.nx, nx);
-                    ny = lanes_select(_m143, _o144.ny, ny);
-                    nz = lanes_select(_m143, _o144.nz, nz);
-                    const LANES(hoop_counted_out) _o145 =
+                    const LANES(hoop_ring_normal_out) _o146 =
+                        LANES(hoop_ring_normal)(x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[50]));
+                    nx = lanes_select(_m145, _o146.nx, nx);
+                    ny = lanes_select(_m145, _o146.ny, ny);
+                    nz = lanes_select(_m145, _o146.nz, nz);
+                    const LANES(hoop_counted_out) _o147 =
                         LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m143, _o145.count, count_0);
+                    count_0 = lanes_select(_m145, _o147.count, count_0);
                 }
-                const LANES(hoop_here_out) _o146 =
+                const LANES(hoop_here_out) _o148 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o146.here;
-                const M _m147 = lanes_both(_m140, here);
+                here = _o148.here;
+                const M _m149 = lanes_both(_m142, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o148 =
+                    const LANES(hoop_backboard_normal_out) _o150 =
                         LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m147, _o148.nx, nx);
-                    ny = lanes_select(_m147, _o148.ny, ny);
-                    nz = lanes_select(_m147, _o148.nz, nz);
-                    const LANES(hoop_counted_out) _o149 =
+                    nx = lanes_select(_m149, _o150.nx, nx);
+                    ny = lanes_select(_m149, _o150.ny, ny);
+                    nz = lanes_select(_m149, _o150.nz, nz);
+                    const LANES(hoop_counted_out) _o151 =
                         LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m147, _o149.count, count_1);
+                    count_1 = lanes_select(_m149, _o151.count, count_1);
                 }
-                const LANES(hoop_here_out) _o150 =
+                const LANES(hoop_here_out) _o152 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o150.here;
-                const M _m151 = lanes_both(_m140, here);
+                here = _o152.here;
+                const M _m153 = lanes_both(_m142, here);
                 {
-                    const LANES(hoop_bridge_normal_out) _o152 =
+                    const LANES(hoop_bridge_normal_out) _o154 =
                         LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m151, _o152.nx, nx);
-                    ny = lanes_select(_m151, _o152.ny, ny);
-                    nz = lanes_select(_m151, _o152.nz, nz);
-                    const LANES(hoop_counted_out) _o153 =
+                    nx = lanes_select(_m153, _o154.nx, nx);
+                    ny = lanes_select(_m153, _o154.ny, ny);
+                    nz = lanes_select(_m153, _o154.nz, nz);
+                    const LANES(hoop_counted_out) _o155 =
                         LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m151, _o153.count, count_2);
+                    count_2 = lanes_select(_m153, _o155.count, count_2);
                 }
-                const LANES(hoop_elsewhere_out) _o154 =
+                const LANES(hoop_elsewhere_out) _o156 =
                     LANES(hoop_elsewhere)();
-                V curving = _o154.curving;
-                const LANES(hoop_again_out) _o155 =
+                V curving = _o156.curving;
+                const LANES(hoop_again_out) _o157 =
                     LANES(hoop_again)(K(0.0), last, which);
-                M again = _o155.again;
-                const M _m156 = lanes_both(_m140, again);
+                M again = _o157.again;
+                const M _m158 = lanes_both(_m142, again);
                 {
-                    const LANES(hoop_ring_curvature_out) _o157 =
-                        LANES(hoop_ring_curvature)(lanes_load(lists->fixed[50]));
-                    curving = lanes_select(_m156, _o157.curvature, curving);
+                    const LANES(hoop_ring_curvature_out) _o159 =
+                        LANES(hoop_ring_curvature)(lanes_load(lists->fixed[51]));
+                    curving = lanes_select(_m158, _o159.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o158 =
+                const LANES(hoop_again_out) _o160 =
                     LANES(hoop_again)(K(1.0), last, which);
-                again = _o158.again;
-                const M _m159 = lanes_both(_m140, again);
+                again = _o160.again;
+                const M _m161 = lanes_both(_m142, again);
                 {
-                    const LANES(hoop_backboard_curvature_out) _o160 =
+                    const LANES(hoop_backboard_curvature_out) _o162 =
                         LANES(hoop_backboard_curvature)();
-                    curving = lanes_select(_m159, _o160.curvature, curving);
+                    curving = lanes_select(_m161, _o162.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o161 =
+                const LANES(hoop_again_out) _o163 =
                     LANES(hoop_again)(K(2.0), last, which);
-                again = _o161.again;
-                const M _m162 = lanes_both(_m140, again);
+                again = _o163.again;
+                const M _m164 = lanes_both(_m142, again);
                 {
-                    const LANES(hoop_bridge_curvature_out) _o163 =
+                    const LANES(hoop_bridge_curvature_out) _o165 =
                         LANES(hoop_bridge_curvature)();
-                    curving = lanes_select(_m162, _o163.curvature, curving);
+                    curving = lanes_select(_m164, _o165.curvature, curving);
                 }
-                const LANES(hoop_carry_flight_out) _o164 =
-                    LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, lanes_load(lists->fixed[14]));
-                dx = lanes_select(_m140, _o164.dx, dx);
-                dy = lanes_select(_m140, _o164.dy, dy);
-                dz = lanes_select(_m140, _o164.dz, dz);
-                dvx = lanes_select(_m140, _o164.dvx, dvx);
-                dvy = lanes_select(_m140, _o164.dvy, dvy);
-                dvz = lanes_select(_m140, _o164.dvz, dvz);
-                V delay = _o164.delay;
-                V shift = _o164.shift;
-                const LANES(hoop_delayed_out) _o165 =
+                const LANES(hoop_carry_flight_out) _o166 =
+                    LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, lanes_load(lists->fixed[15]));
+                dx = lanes_select(_m142, _o166.dx, dx);
+                dy = lanes_select(_m142, _o166.dy, dy);
+                dz = lanes_select(_m142, _o166.dz, dz);
+                dvx = lanes_select(_m142, _o166.dvx, dvx);
+                dvy = lanes_select(_m142, _o166.dvy, dvy);
+                dvz = lanes_select(_m142, _o166.dvz, dvz);
+                V delay = _o166.delay;
+                V shift = _o166.shift;
+                const LANES(hoop_delayed_out) _o167 =
                     LANES(hoop_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m140, _o165.clock_error, clock_error);
-                const M _m166 = lanes_both(_m140, ends);
+                clock_error = lanes_select(_m142, _o167.clock_error, clock_error);
+                const M _m168 = lanes_both(_m142, ends);
                 {
-                    const LANES(hoop_floored_out) _o167 =
+                    const LANES(hoop_floored_out) _o169 =
                         LANES(hoop_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m166, _o167.dx, dx);
-                    dy = lanes_select(_m166, _o167.dy, dy);
-                    dz = lanes_select(_m166, _o167.dz, dz);
+                    dx = lanes_select(_m168, _o169.dx, dx);
+                    dy = lanes_select(_m168, _o169.dy, dy);
+                    dz = lanes_select(_m168, _o169.dz, dz);
                 }
-                const LANES(hoop_unturned_out) _o168 =
+                const LANES(hoop_unturned_out) _o170 =
                     LANES(hoop_unturned)();
-                V dnx = _o168.dnx;
-                V dny = _o168.dny;
-                V dnz = _o168.dnz;
-                V turn = _o168.turn;
-                const LANES(hoop_here_out) _o169 =
+                V dnx = _o170.dnx;
+                V dny = _o170.dny;
+                V dnz = _o170.dnz;
+                V turn = _o170.turn;
+                const LANES(hoop_here_out) _o171 =
                     LANES(hoop_here)(K(0.0), which);
-                here = _o169.here;
-                const M _m170 = lanes_both(_m140, here);
-                if (lanes_any(_m170)) {
-                    const LANES(hoop_ring_carry_normal_out) _o171 =
-                        LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[49]), lanes_load(lists->fixed[50]));
-                    dnx = lanes_select(_m170, _o171.dnx, dnx);
-                    dny = lanes_select(_m170, _o171.dny, dny);
-                    dnz = lanes_select(_m170, _o171.dnz, dnz);
-                    turn = lanes_select(_m170, _o171.turn, turn);
-                }
-                const M _m172 = lanes_both(_m140, touches);
+                here = _o171.here;
+                const M _m172 = lanes_both(_m142, here);
                 if (lanes_any(_m172)) {
-                    const LANES(hoop_carry_impact_out) _o173 =
-                        LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lanes_load(lists->fixed[51]), lanes_load(lists->fixed[52]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[54]));
-                    dvx = lanes_select(_m172, _o173.dvx, dvx);
-                    dvy = lanes_select(_m172, _o173.dvy, dvy);
-                    dvz = lanes_select(_m172, _o173.dvz, dvz);
-                    dwx = lanes_select(_m172, _o173.dwx, dwx);
-                    dwy = lanes_select(_m172, _o173.dwy, dwy);
-                    dwz = lanes_select(_m172, _o173.dwz, dwz);
-                    const LANES(hoop_impact_out) _o174 =
-                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, lanes_load(lists->fixed[52]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[54]));
-                    vx = lanes_select(_m172, _o174.vx, vx);
-                    vy = lanes_select(_m172, _o174.vy, vy);
-                    vz = lanes_select(_m172, _o174.vz, vz);
-                    wx = lanes_select(_m172, _o174.wx, wx);
-                    wy = lanes_select(_m172, _o174.wy, wy);
-                    wz = lanes_select(_m172, _o174.wz, wz);
+                    const LANES(hoop_ring_carry_normal_out) _o173 =
+                        LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[51]));
+                    dnx = lanes_select(_m172, _o173.dnx, dnx);
+                    dny = lanes_select(_m172, _o173.dny, dny);
+                    dnz = lanes_select(_m172, _o173.dnz, dnz);
+                    turn = lanes_select(_m172, _o173.turn, turn);
                 }
-                const LANES(hoop_here_out) _o175 =
+                const M _m174 = lanes_both(_m142, touches);
+                if (lanes_any(_m174)) {
+                    const LANES(hoop_carry_impact_out) _o175 =
+                        LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lanes_load(lists->fixed[52]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[54]), lanes_load(lists->fixed[55]));
+                    dvx = lanes_select(_m174, _o175.dvx, dvx);
+                    dvy = lanes_select(_m174, _o175.dvy, dvy);
+                    dvz = lanes_select(_m174, _o175.dvz, dvz);
+                    dwx = lanes_select(_m174, _o175.dwx, dwx);
+                    dwy = lanes_select(_m174, _o175.dwy, dwy);
+                    dwz = lanes_select(_m174, _o175.dwz, dwz);
+                    const LANES(hoop_impact_out) _o176 =
+                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, lanes_load(lists->fixed[53]), lanes_load(lists->fixed[54]), lanes_load(lists->fixed[55]));
+                    vx = lanes_select(_m174, _o176.vx, vx);
+                    vy = lanes_select(_m174, _o176.vy, vy);
+                    vz = lanes_select(_m174, _o176.vz, vz);
+                    wx = lanes_select(_m174, _o176.wx, wx);
+                    wy = lanes_select(_m174, _o176.wy, wy);
+                    wz = lanes_select(_m174, _o176.wz, wz);
+                }
+                const LANES(hoop_here_out) _o177 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o175.here;
-                const M _m176 = lanes_both(_m140, here);
+                here = _o177.here;
+                const M _m178 = lanes_both(_m142, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o177 =
-                        LANES(hoop_backboard_place)(y, z, lanes_load(lists->fixed[8]));
-                    x = lanes_select(_m176, _o177.x, x);
-                    y = lanes_select(_m176, _o177.y, y);
-                    z = lanes_select(_m176, _o177.z, z);
+                    const LANES(hoop_backboard_place_out) _o179 =
+                        LANES(hoop_backboard_place)(y, z, lanes_load(lists->fixed[3]));
+                    x = lanes_select(_m178, _o179.x, x);
+                    y = lanes_select(_m178, _o179.y, y);
+                    z = lanes_select(_m178, _o179.z, z);
                 }
-                const LANES(hoop_here_out) _o178 =
+                const LANES(hoop_here_out) _o180 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o178.here;
-                const M _m179 = lanes_both(_m140, here);
+                here = _o180.here;
+                const M _m181 = lanes_both(_m142, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o180 =
-                        LANES(hoop_bridge_place)(x, y, lanes_load(lists->fixed[6]));
-                    x = lanes_select(_m179, _o180.x, x);
-                    y = lanes_select(_m179, _o180.y, y);
-                    z = lanes_select(_m179, _o180.z, z);
+                    const LANES(hoop_bridge_place_out) _o182 =
+                        LANES(hoop_bridge_place)(x, y, lanes_load(lists->fixed[10]));
+                    x = lanes_select(_m181, _o182.x, x);
+                    y = lanes_select(_m181, _o182.y, y);
+                    z = lanes_select(_m181, _o182.z, z);
                 }
-                const M _m181 = lanes_both(_m140, touches);
+                const M _m183 = lanes_both(_m142, touches);
                 {
-                    const LANES(hoop_touched_out) _o182 =
+                    const LANES(hoop_touched_out) _o184 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m181, _o182.first, first);
-                    last = lanes_select(_m181, _o182.last, last);
+                    first = lanes_select(_m183, _o184.first, first);
+                    last = lanes_select(_m183, _o184.last, last);
                 }
             }
-            const M _m183 = lanes_both(rows, limited);
-            if (lanes_any(_m183)) {
-                const LANES(hoop_timed_out) _o184 =
+            const M _m185 = lanes_both(rows, limited);
+            if (lanes_any(_m185)) {
+                const LANES(hoop_timed_out) _o186 =
                     LANES(hoop_timed)(claims, K(4.0), which);
-                M timed = _o184.timed;
-                const M _m185 = lanes_both(_m183, timed);
-                if (lanes_any(_m185)) {
-                    const LANES(hoop_carry_time_out) _o186 =
-                        LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, lanes_load(lists->fixed[14]), lanes_load(lists->fixed[55]));
-                    dx = lanes_select(_m185, _o186.dx, dx);
-                    dy = lanes_select(_m185, _o186.dy, dy);
-                    dz = lanes_select(_m185, _o186.dz, dz);
-                    dvx = lanes_select(_m185, _o186.dvx, dvx);
-                    dvy = lanes_select(_m185, _o186.dvy, dvy);
-                    dvz = lanes_select(_m185, _o186.dvz, dvz);
-                    clock_error = lanes_select(_m185, _o186.clock_error, clock_error);
+                M timed = _o186.timed;
+                const M _m187 = lanes_both(_m185, timed);
+                if (lanes_any(_m187)) {
+                    const LANES(hoop_carry_time_out) _o188 =
+                        LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[56]));
+                    dx = lanes_select(_m187, _o188.dx, dx);
+                    dy = lanes_select(_m187, _o188.dy, dy);
+                    dz = lanes_select(_m187, _o188.dz, dz);
+                    dvx = lanes_select(_m187, _o188.dvx, dvx);
+                    dvy = lanes_select(_m187, _o188.dvy, dvy);
+                    dvz = lanes_select(_m187, _o188.dvz, dvz);
+                    clock_error = lanes_select(_m187, _o188.clock_error, clock_error);
                 }
             }
-            const LANES(hoop_closing_out) _o187 =
+            const LANES(hoop_closing_out) _o189 =
                 LANES(hoop_closing)(claims, outcome);
-            M closed = _o187.closed;
-            const M _m188 = lanes_both(rows, closed);
+            M closed = _o189.closed;
+            const M _m190 = lanes_both(rows, closed);
             {
-                const LANES(hoop_claimed_errors_out) _o189 =
+                const LANES(hoop_claimed_errors_out) _o191 =
                     LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m188, _o189.position_error, position_claim);
-                velocity_claim = lanes_select(_m188, _o189.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m188, _o189.spin_error, spin_claim);
-                time_claim = lanes_select(_m188, _o189.time_error, time_claim);
+                position_claim = lanes_select(_m190, _o191.position_error, position_claim);
+                velocity_claim = lanes_select(_m190, _o191.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m190, _o191.spin_error, spin_claim);
+                time_claim = lanes_select(_m190, _o191.time_error, time_claim);
             }
             lanes_store(lists->clock + i, clock);
             lanes_store(lists->clock_error + i, clock_error);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation aa6452a71138efb3,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 683a817ba09f97be,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -333,6 +333,23 @@ LANES(hoop_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c
     const V _s32 = lanes_select(_s3, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s2), lanes_mul(_c11, _s31)), K(1.0), K(0.0)));
     const V _s33 = lanes_select(_s16, _s32, lanes_select(lanes_at_most(lanes_abs(_s15), _s31), K(1.0), _s32));
     return (LANES(hoop_valid_out)){ lanes_select(_s30, _s17, lanes_select(lanes_at_most(K(0.0), _s29), _s17, K(0.0))), lanes_select(_s30, _s33, lanes_select(lanes_at_most(lanes_abs(_s29), _s31), K(1.0), _s33)) };
+}
+
+/* Where a start may overlap a surface, or be in doubt; and what is said elsewhere.
+   Table 2. 23 operations: 4 additions, 3 subtractions, 2 multiplications, 1 negation, 3 absolute values, 5 comparisons, 2 conjunctions, 2 disjunctions, 1 complement. */
+typedef struct {
+    M near;
+    V valid;
+    V doubt;
+} LANES(hoop_aside_out);
+
+LANES_INLINE LANES(hoop_aside_out)
+LANES(hoop_aside)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4)
+{
+    const V _s0 = lanes_abs(x);
+    const V _s1 = lanes_mul(K(8.0), lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_add(_c1, _s0), lanes_abs(y)), lanes_abs(z))));
+    const M _s2 = lanes_not(lanes_both(lanes_both(lanes_less(_s1, lanes_sub(_s0, _c2)), lanes_either(lanes_less(_s1, lanes_sub(x, _c3)), lanes_less(_s1, lanes_sub(_c4, x)))), lanes_either(lanes_less(_s1, x), lanes_less(_s1, lanes_neg(lanes_add(_c0, x))))));
+    return (LANES(hoop_aside_out)){ _s2, K(1.0), K(0.0) };
 }
 
 /* 1 where the ball leaves a surface.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 17608efa79d077d6,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation fdb99a920399295a,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -250,6 +250,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "allowed": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_bridge_half_width", "p_bridge_depth", "p_gravity", "p_end_depth", "p_ring_restitution", "p_backboard_restitution", "p_bridge_restitution", "p_ring_friction", "p_backboard_friction", "p_bridge_friction", "p_tangential_restitution", "p_restitution_speed",),
     "finite_parameters": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_bridge_half_width", "p_bridge_depth", "p_gravity", "p_end_depth", "p_ring_restitution", "p_backboard_restitution", "p_bridge_restitution", "p_ring_friction", "p_backboard_friction", "p_bridge_friction", "p_tangential_restitution", "p_restitution_speed", "allowed",),
     "valid": ("last", "x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_bridge_half_width", "p_bridge_depth", "p_end_depth",),
+    "aside": ("x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_bridge_half_width", "p_bridge_depth", "p_end_depth",),
     "passing_start": ("last", "outcome", "uncertain", "x", "y", "z", "p_ring_radius", "p_end_depth",),
     "passing": ("through", "t", "x", "y", "z", "vx", "vy", "vz", "p_ring_radius", "p_gravity",),
     "passing_doubt": ("t", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ring_radius", "p_gravity",),
@@ -499,6 +500,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "allowed": ("allowed",),
     "finite_parameters": ("permitted",),
     "valid": ("valid", "doubt",),
+    "aside": ("near", "valid", "doubt",),
     "passing_start": ("through", "uncertain",),
     "passing": ("through",),
     "passing_doubt": ("unsure",),
@@ -1388,6 +1390,26 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s31 = _select(_s3, _k6, _select(_absolute(_s2, _r1) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s30, _r5), _k22, _k6, _r5), _r1)
     _s32 = _select(_s15, _s31, _select(_absolute(_s14, _r9) <= _s30, _k22, _s31, _r9), _r3)
     return _result(_s27, _s16, _select(_k6 <= _s26, _s16, _k6, _r4), _r0), _result(_s27, _s32, _select(_absolute(_s26, _r11) <= _s30, _k22, _s32, _r11), _r0)
+
+
+def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a start may overlap a surface, or be in doubt; and what is said elsewhere.
+
+    Table 2. 54 operations: 19 additions, 6 subtractions, 5 multiplications, 2 negations, 16 absolute values, 3 comparisons, 2 conjunctions, 1 complement.
+    Returns near, valid, doubt.
+    """
+    _r0, _r1, _r2 = _room[:3]
+    _s0 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_thickness)) + _absolute(p_board_top)
+    _s1 = ((((_s0 + _absolute(p_bridge_depth)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)
+    _s2 = _absolute(x, _r0)
+    _s3 = _multiply(_k25, _multiply(_k41, _add(_add(_add(_s1, _s2, _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1), _r1)
+    _s4 = 0.5 * p_board_thickness
+    _s5 = _s3 < _subtract(_absolute(_subtract(x, -(p_board_distance + _s4), _r2), _r2), p_ball_radius + _s4, _r2)
+    _s6 = 0.5 * p_board_distance
+    _s7 = 0.5 * p_ring_radius
+    _s8 = _s3 < _subtract(_absolute(_subtract(x, -(_s6 + _s7), _r2), _r2), (p_ball_radius + _s6) - _s7, _r2)
+    _s9 = _logical_and(_logical_and((_s3 < _subtract(_s2, (p_ball_radius + p_ring_radius) + p_wire_radius, _r0)), _s5), _s8)
+    return _logical_not(_s9), 1.0, 0.0
 
 
 def passing_start(last: Any, outcome: Any, uncertain: Any, x: Any, y: Any, z: Any, p_ring_radius: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -9752,7 +9774,27 @@ def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _z_0 = columns["z"]
     _room_0 = room(shots)
     _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
-    _valid_0, *_ = valid(_last_0, _x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
+    _near_0, _valid_0, *_ = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
+    _rows1, _count2 = _most(_near_0, shots)
+    if _count2:
+        _last_1 = _take(_last_0, _rows1)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
+        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows1)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
+        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows1)
+        _p_board_thickness_1 = _take(_p_board_thickness_0, _rows1)
+        _p_board_top_1 = _take(_p_board_top_0, _rows1)
+        _p_bridge_depth_1 = _take(_p_bridge_depth_0, _rows1)
+        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows1)
+        _p_end_depth_1 = _take(_p_end_depth_0, _rows1)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _x_1 = _take(_x_0, _rows1)
+        _y_1 = _take(_y_0, _rows1)
+        _z_1 = _take(_z_0, _rows1)
+        _room_1 = room(_count2)
+        _valid_1, *_ = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_end_depth_1, _room_1)
+        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _near_0)
     _outcome_0, *_ = admitted(_inf, _finite_0, _permitted_0, _valid_0)
     _through_0, *_ = passing_start(_last_0, _outcome_0, 0.0, _x_0, _y_0, _z_0, _p_ring_radius_0, _p_end_depth_0, _room_0)
     columns["outcome"] = _outcome_0
@@ -12381,7 +12423,28 @@ def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _z_0 = columns["z"]
     _room_0 = room(shots)
     _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
-    _valid_0, _doubt_0 = valid(_last_0, _x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
+    _near_0, _valid_0, _doubt_0 = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
+    _rows1, _count2 = _most(_near_0, shots)
+    if _count2:
+        _last_1 = _take(_last_0, _rows1)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
+        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows1)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
+        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows1)
+        _p_board_thickness_1 = _take(_p_board_thickness_0, _rows1)
+        _p_board_top_1 = _take(_p_board_top_0, _rows1)
+        _p_bridge_depth_1 = _take(_p_bridge_depth_0, _rows1)
+        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows1)
+        _p_end_depth_1 = _take(_p_end_depth_0, _rows1)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _x_1 = _take(_x_0, _rows1)
+        _y_1 = _take(_y_0, _rows1)
+        _z_1 = _take(_z_0, _rows1)
+        _room_1 = room(_count2)
+        _valid_1, _doubt_1 = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_end_depth_1, _room_1)
+        _doubt_0 = _put(_doubt_0, _rows1, _doubt_1, shots, _near_0)
+        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _near_0)
     _outcome_0, _uncertain_0 = admitted(_doubt_0, _finite_0, _permitted_0, _valid_0)
     _through_0, _uncertain_0 = passing_start(_last_0, _outcome_0, _uncertain_0, _x_0, _y_0, _z_0, _p_ring_radius_0, _p_end_depth_0, _room_0)
     columns["outcome"] = _outcome_0

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation aa6452a71138efb3,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 683a817ba09f97be,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -215,6 +215,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "allowed": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_bridge_half_width", "p_restitution", "p_gravity", "p_end_depth",),
     "finite_parameters": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_restitution", "p_gravity", "p_end_depth", "allowed",),
     "valid": ("last", "x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_end_depth",),
+    "aside": ("x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_end_depth",),
     "left": ("index", "last",),
     "released": ("last",),
     "meeting_plane": ("bend", "rate", "time",),
@@ -339,6 +340,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "allowed": ("allowed",),
     "finite_parameters": ("permitted",),
     "valid": ("valid", "doubt",),
+    "aside": ("near", "valid", "doubt",),
     "left": ("leaving",),
     "released": ("released", "reachable",),
     "meeting_plane": ("arrives", "ceiling",),
@@ -987,6 +989,23 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s37 = _select(_s4, _k6, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), _k24, _k6, _r29), _r0)
     _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, _k24, _s37, _r14), _r13)
     return _result(_s33, _s20, _select(_k6 <= _s32, _s20, _k6, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, _k24, _s38, _r27), _r0)
+
+
+def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a start may overlap a surface, or be in doubt; and what is said elsewhere.
+
+    Table 2. 45 operations: 14 additions, 5 subtractions, 3 multiplications, 1 negation, 12 absolute values, 5 comparisons, 2 conjunctions, 2 disjunctions, 1 complement.
+    Returns near, valid, doubt.
+    """
+    _r0, _r1, _r2 = _room[:3]
+    _s0 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_top)) + _absolute(p_bridge_half_width)
+    _s1 = _absolute(x, _r0)
+    _s2 = _add(_add(((_s0 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius), _s1, _r1), _absolute(y, _r2), _r2)
+    _s3 = _multiply(_k25, _multiply(_k38, _add(_s2, _absolute(z, _r1), _r1), _r1), _r1)
+    _s4 = p_ball_radius - p_board_distance
+    _s5 = _logical_and((_s3 < _subtract(_s1, (p_ball_radius + p_ring_radius) + p_wire_radius, _r0)), _logical_or((_s3 < _subtract(x, _s4, _r0)), (_s3 < _subtract(_s4 - (2.0 * p_ball_radius), x, _r0))))
+    _s6 = _logical_not(_logical_and(_s5, _logical_or((_s3 < x), (_s3 < _negative(_add(p_board_distance, x, _r0), _r0)))))
+    return _s6, 1.0, 0.0
 
 
 def left(index: Any, last: Any) -> tuple[Any, ...]:
@@ -3443,7 +3462,25 @@ def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _z_0 = columns["z"]
     _room_0 = room(shots)
     _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
-    _valid_0, *_ = valid(_last_0, _x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
+    _near_0, _valid_0, *_ = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
+    _rows1, _count2 = _most(_near_0, shots)
+    if _count2:
+        _last_1 = _take(_last_0, _rows1)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
+        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows1)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
+        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows1)
+        _p_board_top_1 = _take(_p_board_top_0, _rows1)
+        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows1)
+        _p_end_depth_1 = _take(_p_end_depth_0, _rows1)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _x_1 = _take(_x_0, _rows1)
+        _y_1 = _take(_y_0, _rows1)
+        _z_1 = _take(_z_0, _rows1)
+        _room_1 = room(_count2)
+        _valid_1, *_ = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _room_1)
+        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _near_0)
     _outcome_0, *_ = admitted(_inf, _finite_0, _permitted_0, _valid_0)
     columns["outcome"] = _outcome_0
 
@@ -4210,7 +4247,26 @@ def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _z_0 = columns["z"]
     _room_0 = room(shots)
     _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
-    _valid_0, _doubt_0 = valid(_last_0, _x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
+    _near_0, _valid_0, _doubt_0 = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
+    _rows1, _count2 = _most(_near_0, shots)
+    if _count2:
+        _last_1 = _take(_last_0, _rows1)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
+        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows1)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
+        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows1)
+        _p_board_top_1 = _take(_p_board_top_0, _rows1)
+        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows1)
+        _p_end_depth_1 = _take(_p_end_depth_0, _rows1)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _x_1 = _take(_x_0, _rows1)
+        _y_1 = _take(_y_0, _rows1)
+        _z_1 = _take(_z_0, _rows1)
+        _room_1 = room(_count2)
+        _valid_1, _doubt_1 = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _room_1)
+        _doubt_0 = _put(_doubt_0, _rows1, _doubt_1, shots, _near_0)
+        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _near_0)
     _outcome_0, _uncertain_0 = admitted(_doubt_0, _finite_0, _permitted_0, _valid_0)
     columns["outcome"] = _outcome_0
     columns["uncertain"] = _uncertain_0
