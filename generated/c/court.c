@@ -1,6 +1,6 @@
 /* court: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene court, derivation 17608efa79d077d6,
+   Generated from templates/c/scene.c.j2, scene court, derivation 595ddfba389520a7,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -101,7 +101,8 @@ typedef struct {
 #endif
 
 /* Shots in flight at once: what the stages read and write of them stays in the nearest caches. */
-#define LANES_SHOTS 128
+/* Where balls roll there are more: what few shots need at a time then fills more lanes. */
+#define LANES_SHOTS 256
 
 /* Whether a number that threads have in common was still *seen, and is `then` now; else *seen is
    what it is. */

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 17608efa79d077d6,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 595ddfba389520a7,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1746,9 +1746,10 @@ LANES(court_roll_placed)(V p_ball_radius, V gap, V nx, V ny, V nz, V turn_rate, 
 }
 
 /* A step of the series, bounds of the motion in it, and the normal force.
-   the last terms of the series. 159 operations: 53 additions, 49 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections. */
+   the last terms of the series. 160 operations: 53 additions, 50 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
     V stride;
+    V missed;
     V strongest;
     V fastest;
     V force;
@@ -1767,7 +1768,7 @@ LANES(court_roll_pace)(V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V li
     const V _s4 = lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_8), lanes_abs(vx_8)), lanes_abs(vy_8)), lanes_abs(vz_8));
     const V _s5 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s2, _s0), lanes_sqrt(lanes_mul(p_gravity, _s2))), _s3), _s4);
     const V _s6 = lanes_mul(_s1, lanes_add(lanes_add(lanes_abs(nx_8), lanes_abs(ny_8)), lanes_abs(nz_8)));
-    const V _s7 = lanes_sqrt(lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.1102230246251565e-16), _s1), lanes_max(_s5, _s6)))));
+    const V _s7 = lanes_sqrt(lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.4210854715202004e-14), _s1), lanes_max(_s5, _s6)))));
     const V _s8 = lanes_min(_s7, K(1.0));
     const V _s9 = lanes_mul(lanes_mul(K(2.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_2), lanes_abs(vx_2)), lanes_abs(vy_2)), lanes_abs(vz_2))), _s8);
     const V _s10 = lanes_mul(_s8, _s8);
@@ -1785,7 +1786,7 @@ LANES(court_roll_pace)(V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V li
     const V _s22 = lanes_add(_s21, lanes_mul(lanes_mul(K(20.0), lanes_abs(lanes_add(lift_5, lanes_mul(_s20, nz_5)))), _s12));
     const V _s23 = lanes_add(_s22, lanes_mul(lanes_mul(K(30.0), lanes_abs(lanes_add(lift_6, lanes_mul(_s20, nz_6)))), _s14));
     const V _s24 = lanes_add(_s23, lanes_mul(lanes_mul(K(42.0), lanes_abs(lanes_add(lift_7, lanes_mul(_s20, nz_7)))), _s16));
-    return (LANES(court_roll_pace_out)){ _s8, _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(_s20, nz_0)), lanes_add(lift_1, lanes_mul(_s20, nz_1)), lanes_add(_s24, lanes_mul(K(2.0), lanes_abs(lanes_add(lift_2, lanes_mul(_s20, nz_2))))), lanes_neg(lanes_mul(K(0.8), lanes_neg(lanes_mul(p_gravity, nz_1)))) };
+    return (LANES(court_roll_pace_out)){ _s8, lanes_mul(K(1.7763568394002505e-15), _s1), _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(_s20, nz_0)), lanes_add(lift_1, lanes_mul(_s20, nz_1)), lanes_add(_s24, lanes_mul(K(2.0), lanes_abs(lanes_add(lift_2, lanes_mul(_s20, nz_2))))), lanes_neg(lanes_mul(K(0.8), lanes_neg(lanes_mul(p_gravity, nz_1)))) };
 }
 
 /* The spin about the normal, times the ball's radius.
@@ -2227,8 +2228,8 @@ LANES(court_neighbour)(V apart, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, 
     return (LANES(court_neighbour_out)){ lanes_add(x, lanes_mul(apart, dx)), lanes_add(y, lanes_mul(apart, dy)), lanes_add(z, lanes_mul(apart, dz)), lanes_add(vx, lanes_mul(apart, dvx)), lanes_add(vy, lanes_mul(apart, dvy)), lanes_add(vz, lanes_mul(apart, dvz)), lanes_add(wx, lanes_mul(apart, dwx)), lanes_add(wy, lanes_mul(apart, dwy)), lanes_add(wz, lanes_mul(apart, dwz)), K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
-/* The errors after a step, with its roundings.
-   differences. 69 operations: 17 additions, 9 subtractions, 3 multiplications, 10 divisions, 3 negations, 9 absolute values, 9 comparisons, 9 selections. */
+/* The errors after a step, with what it rounds and leaves out.
+   differences. 72 operations: 19 additions, 9 subtractions, 4 multiplications, 10 divisions, 3 negations, 9 absolute values, 9 comparisons, 9 selections. */
 typedef struct {
     V dx;
     V dy;
@@ -2242,16 +2243,16 @@ typedef struct {
 } LANES(court_compared_out);
 
 LANES_INLINE LANES(court_compared_out)
-LANES(court_compared)(V apart, V p_ball_radius, V far_vx, V far_vy, V far_vz, V far_wx, V far_wy, V far_wz, V far_x, V far_y, V far_z, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
+LANES(court_compared)(V apart, V p_ball_radius, V far_vx, V far_vy, V far_vz, V far_wx, V far_wy, V far_wz, V far_x, V far_y, V far_z, V missed, V stride, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
 {
     const V _s0 = lanes_div(lanes_sub(far_x, x), apart);
-    const V _s1 = lanes_mul(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_add(p_ball_radius, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const V _s1 = lanes_add(lanes_mul(missed, stride), lanes_mul(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_add(p_ball_radius, lanes_abs(x)), lanes_abs(y)), lanes_abs(z))));
     const V _s2 = lanes_neg(_s1);
     const V _s3 = lanes_div(lanes_sub(far_y, y), apart);
     const V _s4 = lanes_div(lanes_sub(far_z, z), apart);
     const V _s5 = lanes_div(lanes_sub(far_vx, vx), apart);
     const V _s6 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
-    const V _s7 = lanes_mul(K(4.440892098500626e-16), lanes_add(_s6, lanes_abs(vz)));
+    const V _s7 = lanes_add(missed, lanes_mul(K(4.440892098500626e-16), lanes_add(_s6, lanes_abs(vz))));
     const V _s8 = lanes_neg(_s7);
     const V _s9 = lanes_div(lanes_sub(far_vy, vy), apart);
     const V _s10 = lanes_div(lanes_sub(far_vz, vz), apart);
@@ -3511,7 +3512,7 @@ LANES(court_ring_parting)(V p_gravity, V p_ring_radius, V vx, V vy, V vz, V x, V
 }
 
 /* The constant terms, in the ring's coordinates.
-   Routh's equations. 36 operations: 7 additions, 3 subtractions, 20 multiplications, 4 divisions, 2 square roots. */
+   Routh's equations. 40 operations: 7 additions, 4 subtractions, 24 multiplications, 3 divisions, 2 square roots. */
 typedef struct {
     V cosine_0;
     V sine_0;
@@ -3520,26 +3521,28 @@ typedef struct {
     V turn_rate_0;
     V cos_0;
     V sin_0;
+    V tilted_0;
     V near_0;
 } LANES(court_ring_round_start_out);
 
 LANES_INLINE LANES(court_ring_round_start_out)
-LANES(court_ring_round_start)(V p_ball_radius, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V wx, V wy, V wz, V x, V y, V z)
+LANES(court_ring_round_start)(V p_ball_radius, V per_reach, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V wx, V wy, V wz, V x, V y, V z)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
     const V _s1 = lanes_sub(_s0, p_ring_radius);
     const V _s2 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1))));
     const V _s3 = lanes_mul(_s1, _s2);
     const V _s4 = lanes_mul(z, _s2);
-    const V _s5 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s6 = lanes_div(K(1.0), _s0);
-    const V _s7 = lanes_mul(x, _s6);
-    const V _s8 = lanes_mul(y, _s6);
-    return (LANES(court_ring_round_start_out)){ _s3, _s4, lanes_div(lanes_sub(lanes_mul(vz, _s3), lanes_mul(_s4, lanes_add(lanes_mul(vx, _s7), lanes_mul(vy, _s8)))), _s5), lanes_sub(lanes_mul(vy, _s7), lanes_mul(vx, _s8)), lanes_mul(p_ball_radius, lanes_add(lanes_mul(wz, _s4), lanes_mul(_s3, lanes_add(lanes_mul(wx, _s7), lanes_mul(wy, _s8))))), _s7, _s8, lanes_div(K(1.0), lanes_add(p_ring_radius, lanes_mul(_s3, _s5))) };
+    const V _s5 = lanes_div(K(1.0), _s0);
+    const V _s6 = lanes_mul(x, _s5);
+    const V _s7 = lanes_mul(y, _s5);
+    const V _s8 = lanes_sub(lanes_mul(vy, _s6), lanes_mul(vx, _s7));
+    const V _s9 = lanes_mul(p_ball_radius, lanes_add(lanes_mul(wz, _s4), lanes_mul(_s3, lanes_add(lanes_mul(wx, _s6), lanes_mul(wy, _s7)))));
+    return (LANES(court_ring_round_start_out)){ _s3, _s4, lanes_mul(per_reach, lanes_sub(lanes_mul(vz, _s3), lanes_mul(_s4, lanes_add(lanes_mul(vx, _s6), lanes_mul(vy, _s7))))), _s8, _s9, _s6, _s7, lanes_sub(lanes_mul(_s4, _s8), lanes_mul(K(0.4), lanes_mul(_s9, _s3))), lanes_div(K(1.0), lanes_add(p_ring_radius, lanes_mul(_s3, lanes_add(p_ball_radius, p_wire_radius)))) };
 }
 
 /* Where a ball that rolls on the ring is at time t.
-   Routh's equations. 214 operations: 91 additions, 3 subtractions, 114 multiplications, 3 divisions, 2 square roots, 1 negation. */
+   Routh's equations. 223 operations: 83 additions, 10 subtractions, 126 multiplications, 2 divisions, 1 square root, 1 negation. */
 typedef struct {
     V x;
     V y;
@@ -3554,55 +3557,57 @@ typedef struct {
 } LANES(court_ring_round_moved_out);
 
 LANES_INLINE LANES(court_ring_round_moved_out)
-LANES(court_ring_round_moved)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_11, V cos_12, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_12, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_ring_radius, V sin_0, V sin_1, V sin_10, V sin_11, V sin_12, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_11, V sine_12, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V t, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_12, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+LANES(court_ring_round_moved)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_12, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V omega_0, V omega_1, V omega_10, V omega_11, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V p_ring_radius, V sin_0, V sine_0, V sine_1, V sine_10, V sine_11, V sine_12, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V t, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_12, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
 {
-    const V _s0 = lanes_add(cos_9, lanes_mul(t, lanes_add(cos_10, lanes_mul(t, lanes_add(cos_11, lanes_mul(cos_12, t))))));
-    const V _s1 = lanes_add(cos_6, lanes_mul(t, lanes_add(cos_7, lanes_mul(t, lanes_add(cos_8, lanes_mul(t, _s0))))));
-    const V _s2 = lanes_add(cos_3, lanes_mul(t, lanes_add(cos_4, lanes_mul(t, lanes_add(cos_5, lanes_mul(t, _s1))))));
-    const V _s3 = lanes_add(cos_0, lanes_mul(t, lanes_add(cos_1, lanes_mul(t, lanes_add(cos_2, lanes_mul(t, _s2))))));
-    const V _s4 = lanes_add(sin_9, lanes_mul(t, lanes_add(sin_10, lanes_mul(t, lanes_add(sin_11, lanes_mul(sin_12, t))))));
-    const V _s5 = lanes_add(sin_6, lanes_mul(t, lanes_add(sin_7, lanes_mul(t, lanes_add(sin_8, lanes_mul(t, _s4))))));
-    const V _s6 = lanes_add(sin_3, lanes_mul(t, lanes_add(sin_4, lanes_mul(t, lanes_add(sin_5, lanes_mul(t, _s5))))));
-    const V _s7 = lanes_add(sin_0, lanes_mul(t, lanes_add(sin_1, lanes_mul(t, lanes_add(sin_2, lanes_mul(t, _s6))))));
+    const V _s0 = lanes_add(cosine_9, lanes_mul(t, lanes_add(cosine_10, lanes_mul(t, lanes_add(cosine_11, lanes_mul(cosine_12, t))))));
+    const V _s1 = lanes_add(cosine_6, lanes_mul(t, lanes_add(cosine_7, lanes_mul(t, lanes_add(cosine_8, lanes_mul(t, _s0))))));
+    const V _s2 = lanes_add(cosine_3, lanes_mul(t, lanes_add(cosine_4, lanes_mul(t, lanes_add(cosine_5, lanes_mul(t, _s1))))));
+    const V _s3 = lanes_add(cosine_0, lanes_mul(t, lanes_add(cosine_1, lanes_mul(t, lanes_add(cosine_2, lanes_mul(t, _s2))))));
+    const V _s4 = lanes_add(sine_9, lanes_mul(t, lanes_add(sine_10, lanes_mul(t, lanes_add(sine_11, lanes_mul(sine_12, t))))));
+    const V _s5 = lanes_add(sine_6, lanes_mul(t, lanes_add(sine_7, lanes_mul(t, lanes_add(sine_8, lanes_mul(t, _s4))))));
+    const V _s6 = lanes_add(sine_3, lanes_mul(t, lanes_add(sine_4, lanes_mul(t, lanes_add(sine_5, lanes_mul(t, _s5))))));
+    const V _s7 = lanes_add(sine_0, lanes_mul(t, lanes_add(sine_1, lanes_mul(t, lanes_add(sine_2, lanes_mul(t, _s6))))));
     const V _s8 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s7, _s7))));
     const V _s9 = lanes_mul(_s3, _s8);
-    const V _s10 = lanes_add(cosine_9, lanes_mul(t, lanes_add(cosine_10, lanes_mul(t, lanes_add(cosine_11, lanes_mul(cosine_12, t))))));
-    const V _s11 = lanes_add(cosine_6, lanes_mul(t, lanes_add(cosine_7, lanes_mul(t, lanes_add(cosine_8, lanes_mul(t, _s10))))));
-    const V _s12 = lanes_add(cosine_3, lanes_mul(t, lanes_add(cosine_4, lanes_mul(t, lanes_add(cosine_5, lanes_mul(t, _s11))))));
-    const V _s13 = lanes_add(cosine_0, lanes_mul(t, lanes_add(cosine_1, lanes_mul(t, lanes_add(cosine_2, lanes_mul(t, _s12))))));
-    const V _s14 = lanes_add(sine_9, lanes_mul(t, lanes_add(sine_10, lanes_mul(t, lanes_add(sine_11, lanes_mul(sine_12, t))))));
-    const V _s15 = lanes_add(sine_6, lanes_mul(t, lanes_add(sine_7, lanes_mul(t, lanes_add(sine_8, lanes_mul(t, _s14))))));
-    const V _s16 = lanes_add(sine_3, lanes_mul(t, lanes_add(sine_4, lanes_mul(t, lanes_add(sine_5, lanes_mul(t, _s15))))));
-    const V _s17 = lanes_add(sine_0, lanes_mul(t, lanes_add(sine_1, lanes_mul(t, lanes_add(sine_2, lanes_mul(t, _s16))))));
-    const V _s18 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s17, _s17))));
-    const V _s19 = lanes_mul(_s13, _s18);
-    const V _s20 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s21 = lanes_add(p_ring_radius, lanes_mul(_s19, _s20));
-    const V _s22 = lanes_mul(_s7, _s8);
-    const V _s23 = lanes_mul(_s17, _s18);
-    const V _s24 = lanes_add(climb_9, lanes_mul(t, lanes_add(climb_10, lanes_mul(t, lanes_add(climb_11, lanes_mul(climb_12, t))))));
-    const V _s25 = lanes_add(climb_6, lanes_mul(t, lanes_add(climb_7, lanes_mul(t, lanes_add(climb_8, lanes_mul(t, _s24))))));
-    const V _s26 = lanes_add(climb_3, lanes_mul(t, lanes_add(climb_4, lanes_mul(t, lanes_add(climb_5, lanes_mul(t, _s25))))));
-    const V _s27 = lanes_add(climb_0, lanes_mul(t, lanes_add(climb_1, lanes_mul(t, lanes_add(climb_2, lanes_mul(t, _s26))))));
-    const V _s28 = lanes_mul(_s20, _s27);
-    const V _s29 = lanes_neg(lanes_mul(_s28, _s23));
-    const V _s30 = lanes_add(along_9, lanes_mul(t, lanes_add(along_10, lanes_mul(t, lanes_add(along_11, lanes_mul(along_12, t))))));
-    const V _s31 = lanes_add(along_6, lanes_mul(t, lanes_add(along_7, lanes_mul(t, lanes_add(along_8, lanes_mul(t, _s30))))));
-    const V _s32 = lanes_add(along_3, lanes_mul(t, lanes_add(along_4, lanes_mul(t, lanes_add(along_5, lanes_mul(t, _s31))))));
-    const V _s33 = lanes_add(along_0, lanes_mul(t, lanes_add(along_1, lanes_mul(t, lanes_add(along_2, lanes_mul(t, _s32))))));
-    const V _s34 = lanes_div(K(1.0), p_ball_radius);
-    const V _s35 = lanes_add(turn_rate_9, lanes_mul(t, lanes_add(turn_rate_10, lanes_mul(t, lanes_add(turn_rate_11, lanes_mul(t, turn_rate_12))))));
-    const V _s36 = lanes_add(turn_rate_6, lanes_mul(t, lanes_add(turn_rate_7, lanes_mul(t, lanes_add(turn_rate_8, lanes_mul(t, _s35))))));
-    const V _s37 = lanes_add(turn_rate_3, lanes_mul(t, lanes_add(turn_rate_4, lanes_mul(t, lanes_add(turn_rate_5, lanes_mul(t, _s36))))));
-    const V _s38 = lanes_add(turn_rate_0, lanes_mul(t, lanes_add(turn_rate_1, lanes_mul(t, lanes_add(turn_rate_2, lanes_mul(t, _s37))))));
-    const V _s39 = lanes_sub(lanes_mul(_s19, _s38), lanes_mul(_s23, _s33));
-    return (LANES(court_ring_round_moved_out)){ lanes_mul(_s9, _s21), lanes_mul(_s22, _s21), lanes_mul(_s23, _s20), lanes_sub(lanes_mul(_s29, _s9), lanes_mul(_s22, _s33)), lanes_add(lanes_mul(_s29, _s22), lanes_mul(_s9, _s33)), lanes_mul(_s28, _s19), lanes_mul(_s34, lanes_add(lanes_mul(_s28, _s22), lanes_mul(_s9, _s39))), lanes_mul(_s34, lanes_sub(lanes_mul(_s22, _s39), lanes_mul(_s28, _s9))), lanes_mul(_s34, lanes_add(lanes_mul(_s19, _s33), lanes_mul(_s23, _s38))), _s27 };
+    const V _s10 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s11 = lanes_add(p_ring_radius, lanes_mul(_s9, _s10));
+    const V _s12 = lanes_mul(t, lanes_add(lanes_mul(K(0.1), omega_9), lanes_mul(t, lanes_add(lanes_mul(K(0.09090909090909091), omega_10), lanes_mul(lanes_mul(K(0.08333333333333333), omega_11), t)))));
+    const V _s13 = lanes_add(lanes_mul(K(0.14285714285714285), omega_6), lanes_mul(t, lanes_add(lanes_mul(K(0.125), omega_7), lanes_mul(t, lanes_add(lanes_mul(K(0.1111111111111111), omega_8), _s12)))));
+    const V _s14 = lanes_add(lanes_mul(K(0.25), omega_3), lanes_mul(t, lanes_add(lanes_mul(K(0.2), omega_4), lanes_mul(t, lanes_add(lanes_mul(K(0.16666666666666666), omega_5), lanes_mul(t, _s13))))));
+    const V _s15 = lanes_add(omega_0, lanes_mul(t, lanes_add(lanes_mul(K(0.5), omega_1), lanes_mul(t, lanes_add(lanes_mul(K(0.3333333333333333), omega_2), lanes_mul(t, _s14))))));
+    const V _s16 = lanes_mul(t, _s15);
+    const V _s17 = lanes_mul(_s16, _s16);
+    const V _s18 = lanes_sub(lanes_mul(lanes_add(K(2.48015873015873e-05), lanes_mul(lanes_sub(lanes_mul(K(2.08767569878681e-09), _s17), K(2.755731922398589e-07)), _s17)), _s17), K(0.001388888888888889));
+    const V _s19 = lanes_add(K(1.0), lanes_mul(lanes_sub(lanes_mul(lanes_add(K(0.041666666666666664), lanes_mul(_s18, _s17)), _s17), K(0.5)), _s17));
+    const V _s20 = lanes_add(K(0.008333333333333333), lanes_mul(lanes_sub(lanes_mul(lanes_sub(K(2.7557319223985893e-06), lanes_mul(K(2.505210838544172e-08), _s17)), _s17), K(0.0001984126984126984)), _s17));
+    const V _s21 = lanes_mul(_s16, lanes_add(K(1.0), lanes_mul(lanes_sub(lanes_mul(_s20, _s17), K(0.16666666666666666)), _s17)));
+    const V _s22 = lanes_sub(lanes_mul(cos_0, _s19), lanes_mul(sin_0, _s21));
+    const V _s23 = lanes_add(lanes_mul(cos_0, _s21), lanes_mul(sin_0, _s19));
+    const V _s24 = lanes_mul(_s7, _s8);
+    const V _s25 = lanes_add(climb_9, lanes_mul(t, lanes_add(climb_10, lanes_mul(t, lanes_add(climb_11, lanes_mul(climb_12, t))))));
+    const V _s26 = lanes_add(climb_6, lanes_mul(t, lanes_add(climb_7, lanes_mul(t, lanes_add(climb_8, lanes_mul(t, _s25))))));
+    const V _s27 = lanes_add(climb_3, lanes_mul(t, lanes_add(climb_4, lanes_mul(t, lanes_add(climb_5, lanes_mul(t, _s26))))));
+    const V _s28 = lanes_add(climb_0, lanes_mul(t, lanes_add(climb_1, lanes_mul(t, lanes_add(climb_2, lanes_mul(t, _s27))))));
+    const V _s29 = lanes_mul(_s10, _s28);
+    const V _s30 = lanes_neg(lanes_mul(_s29, _s24));
+    const V _s31 = lanes_add(along_9, lanes_mul(t, lanes_add(along_10, lanes_mul(t, lanes_add(along_11, lanes_mul(along_12, t))))));
+    const V _s32 = lanes_add(along_6, lanes_mul(t, lanes_add(along_7, lanes_mul(t, lanes_add(along_8, lanes_mul(t, _s31))))));
+    const V _s33 = lanes_add(along_3, lanes_mul(t, lanes_add(along_4, lanes_mul(t, lanes_add(along_5, lanes_mul(t, _s32))))));
+    const V _s34 = lanes_add(along_0, lanes_mul(t, lanes_add(along_1, lanes_mul(t, lanes_add(along_2, lanes_mul(t, _s33))))));
+    const V _s35 = lanes_div(K(1.0), p_ball_radius);
+    const V _s36 = lanes_add(turn_rate_9, lanes_mul(t, lanes_add(turn_rate_10, lanes_mul(t, lanes_add(turn_rate_11, lanes_mul(t, turn_rate_12))))));
+    const V _s37 = lanes_add(turn_rate_6, lanes_mul(t, lanes_add(turn_rate_7, lanes_mul(t, lanes_add(turn_rate_8, lanes_mul(t, _s36))))));
+    const V _s38 = lanes_add(turn_rate_3, lanes_mul(t, lanes_add(turn_rate_4, lanes_mul(t, lanes_add(turn_rate_5, lanes_mul(t, _s37))))));
+    const V _s39 = lanes_add(turn_rate_0, lanes_mul(t, lanes_add(turn_rate_1, lanes_mul(t, lanes_add(turn_rate_2, lanes_mul(t, _s38))))));
+    const V _s40 = lanes_sub(lanes_mul(_s9, _s39), lanes_mul(_s24, _s34));
+    return (LANES(court_ring_round_moved_out)){ lanes_mul(_s11, _s22), lanes_mul(_s11, _s23), lanes_mul(_s24, _s10), lanes_sub(lanes_mul(_s30, _s22), lanes_mul(_s34, _s23)), lanes_add(lanes_mul(_s30, _s23), lanes_mul(_s34, _s22)), lanes_mul(_s29, _s9), lanes_mul(_s35, lanes_add(lanes_mul(_s29, _s23), lanes_mul(_s22, _s40))), lanes_mul(_s35, lanes_sub(lanes_mul(_s23, _s40), lanes_mul(_s29, _s22))), lanes_mul(_s35, lanes_add(lanes_mul(_s9, _s34), lanes_mul(_s24, _s39))), _s28 };
 }
 
 /* A step of the series, and bounds of the motion in it.
-   Routh's equations. 268 operations: 77 additions, 4 subtractions, 126 multiplications, 6 divisions, 7 square roots, 1 negation, 43 absolute values, 2 comparisons, 2 selections. */
+   Routh's equations. 328 operations: 95 additions, 5 subtractions, 169 multiplications, 2 divisions, 7 square roots, 1 negation, 45 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
     V stride;
+    V missed;
     V strongest;
     V fastest;
     V sway;
@@ -3616,7 +3621,7 @@ typedef struct {
 } LANES(court_ring_round_pace_out);
 
 LANES_INLINE LANES(court_ring_round_pace_out)
-LANES(court_ring_round_pace)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_12, V cosine_0, V cosine_12, V force_0, V force_1, V force_10, V force_11, V force_2, V force_3, V force_4, V force_5, V force_6, V force_7, V force_8, V force_9, V p_gravity, V omega_0, V p_ring_radius, V sin_0, V sin_12, V sine_0, V sine_12, V turn_rate_0, V turn_rate_11, V turn_rate_12, V p_wire_radius)
+LANES(court_ring_round_pace)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cosine_0, V cosine_12, V p_gravity, V omega_0, V omega_1, V omega_10, V omega_11, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V per_reach, V p_ring_radius, V sin_0, V sine_0, V sine_12, V turn_rate_0, V turn_rate_11, V turn_rate_12, V p_wire_radius)
 {
     const V _s0 = lanes_abs(climb_0);
     const V _s1 = lanes_add(p_ball_radius, p_wire_radius);
@@ -3627,61 +3632,87 @@ LANES(court_ring_round_pace)(V along_0, V along_1, V along_10, V along_11, V alo
     const V _s6 = lanes_abs(along_11);
     const V _s7 = lanes_abs(climb_12);
     const V _s8 = lanes_abs(along_12);
-    const V _s9 = lanes_add(lanes_mul(lanes_mul(K(0.25), lanes_add(lanes_mul(_s5, _s1), lanes_add(_s6, lanes_abs(turn_rate_11)))), lanes_add(lanes_div(_s3, _s1), lanes_sqrt(lanes_div(p_gravity, _s1)))), lanes_add(lanes_mul(_s7, _s1), lanes_add(_s8, lanes_abs(turn_rate_12))));
-    const V _s10 = lanes_mul(_s4, lanes_add(lanes_add(lanes_add(lanes_abs(cos_12), lanes_abs(cosine_12)), lanes_abs(sin_12)), lanes_abs(sine_12)));
-    const V _s11 = lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.7763568394002505e-15), _s4), lanes_max(_s9, _s10))));
-    const V _s12 = lanes_sqrt(lanes_sqrt(_s11));
-    const V _s13 = lanes_mul(_s12, lanes_sqrt(lanes_sqrt(_s12)));
-    const V _s14 = lanes_add(lanes_div(_s11, lanes_mul(K(3.0), lanes_mul(_s13, _s13))), lanes_mul(K(0.6666666666666666), _s13));
-    const V _s15 = lanes_add(lanes_div(_s11, lanes_mul(K(3.0), lanes_mul(_s14, _s14))), lanes_mul(K(0.6666666666666666), _s14));
-    const V _s16 = lanes_min(_s15, K(0.0625));
-    const V _s17 = lanes_abs(climb_10);
-    const V _s18 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s7), _s16), lanes_mul(K(11.0), _s5)), _s16), lanes_mul(K(10.0), _s17)), _s16);
-    const V _s19 = lanes_abs(climb_9);
-    const V _s20 = lanes_abs(climb_8);
-    const V _s21 = lanes_abs(climb_7);
-    const V _s22 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s18, lanes_mul(K(9.0), _s19)), _s16), lanes_mul(K(8.0), _s20)), _s16), lanes_mul(K(7.0), _s21));
-    const V _s23 = lanes_abs(climb_6);
-    const V _s24 = lanes_abs(climb_5);
-    const V _s25 = lanes_abs(climb_4);
-    const V _s26 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s22, _s16), lanes_mul(K(6.0), _s23)), _s16), lanes_mul(K(5.0), _s24)), _s16), lanes_mul(K(4.0), _s25));
-    const V _s27 = lanes_abs(climb_3);
-    const V _s28 = lanes_abs(climb_2);
-    const V _s29 = lanes_abs(climb_1);
-    const V _s30 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s26, _s16), lanes_mul(K(3.0), _s27)), _s16), lanes_mul(K(2.0), _s28)), _s16), _s29);
-    const V _s31 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s16), _s5), _s16), _s17), _s16), _s19);
-    const V _s32 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s31, _s16), _s20), _s16), _s21), _s16), _s23);
-    const V _s33 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s32, _s16), _s24), _s16), _s25), _s16), _s27);
-    const V _s34 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s33, _s16), _s28), _s16), _s29), _s16), _s0);
-    const V _s35 = lanes_mul(_s1, lanes_add(_s30, lanes_mul(_s34, _s34)));
-    const V _s36 = lanes_abs(along_10);
-    const V _s37 = lanes_abs(along_9);
-    const V _s38 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s8, _s16), _s6), _s16), _s36), _s16), _s37);
-    const V _s39 = lanes_abs(along_8);
-    const V _s40 = lanes_abs(along_7);
-    const V _s41 = lanes_abs(along_6);
-    const V _s42 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s38, _s16), _s39), _s16), _s40), _s16), _s41);
-    const V _s43 = lanes_abs(along_5);
-    const V _s44 = lanes_abs(along_4);
-    const V _s45 = lanes_abs(along_3);
-    const V _s46 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s42, _s16), _s43), _s16), _s44), _s16), _s45);
-    const V _s47 = lanes_abs(along_2);
-    const V _s48 = lanes_abs(along_1);
-    const V _s49 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s46, _s16), _s47), _s16), _s48), _s16), _s2);
-    const V _s50 = lanes_add(lanes_mul(_s1, _s34), _s49);
-    const V _s51 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s8), _s16), lanes_mul(K(11.0), _s6)), _s16), lanes_mul(K(10.0), _s36)), _s16);
-    const V _s52 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s51, lanes_mul(K(9.0), _s37)), _s16), lanes_mul(K(8.0), _s39)), _s16), lanes_mul(K(7.0), _s40));
-    const V _s53 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s52, _s16), lanes_mul(K(6.0), _s41)), _s16), lanes_mul(K(5.0), _s43)), _s16), lanes_mul(K(4.0), _s44));
-    const V _s54 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s53, _s16), lanes_mul(K(3.0), _s45)), _s16), lanes_mul(K(2.0), _s47)), _s16), _s48);
-    const V _s55 = lanes_add(_s35, lanes_add(lanes_mul(lanes_mul(_s49, lanes_div(K(1.0), lanes_sub(p_ring_radius, _s1))), _s50), _s54));
-    const V _s56 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(110.0), lanes_abs(force_11)), _s16), lanes_mul(K(90.0), lanes_abs(force_10))), _s16), lanes_mul(K(72.0), lanes_abs(force_9)));
-    const V _s57 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s56, _s16), lanes_mul(K(56.0), lanes_abs(force_8))), _s16), lanes_mul(K(42.0), lanes_abs(force_7))), _s16);
-    const V _s58 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s57, lanes_mul(K(30.0), lanes_abs(force_6))), _s16), lanes_mul(K(20.0), lanes_abs(force_5))), _s16);
-    const V _s59 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s58, lanes_mul(K(12.0), lanes_abs(force_4))), _s16), lanes_mul(K(6.0), lanes_abs(force_3))), _s16);
-    const V _s60 = lanes_mul(lanes_mul(climb_0, climb_0), _s1);
-    const V _s61 = lanes_neg(lanes_add(lanes_add(lanes_mul(along_0, omega_0), lanes_mul(cosine_0, _s60)), lanes_mul(lanes_mul(climb_1, sine_0), _s1)));
-    const V _s62 = lanes_sub(along_1, lanes_mul(omega_0, lanes_mul(lanes_mul(climb_0, sine_0), _s1)));
-    return (LANES(court_ring_round_pace_out)){ _s16, _s55, _s50, _s35, force_0, force_1, lanes_add(_s59, lanes_mul(K(2.0), lanes_abs(force_2))), lanes_mul(lanes_mul(K(0.8), p_gravity), lanes_mul(climb_0, cosine_0)), lanes_sub(lanes_mul(cos_0, _s61), lanes_mul(sin_0, _s62)), lanes_add(lanes_mul(cos_0, _s62), lanes_mul(sin_0, _s61)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _s1), lanes_mul(sine_0, _s60)) };
+    const V _s9 = lanes_add(lanes_mul(lanes_mul(K(0.25), lanes_add(lanes_mul(per_reach, _s3), lanes_sqrt(lanes_mul(p_gravity, per_reach)))), lanes_add(lanes_mul(_s5, _s1), lanes_add(_s6, lanes_abs(turn_rate_11)))), lanes_add(lanes_mul(_s7, _s1), lanes_add(_s8, lanes_abs(turn_rate_12))));
+    const V _s10 = lanes_abs(omega_0);
+    const V _s11 = lanes_mul(omega_0, omega_0);
+    const V _s12 = lanes_mul(lanes_mul(K(4.0), _s10), lanes_mul(K(16.0), _s11));
+    const V _s13 = lanes_mul(_s12, _s12);
+    const V _s14 = lanes_mul(_s4, lanes_add(lanes_add(lanes_abs(cosine_12), lanes_abs(sine_12)), lanes_mul(K(4.547473508864641e-13), lanes_mul(_s13, _s13))));
+    const V _s15 = lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(4.547473508864641e-13), _s4), lanes_max(_s9, _s14))));
+    const V _s16 = lanes_sqrt(lanes_sqrt(_s15));
+    const V _s17 = lanes_mul(lanes_mul(K(0.75), _s16), lanes_sqrt(lanes_sqrt(_s16)));
+    const V _s18 = lanes_mul(_s17, lanes_mul(_s17, _s17));
+    const V _s19 = lanes_mul(lanes_div(lanes_add(_s18, lanes_mul(K(2.0), _s15)), lanes_add(lanes_mul(K(2.0), _s18), _s15)), _s17);
+    const V _s20 = lanes_min(_s19, K(0.0625));
+    const V _s21 = lanes_abs(climb_10);
+    const V _s22 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s7), _s20), lanes_mul(K(11.0), _s5)), _s20), lanes_mul(K(10.0), _s21)), _s20);
+    const V _s23 = lanes_abs(climb_9);
+    const V _s24 = lanes_abs(climb_8);
+    const V _s25 = lanes_abs(climb_7);
+    const V _s26 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s22, lanes_mul(K(9.0), _s23)), _s20), lanes_mul(K(8.0), _s24)), _s20), lanes_mul(K(7.0), _s25));
+    const V _s27 = lanes_abs(climb_6);
+    const V _s28 = lanes_abs(climb_5);
+    const V _s29 = lanes_abs(climb_4);
+    const V _s30 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s26, _s20), lanes_mul(K(6.0), _s27)), _s20), lanes_mul(K(5.0), _s28)), _s20), lanes_mul(K(4.0), _s29));
+    const V _s31 = lanes_abs(climb_3);
+    const V _s32 = lanes_abs(climb_2);
+    const V _s33 = lanes_abs(climb_1);
+    const V _s34 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s30, _s20), lanes_mul(K(3.0), _s31)), _s20), lanes_mul(K(2.0), _s32)), _s20), _s33);
+    const V _s35 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s20), _s5), _s20), _s21), _s20), _s23);
+    const V _s36 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s35, _s20), _s24), _s20), _s25), _s20), _s27);
+    const V _s37 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s36, _s20), _s28), _s20), _s29), _s20), _s31);
+    const V _s38 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s37, _s20), _s32), _s20), _s33), _s20), _s0);
+    const V _s39 = lanes_mul(_s1, lanes_add(_s34, lanes_mul(_s38, _s38)));
+    const V _s40 = lanes_abs(omega_11);
+    const V _s41 = lanes_abs(omega_10);
+    const V _s42 = lanes_abs(omega_9);
+    const V _s43 = lanes_abs(omega_8);
+    const V _s44 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s40, _s20), _s41), _s20), _s42), _s20), _s43);
+    const V _s45 = lanes_abs(omega_7);
+    const V _s46 = lanes_abs(omega_6);
+    const V _s47 = lanes_abs(omega_5);
+    const V _s48 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s44, _s20), _s45), _s20), _s46), _s20), _s47);
+    const V _s49 = lanes_abs(omega_4);
+    const V _s50 = lanes_abs(omega_3);
+    const V _s51 = lanes_abs(omega_2);
+    const V _s52 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s48, _s20), _s49), _s20), _s50), _s20), _s51);
+    const V _s53 = lanes_abs(omega_1);
+    const V _s54 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s52, _s20), _s53), _s20), _s10);
+    const V _s55 = lanes_abs(along_10);
+    const V _s56 = lanes_abs(along_9);
+    const V _s57 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s8, _s20), _s6), _s20), _s55), _s20), _s56);
+    const V _s58 = lanes_abs(along_8);
+    const V _s59 = lanes_abs(along_7);
+    const V _s60 = lanes_abs(along_6);
+    const V _s61 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s57, _s20), _s58), _s20), _s59), _s20), _s60);
+    const V _s62 = lanes_abs(along_5);
+    const V _s63 = lanes_abs(along_4);
+    const V _s64 = lanes_abs(along_3);
+    const V _s65 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s61, _s20), _s62), _s20), _s63), _s20), _s64);
+    const V _s66 = lanes_abs(along_2);
+    const V _s67 = lanes_abs(along_1);
+    const V _s68 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s65, _s20), _s66), _s20), _s67), _s20), _s2);
+    const V _s69 = lanes_add(lanes_mul(_s1, _s38), _s68);
+    const V _s70 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s8), _s20), lanes_mul(K(11.0), _s6)), _s20), lanes_mul(K(10.0), _s55)), _s20);
+    const V _s71 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s70, lanes_mul(K(9.0), _s56)), _s20), lanes_mul(K(8.0), _s58)), _s20), lanes_mul(K(7.0), _s59));
+    const V _s72 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s71, _s20), lanes_mul(K(6.0), _s60)), _s20), lanes_mul(K(5.0), _s62)), _s20), lanes_mul(K(4.0), _s63));
+    const V _s73 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s72, _s20), lanes_mul(K(3.0), _s64)), _s20), lanes_mul(K(2.0), _s66)), _s20), _s67);
+    const V _s74 = lanes_mul(lanes_mul(climb_0, climb_0), _s1);
+    const V _s75 = lanes_mul(along_0, omega_0);
+    const V _s76 = lanes_mul(K(2.2), p_gravity);
+    const V _s77 = lanes_mul(K(3.0), p_ring_radius);
+    const V _s78 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(11.0), _s40), _s20), lanes_mul(K(10.0), _s41)), _s20), lanes_mul(K(9.0), _s42)), _s20);
+    const V _s79 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s78, lanes_mul(K(8.0), _s43)), _s20), lanes_mul(K(7.0), _s45)), _s20), lanes_mul(K(6.0), _s46));
+    const V _s80 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s79, _s20), lanes_mul(K(5.0), _s47)), _s20), lanes_mul(K(4.0), _s49)), _s20), lanes_mul(K(3.0), _s50));
+    const V _s81 = lanes_mul(_s38, _s20);
+    const V _s82 = lanes_add(lanes_abs(sine_0), _s81);
+    const V _s83 = lanes_mul(lanes_mul(_s54, lanes_add(lanes_mul(lanes_add(lanes_mul(_s80, _s20), lanes_mul(K(2.0), _s51)), _s20), _s53)), _s82);
+    const V _s84 = lanes_mul(_s77, lanes_mul(_s54, _s54));
+    const V _s85 = lanes_add(lanes_abs(cosine_0), _s81);
+    const V _s86 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(6.0), p_ring_radius), _s83), lanes_mul(_s38, lanes_add(lanes_mul(_s76, _s82), lanes_mul(_s84, _s85)))), _s38), lanes_mul(_s34, lanes_add(lanes_mul(_s76, _s85), lanes_mul(_s84, _s82))));
+    const V _s87 = lanes_neg(lanes_add(lanes_add(_s75, lanes_mul(cosine_0, _s74)), lanes_mul(lanes_mul(climb_1, sine_0), _s1)));
+    const V _s88 = lanes_sub(along_1, lanes_mul(omega_0, lanes_mul(lanes_mul(climb_0, sine_0), _s1)));
+    return (LANES(court_ring_round_pace_out)){ _s20, lanes_mul(K(5.684341886080802e-14), _s4), lanes_add(_s39, lanes_add(lanes_mul(_s54, _s69), _s73)), _s69, _s39, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_0), _s74), lanes_mul(cosine_0, _s75)), lanes_mul(climb_0, lanes_add(lanes_mul(cosine_0, _s76), lanes_mul(sine_0, lanes_mul(_s77, _s11)))), _s86, lanes_mul(lanes_mul(K(0.8), p_gravity), lanes_mul(climb_0, cosine_0)), lanes_sub(lanes_mul(cos_0, _s87), lanes_mul(sin_0, _s88)), lanes_add(lanes_mul(cos_0, _s88), lanes_mul(sin_0, _s87)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _s1), lanes_mul(sine_0, _s74)) };
 }
 
 /* The square of the friction that rolling on the ring takes, and its rate.
@@ -3727,528 +3758,365 @@ LANES(court_ring_swung)(V p_ball_radius, V berth, V circled, V climb, V climb_0,
 }
 
 /* The terms of order 1, from those before.
-   Routh's equations. 32 operations: 2 additions, 4 subtractions, 22 multiplications, 1 division, 3 negations. */
+   Routh's equations. 23 operations: 3 additions, 1 subtraction, 17 multiplications, 2 negations. */
 typedef struct {
     V omega_0;
     V around_0;
-    V tilted_0;
-    V pressed_0;
-    V force_0;
     V cosine_1;
     V sine_1;
     V climb_1;
     V along_1;
     V turn_rate_1;
-    V cos_1;
-    V sin_1;
+    V tilted_1;
 } LANES(court_ring_round_0_out);
 
 LANES_INLINE LANES(court_ring_round_0_out)
-LANES(court_ring_round_0)(V along_0, V p_ball_radius, V climb_0, V cos_0, V cosine_0, V p_gravity, V near_0, V p_ring_radius, V sin_0, V sine_0, V turn_rate_0, V p_wire_radius)
+LANES(court_ring_round_0)(V along_0, V p_ball_radius, V climb_0, V cosine_0, V p_gravity, V near_0, V per_reach, V p_ring_radius, V sine_0, V tilted_0, V turn_rate_0, V p_wire_radius)
 {
     const V _s0 = lanes_mul(along_0, near_0);
     const V _s1 = lanes_mul(climb_0, _s0);
-    const V _s2 = lanes_sub(lanes_mul(along_0, sine_0), lanes_mul(K(0.4), lanes_mul(cosine_0, turn_rate_0)));
-    const V _s3 = lanes_mul(along_0, cosine_0);
-    const V _s4 = lanes_add(p_ball_radius, p_wire_radius);
-    return (LANES(court_ring_round_0_out)){ _s0, _s1, _s2, _s3, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_0), lanes_mul(lanes_mul(climb_0, climb_0), _s4)), lanes_mul(_s3, _s0)), lanes_neg(lanes_mul(climb_0, sine_0)), lanes_mul(climb_0, cosine_0), lanes_neg(lanes_div(lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_0), p_gravity), lanes_mul(_s0, _s2)), _s4)), lanes_sub(lanes_mul(lanes_mul(sine_0, _s1), _s4), lanes_mul(K(0.4), lanes_mul(climb_0, turn_rate_0))), lanes_mul(p_ring_radius, _s1), lanes_neg(lanes_mul(sin_0, _s0)), lanes_mul(cos_0, _s0) };
+    const V _s2 = lanes_add(p_ball_radius, p_wire_radius);
+    return (LANES(court_ring_round_0_out)){ _s0, _s1, lanes_neg(lanes_mul(climb_0, sine_0)), lanes_mul(climb_0, cosine_0), lanes_neg(lanes_mul(per_reach, lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_0), p_gravity), lanes_mul(tilted_0, _s0)))), lanes_sub(lanes_mul(lanes_mul(sine_0, _s1), _s2), lanes_mul(K(0.4), lanes_mul(climb_0, turn_rate_0))), lanes_mul(p_ring_radius, _s1), lanes_add(lanes_mul(lanes_mul(K(0.6), p_ring_radius), lanes_mul(cosine_0, _s1)), lanes_mul(_s1, _s2)) };
 }
 
 /* The terms of order 2, from those before.
-   Routh's equations. 70 operations: 15 additions, 4 subtractions, 46 multiplications, 1 division, 4 negations. */
+   Routh's equations. 46 operations: 10 additions, 2 subtractions, 32 multiplications, 2 negations. */
 typedef struct {
-    V near_1;
     V omega_1;
     V around_1;
-    V tilted_1;
-    V pressed_1;
-    V force_1;
     V cosine_2;
     V sine_2;
     V climb_2;
     V along_2;
     V turn_rate_2;
-    V cos_2;
-    V sin_2;
+    V tilted_2;
 } LANES(court_ring_round_1_out);
 
 LANES_INLINE LANES(court_ring_round_1_out)
-LANES(court_ring_round_1)(V along_0, V along_1, V around_0, V p_ball_radius, V climb_0, V climb_1, V cos_0, V cos_1, V cosine_0, V cosine_1, V p_gravity, V near_0, V omega_0, V pressed_0, V p_ring_radius, V sin_0, V sin_1, V sine_0, V sine_1, V tilted_0, V turn_rate_0, V turn_rate_1, V p_wire_radius)
+LANES(court_ring_round_1)(V along_1, V around_0, V p_ball_radius, V climb_0, V climb_1, V cosine_0, V cosine_1, V p_gravity, V near_0, V omega_0, V per_reach, V p_ring_radius, V sine_0, V sine_1, V tilted_0, V tilted_1, V turn_rate_0, V turn_rate_1, V p_wire_radius)
 {
     const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, lanes_mul(cosine_1, near_0)), _s0));
-    const V _s2 = lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_0));
-    const V _s3 = lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_0));
-    const V _s4 = lanes_sub(lanes_add(lanes_mul(along_0, sine_1), lanes_mul(along_1, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_mul(cosine_0, turn_rate_1), lanes_mul(cosine_1, turn_rate_0))));
-    const V _s5 = lanes_add(lanes_mul(along_0, cosine_1), lanes_mul(along_1, cosine_0));
-    const V _s6 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_1), p_gravity), lanes_add(lanes_mul(omega_0, _s4), lanes_mul(tilted_0, _s2)))), _s0));
-    return (LANES(court_ring_round_1_out)){ _s1, _s2, _s3, _s4, _s5, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_1), lanes_mul(lanes_mul(lanes_mul(K(2.0), climb_0), climb_1), _s0)), lanes_add(lanes_mul(omega_0, _s5), lanes_mul(pressed_0, _s2))), lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, sine_1), lanes_mul(climb_1, sine_0)))), lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, cosine_1), lanes_mul(climb_1, cosine_0))), _s6, lanes_mul(K(0.5), lanes_sub(lanes_mul(_s0, lanes_add(lanes_mul(around_0, sine_1), lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(lanes_mul(climb_0, turn_rate_1), lanes_mul(climb_1, turn_rate_0))))), lanes_mul(lanes_mul(K(0.5), p_ring_radius), _s3), lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(omega_0, sin_1), lanes_mul(sin_0, _s2)))), lanes_mul(K(0.5), lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_0))) };
+    const V _s1 = lanes_mul(near_0, lanes_sub(along_1, lanes_mul(lanes_mul(cosine_1, omega_0), _s0)));
+    const V _s2 = lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_0));
+    return (LANES(court_ring_round_1_out)){ _s1, _s2, lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, sine_1), lanes_mul(climb_1, sine_0)))), lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, cosine_1), lanes_mul(climb_1, cosine_0))), lanes_neg(lanes_mul(lanes_mul(K(0.5), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_1), p_gravity), lanes_add(lanes_mul(omega_0, tilted_1), lanes_mul(tilted_0, _s1))))), lanes_mul(K(0.5), lanes_sub(lanes_mul(_s0, lanes_add(lanes_mul(around_0, sine_1), lanes_mul(sine_0, _s2))), lanes_mul(K(0.4), lanes_add(lanes_mul(climb_0, turn_rate_1), lanes_mul(climb_1, turn_rate_0))))), lanes_mul(lanes_mul(K(0.5), p_ring_radius), _s2), lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(0.6), p_ring_radius), lanes_add(lanes_mul(around_0, cosine_1), lanes_mul(cosine_0, _s2))), lanes_mul(_s0, _s2))) };
 }
 
 /* The terms of order 3, from those before.
-   Routh's equations. 100 operations: 30 additions, 4 subtractions, 61 multiplications, 1 division, 4 negations. */
+   Routh's equations. 62 operations: 18 additions, 2 subtractions, 40 multiplications, 2 negations. */
 typedef struct {
-    V near_2;
     V omega_2;
     V around_2;
-    V tilted_2;
-    V pressed_2;
-    V force_2;
     V cosine_3;
     V sine_3;
     V climb_3;
     V along_3;
     V turn_rate_3;
-    V cos_3;
-    V sin_3;
+    V tilted_3;
 } LANES(court_ring_round_2_out);
 
 LANES_INLINE LANES(court_ring_round_2_out)
-LANES(court_ring_round_2)(V along_0, V along_1, V along_2, V around_0, V around_1, V p_ball_radius, V climb_0, V climb_1, V climb_2, V cos_0, V cos_1, V cos_2, V cosine_0, V cosine_1, V cosine_2, V p_gravity, V near_0, V near_1, V omega_0, V omega_1, V pressed_0, V pressed_1, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sine_0, V sine_1, V sine_2, V tilted_0, V tilted_1, V turn_rate_0, V turn_rate_1, V turn_rate_2, V p_wire_radius)
+LANES(court_ring_round_2)(V along_2, V around_0, V around_1, V p_ball_radius, V climb_0, V climb_1, V climb_2, V cosine_0, V cosine_1, V cosine_2, V p_gravity, V near_0, V omega_0, V omega_1, V per_reach, V p_ring_radius, V sine_0, V sine_1, V sine_2, V tilted_0, V tilted_1, V tilted_2, V turn_rate_0, V turn_rate_1, V turn_rate_2, V p_wire_radius)
 {
     const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_mul(cosine_1, near_1), lanes_mul(cosine_2, near_0))));
-    const V _s2 = lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_1)), lanes_mul(along_2, near_0));
-    const V _s3 = lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_1)), lanes_mul(climb_2, omega_0));
-    const V _s4 = lanes_sub(lanes_add(lanes_add(lanes_mul(along_0, sine_2), lanes_mul(along_1, sine_1)), lanes_mul(along_2, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_2), lanes_mul(cosine_1, turn_rate_1)), lanes_mul(cosine_2, turn_rate_0))));
-    const V _s5 = lanes_add(lanes_add(lanes_mul(along_0, cosine_2), lanes_mul(along_1, cosine_1)), lanes_mul(along_2, cosine_0));
-    const V _s6 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_2), lanes_mul(_s0, lanes_add(lanes_mul(climb_1, climb_1), lanes_mul(lanes_mul(K(2.0), climb_0), climb_2)))), lanes_add(lanes_add(lanes_mul(omega_0, _s5), lanes_mul(omega_1, pressed_1)), lanes_mul(pressed_0, _s2)));
-    const V _s7 = lanes_div(lanes_mul(K(0.3333333333333333), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_2), p_gravity), lanes_add(lanes_add(lanes_mul(omega_0, _s4), lanes_mul(omega_1, tilted_1)), lanes_mul(tilted_0, _s2)))), _s0);
-    const V _s8 = lanes_mul(K(0.3333333333333333), lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(lanes_mul(around_0, sine_2), lanes_mul(around_1, sine_1)), lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_2), lanes_mul(climb_1, turn_rate_1)), lanes_mul(climb_2, turn_rate_0)))));
-    return (LANES(court_ring_round_2_out)){ _s1, _s2, _s3, _s4, _s5, _s6, lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, sine_2), lanes_mul(climb_1, sine_1)), lanes_mul(climb_2, sine_0)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, cosine_2), lanes_mul(climb_1, cosine_1)), lanes_mul(climb_2, cosine_0))), lanes_neg(_s7), _s8, lanes_mul(lanes_mul(K(0.3333333333333333), p_ring_radius), _s3), lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(omega_0, sin_2), lanes_mul(omega_1, sin_1)), lanes_mul(sin_0, _s2)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_1)), lanes_mul(cos_2, omega_0))) };
+    const V _s1 = lanes_mul(near_0, lanes_sub(along_2, lanes_mul(_s0, lanes_add(lanes_mul(cosine_1, omega_1), lanes_mul(cosine_2, omega_0)))));
+    const V _s2 = lanes_add(lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_1)), lanes_mul(climb_2, omega_0));
+    const V _s3 = lanes_neg(lanes_mul(lanes_mul(K(0.3333333333333333), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_2), p_gravity), lanes_add(lanes_add(lanes_mul(omega_0, tilted_2), lanes_mul(omega_1, tilted_1)), lanes_mul(tilted_0, _s1)))));
+    const V _s4 = lanes_mul(K(0.3333333333333333), lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(lanes_mul(around_0, sine_2), lanes_mul(around_1, sine_1)), lanes_mul(sine_0, _s2))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_2), lanes_mul(climb_1, turn_rate_1)), lanes_mul(climb_2, turn_rate_0)))));
+    const V _s5 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_mul(lanes_mul(K(0.6), p_ring_radius), lanes_add(lanes_add(lanes_mul(around_0, cosine_2), lanes_mul(around_1, cosine_1)), lanes_mul(cosine_0, _s2))), lanes_mul(_s0, _s2)));
+    return (LANES(court_ring_round_2_out)){ _s1, _s2, lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, sine_2), lanes_mul(climb_1, sine_1)), lanes_mul(climb_2, sine_0)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, cosine_2), lanes_mul(climb_1, cosine_1)), lanes_mul(climb_2, cosine_0))), _s3, _s4, lanes_mul(lanes_mul(K(0.3333333333333333), p_ring_radius), _s2), _s5 };
 }
 
 /* The terms of order 4, from those before.
-   Routh's equations. 129 operations: 44 additions, 4 subtractions, 76 multiplications, 1 division, 4 negations. */
+   Routh's equations. 78 operations: 26 additions, 2 subtractions, 48 multiplications, 2 negations. */
 typedef struct {
-    V near_3;
     V omega_3;
     V around_3;
-    V tilted_3;
-    V pressed_3;
-    V force_3;
     V cosine_4;
     V sine_4;
     V climb_4;
     V along_4;
     V turn_rate_4;
-    V cos_4;
-    V sin_4;
+    V tilted_4;
 } LANES(court_ring_round_3_out);
 
 LANES_INLINE LANES(court_ring_round_3_out)
-LANES(court_ring_round_3)(V along_0, V along_1, V along_2, V along_3, V around_0, V around_1, V around_2, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V cos_0, V cos_1, V cos_2, V cos_3, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V p_gravity, V near_0, V near_1, V near_2, V omega_0, V omega_1, V omega_2, V pressed_0, V pressed_1, V pressed_2, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sine_0, V sine_1, V sine_2, V sine_3, V tilted_0, V tilted_1, V tilted_2, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V p_wire_radius)
+LANES(court_ring_round_3)(V along_3, V around_0, V around_1, V around_2, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V p_gravity, V near_0, V omega_0, V omega_1, V omega_2, V per_reach, V p_ring_radius, V sine_0, V sine_1, V sine_2, V sine_3, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V p_wire_radius)
 {
     const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_mul(cosine_1, near_2), lanes_mul(cosine_2, near_1)), lanes_mul(cosine_3, near_0))));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_2)), lanes_mul(along_2, near_1)), lanes_mul(along_3, near_0));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_2)), lanes_mul(climb_2, omega_1)), lanes_mul(climb_3, omega_0));
-    const V _s4 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_3), lanes_mul(along_1, sine_2)), lanes_mul(along_2, sine_1)), lanes_mul(along_3, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_3), lanes_mul(cosine_1, turn_rate_2)), lanes_mul(cosine_2, turn_rate_1)), lanes_mul(cosine_3, turn_rate_0))));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_3), lanes_mul(along_1, cosine_2)), lanes_mul(along_2, cosine_1)), lanes_mul(along_3, cosine_0));
-    const V _s6 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_3), lanes_mul(_s0, lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_3), lanes_mul(lanes_mul(K(2.0), climb_1), climb_2)))), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s5), lanes_mul(omega_1, pressed_2)), lanes_mul(omega_2, pressed_1)), lanes_mul(pressed_0, _s2)));
-    const V _s7 = lanes_neg(lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_3), lanes_mul(climb_1, sine_2)), lanes_mul(climb_2, sine_1)), lanes_mul(climb_3, sine_0))));
-    const V _s8 = lanes_mul(K(0.25), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_3), p_gravity), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s4), lanes_mul(omega_1, tilted_2)), lanes_mul(omega_2, tilted_1)), lanes_mul(tilted_0, _s2))));
-    const V _s9 = lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_3), lanes_mul(around_1, sine_2)), lanes_mul(around_2, sine_1)), lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_3), lanes_mul(climb_1, turn_rate_2)), lanes_mul(climb_2, turn_rate_1)), lanes_mul(climb_3, turn_rate_0))));
-    const V _s10 = lanes_neg(lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_3), lanes_mul(omega_1, sin_2)), lanes_mul(omega_2, sin_1)), lanes_mul(sin_0, _s2))));
-    return (LANES(court_ring_round_3_out)){ _s1, _s2, _s3, _s4, _s5, _s6, _s7, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_3), lanes_mul(climb_1, cosine_2)), lanes_mul(climb_2, cosine_1)), lanes_mul(climb_3, cosine_0))), lanes_neg(lanes_div(_s8, _s0)), lanes_mul(K(0.25), _s9), lanes_mul(lanes_mul(K(0.25), p_ring_radius), _s3), _s10, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_2)), lanes_mul(cos_2, omega_1)), lanes_mul(cos_3, omega_0))) };
+    const V _s1 = lanes_mul(near_0, lanes_sub(along_3, lanes_mul(_s0, lanes_add(lanes_add(lanes_mul(cosine_1, omega_2), lanes_mul(cosine_2, omega_1)), lanes_mul(cosine_3, omega_0)))));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_2)), lanes_mul(climb_2, omega_1)), lanes_mul(climb_3, omega_0));
+    const V _s3 = lanes_neg(lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_3), lanes_mul(climb_1, sine_2)), lanes_mul(climb_2, sine_1)), lanes_mul(climb_3, sine_0))));
+    const V _s4 = lanes_mul(lanes_mul(K(0.25), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_3), p_gravity), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_3), lanes_mul(omega_1, tilted_2)), lanes_mul(omega_2, tilted_1)), lanes_mul(tilted_0, _s1))));
+    const V _s5 = lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_3), lanes_mul(around_1, sine_2)), lanes_mul(around_2, sine_1)), lanes_mul(sine_0, _s2))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_3), lanes_mul(climb_1, turn_rate_2)), lanes_mul(climb_2, turn_rate_1)), lanes_mul(climb_3, turn_rate_0))));
+    const V _s6 = lanes_add(lanes_mul(lanes_mul(K(0.6), p_ring_radius), lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_3), lanes_mul(around_1, cosine_2)), lanes_mul(around_2, cosine_1)), lanes_mul(cosine_0, _s2))), lanes_mul(_s0, _s2));
+    return (LANES(court_ring_round_3_out)){ _s1, _s2, _s3, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_3), lanes_mul(climb_1, cosine_2)), lanes_mul(climb_2, cosine_1)), lanes_mul(climb_3, cosine_0))), lanes_neg(_s4), lanes_mul(K(0.25), _s5), lanes_mul(lanes_mul(K(0.25), p_ring_radius), _s2), lanes_mul(K(0.25), _s6) };
 }
 
 /* The terms of order 5, from those before.
-   Routh's equations. 159 operations: 59 additions, 4 subtractions, 91 multiplications, 1 division, 4 negations. */
+   Routh's equations. 94 operations: 34 additions, 2 subtractions, 56 multiplications, 2 negations. */
 typedef struct {
-    V near_4;
     V omega_4;
     V around_4;
-    V tilted_4;
-    V pressed_4;
-    V force_4;
     V cosine_5;
     V sine_5;
     V climb_5;
     V along_5;
     V turn_rate_5;
-    V cos_5;
-    V sin_5;
+    V tilted_5;
 } LANES(court_ring_round_4_out);
 
 LANES_INLINE LANES(court_ring_round_4_out)
-LANES(court_ring_round_4)(V along_0, V along_1, V along_2, V along_3, V along_4, V around_0, V around_1, V around_2, V around_3, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V p_gravity, V near_0, V near_1, V near_2, V near_3, V omega_0, V omega_1, V omega_2, V omega_3, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V p_wire_radius)
+LANES(court_ring_round_4)(V along_4, V around_0, V around_1, V around_2, V around_3, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V p_gravity, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V per_reach, V p_ring_radius, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V p_wire_radius)
 {
     const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_3), lanes_mul(cosine_2, near_2)), lanes_mul(cosine_3, near_1)), lanes_mul(cosine_4, near_0))));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_3)), lanes_mul(along_2, near_2)), lanes_mul(along_3, near_1)), lanes_mul(along_4, near_0));
+    const V _s1 = lanes_sub(along_4, lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_3), lanes_mul(cosine_2, omega_2)), lanes_mul(cosine_3, omega_1)), lanes_mul(cosine_4, omega_0))));
+    const V _s2 = lanes_mul(near_0, _s1);
     const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_3)), lanes_mul(climb_2, omega_2)), lanes_mul(climb_3, omega_1)), lanes_mul(climb_4, omega_0));
-    const V _s4 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_4), lanes_mul(cosine_1, turn_rate_3)), lanes_mul(cosine_2, turn_rate_2)), lanes_mul(cosine_3, turn_rate_1)), lanes_mul(cosine_4, turn_rate_0)));
-    const V _s5 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_4), lanes_mul(along_1, sine_3)), lanes_mul(along_2, sine_2)), lanes_mul(along_3, sine_1)), lanes_mul(along_4, sine_0)), _s4);
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_4), lanes_mul(along_1, cosine_3)), lanes_mul(along_2, cosine_2)), lanes_mul(along_3, cosine_1)), lanes_mul(along_4, cosine_0));
-    const V _s7 = lanes_sub(lanes_mul(p_gravity, sine_4), lanes_mul(_s0, lanes_add(lanes_add(lanes_mul(climb_2, climb_2), lanes_mul(lanes_mul(K(2.0), climb_0), climb_4)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_3))));
-    const V _s8 = lanes_sub(_s7, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s6), lanes_mul(omega_1, pressed_3)), lanes_mul(omega_2, pressed_2)), lanes_mul(omega_3, pressed_1)), lanes_mul(pressed_0, _s2)));
-    const V _s9 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_4), lanes_mul(climb_1, sine_3)), lanes_mul(climb_2, sine_2)), lanes_mul(climb_3, sine_1)), lanes_mul(climb_4, sine_0)));
-    const V _s10 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_4), lanes_mul(climb_1, cosine_3)), lanes_mul(climb_2, cosine_2)), lanes_mul(climb_3, cosine_1)), lanes_mul(climb_4, cosine_0)));
-    const V _s11 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_4), p_gravity), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s5), lanes_mul(omega_1, tilted_3)), lanes_mul(omega_2, tilted_2)), lanes_mul(omega_3, tilted_1)), lanes_mul(tilted_0, _s2)));
-    const V _s12 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_4), lanes_mul(around_1, sine_3)), lanes_mul(around_2, sine_2)), lanes_mul(around_3, sine_1)), lanes_mul(sine_0, _s3)));
-    const V _s13 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_4), lanes_mul(climb_1, turn_rate_3)), lanes_mul(climb_2, turn_rate_2)), lanes_mul(climb_3, turn_rate_1)), lanes_mul(climb_4, turn_rate_0)));
-    const V _s14 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_4), lanes_mul(omega_1, sin_3)), lanes_mul(omega_2, sin_2)), lanes_mul(omega_3, sin_1)), lanes_mul(sin_0, _s2)));
-    const V _s15 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_3)), lanes_mul(cos_2, omega_2)), lanes_mul(cos_3, omega_1)), lanes_mul(cos_4, omega_0)));
-    return (LANES(court_ring_round_4_out)){ _s1, _s2, _s3, _s5, _s6, _s8, lanes_neg(_s9), _s10, lanes_neg(lanes_div(lanes_mul(K(0.2), _s11), _s0)), lanes_mul(K(0.2), lanes_sub(_s12, _s13)), lanes_mul(lanes_mul(K(0.2), p_ring_radius), _s3), lanes_neg(_s14), _s15 };
+    const V _s4 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_4), lanes_mul(climb_1, sine_3)), lanes_mul(climb_2, sine_2)), lanes_mul(climb_3, sine_1)), lanes_mul(climb_4, sine_0)));
+    const V _s5 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_4), lanes_mul(climb_1, cosine_3)), lanes_mul(climb_2, cosine_2)), lanes_mul(climb_3, cosine_1)), lanes_mul(climb_4, cosine_0)));
+    const V _s6 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_4), p_gravity), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_4), lanes_mul(omega_1, tilted_3)), lanes_mul(omega_2, tilted_2)), lanes_mul(omega_3, tilted_1)), lanes_mul(tilted_0, _s2)));
+    const V _s7 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_4), lanes_mul(around_1, sine_3)), lanes_mul(around_2, sine_2)), lanes_mul(around_3, sine_1)), lanes_mul(sine_0, _s3)));
+    const V _s8 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_4), lanes_mul(climb_1, turn_rate_3)), lanes_mul(climb_2, turn_rate_2)), lanes_mul(climb_3, turn_rate_1)), lanes_mul(climb_4, turn_rate_0)));
+    const V _s9 = lanes_mul(lanes_mul(K(0.6), p_ring_radius), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_4), lanes_mul(around_1, cosine_3)), lanes_mul(around_2, cosine_2)), lanes_mul(around_3, cosine_1)), lanes_mul(cosine_0, _s3)));
+    return (LANES(court_ring_round_4_out)){ _s2, _s3, lanes_neg(_s4), _s5, lanes_neg(lanes_mul(lanes_mul(K(0.2), per_reach), _s6)), lanes_mul(K(0.2), lanes_sub(_s7, _s8)), lanes_mul(lanes_mul(K(0.2), p_ring_radius), _s3), lanes_mul(K(0.2), lanes_add(_s9, lanes_mul(_s0, _s3))) };
 }
 
 /* The terms of order 6, from those before.
-   Routh's equations. 188 operations: 73 additions, 4 subtractions, 106 multiplications, 1 division, 4 negations. */
+   Routh's equations. 110 operations: 42 additions, 2 subtractions, 64 multiplications, 2 negations. */
 typedef struct {
-    V near_5;
     V omega_5;
     V around_5;
-    V tilted_5;
-    V pressed_5;
-    V force_5;
     V cosine_6;
     V sine_6;
     V climb_6;
     V along_6;
     V turn_rate_6;
-    V cos_6;
-    V sin_6;
+    V tilted_6;
 } LANES(court_ring_round_5_out);
 
 LANES_INLINE LANES(court_ring_round_5_out)
-LANES(court_ring_round_5)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V around_0, V around_1, V around_2, V around_3, V around_4, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V p_wire_radius)
+LANES(court_ring_round_5)(V along_5, V around_0, V around_1, V around_2, V around_3, V around_4, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V p_gravity, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V per_reach, V p_ring_radius, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V p_wire_radius)
 {
     const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_4), lanes_mul(cosine_2, near_3)), lanes_mul(cosine_3, near_2)), lanes_mul(cosine_4, near_1)), lanes_mul(cosine_5, near_0)));
-    const V _s2 = lanes_neg(_s1);
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_4)), lanes_mul(along_2, near_3)), lanes_mul(along_3, near_2)), lanes_mul(along_4, near_1)), lanes_mul(along_5, near_0));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_4)), lanes_mul(climb_2, omega_3)), lanes_mul(climb_3, omega_2)), lanes_mul(climb_4, omega_1)), lanes_mul(climb_5, omega_0));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_5), lanes_mul(along_1, sine_4)), lanes_mul(along_2, sine_3)), lanes_mul(along_3, sine_2)), lanes_mul(along_4, sine_1)), lanes_mul(along_5, sine_0));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_5), lanes_mul(cosine_1, turn_rate_4)), lanes_mul(cosine_2, turn_rate_3)), lanes_mul(cosine_3, turn_rate_2)), lanes_mul(cosine_4, turn_rate_1)), lanes_mul(cosine_5, turn_rate_0));
-    const V _s7 = lanes_sub(_s5, lanes_mul(K(0.4), _s6));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_5), lanes_mul(along_1, cosine_4)), lanes_mul(along_2, cosine_3)), lanes_mul(along_3, cosine_2)), lanes_mul(along_4, cosine_1)), lanes_mul(along_5, cosine_0));
-    const V _s9 = lanes_sub(lanes_mul(p_gravity, sine_5), lanes_mul(_s0, lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_5), lanes_mul(lanes_mul(K(2.0), climb_1), climb_4)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_3))));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s8), lanes_mul(omega_1, pressed_4)), lanes_mul(omega_2, pressed_3)), lanes_mul(omega_3, pressed_2)), lanes_mul(omega_4, pressed_1)), lanes_mul(pressed_0, _s3));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_5), lanes_mul(climb_1, sine_4)), lanes_mul(climb_2, sine_3)), lanes_mul(climb_3, sine_2)), lanes_mul(climb_4, sine_1)), lanes_mul(climb_5, sine_0));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_5), lanes_mul(climb_1, cosine_4)), lanes_mul(climb_2, cosine_3)), lanes_mul(climb_3, cosine_2)), lanes_mul(climb_4, cosine_1)), lanes_mul(climb_5, cosine_0));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s7), lanes_mul(omega_1, tilted_4)), lanes_mul(omega_2, tilted_3)), lanes_mul(omega_3, tilted_2)), lanes_mul(omega_4, tilted_1)), lanes_mul(tilted_0, _s3));
-    const V _s14 = lanes_neg(lanes_div(lanes_mul(K(0.16666666666666666), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_5), p_gravity), _s13)), _s0));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_5), lanes_mul(around_1, sine_4)), lanes_mul(around_2, sine_3)), lanes_mul(around_3, sine_2)), lanes_mul(around_4, sine_1)), lanes_mul(sine_0, _s4));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_5), lanes_mul(climb_1, turn_rate_4)), lanes_mul(climb_2, turn_rate_3)), lanes_mul(climb_3, turn_rate_2)), lanes_mul(climb_4, turn_rate_1)), lanes_mul(climb_5, turn_rate_0));
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_5), lanes_mul(omega_1, sin_4)), lanes_mul(omega_2, sin_3)), lanes_mul(omega_3, sin_2)), lanes_mul(omega_4, sin_1)), lanes_mul(sin_0, _s3));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s3), lanes_mul(cos_1, omega_4)), lanes_mul(cos_2, omega_3)), lanes_mul(cos_3, omega_2)), lanes_mul(cos_4, omega_1)), lanes_mul(cos_5, omega_0));
-    return (LANES(court_ring_round_5_out)){ _s2, _s3, _s4, _s7, _s8, lanes_sub(_s9, _s10), lanes_neg(lanes_mul(K(0.16666666666666666), _s11)), lanes_mul(K(0.16666666666666666), _s12), _s14, lanes_mul(K(0.16666666666666666), lanes_sub(lanes_mul(_s0, _s15), lanes_mul(K(0.4), _s16))), lanes_mul(lanes_mul(K(0.16666666666666666), p_ring_radius), _s4), lanes_neg(lanes_mul(K(0.16666666666666666), _s17)), lanes_mul(K(0.16666666666666666), _s18) };
+    const V _s1 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_4), lanes_mul(cosine_2, omega_3)), lanes_mul(cosine_3, omega_2)), lanes_mul(cosine_4, omega_1)), lanes_mul(cosine_5, omega_0)));
+    const V _s2 = lanes_mul(near_0, lanes_sub(along_5, _s1));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_4)), lanes_mul(climb_2, omega_3)), lanes_mul(climb_3, omega_2)), lanes_mul(climb_4, omega_1)), lanes_mul(climb_5, omega_0));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_5), lanes_mul(climb_1, sine_4)), lanes_mul(climb_2, sine_3)), lanes_mul(climb_3, sine_2)), lanes_mul(climb_4, sine_1)), lanes_mul(climb_5, sine_0));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_5), lanes_mul(climb_1, cosine_4)), lanes_mul(climb_2, cosine_3)), lanes_mul(climb_3, cosine_2)), lanes_mul(climb_4, cosine_1)), lanes_mul(climb_5, cosine_0));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_5), lanes_mul(omega_1, tilted_4)), lanes_mul(omega_2, tilted_3)), lanes_mul(omega_3, tilted_2)), lanes_mul(omega_4, tilted_1)), lanes_mul(tilted_0, _s2));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_5), lanes_mul(around_1, sine_4)), lanes_mul(around_2, sine_3)), lanes_mul(around_3, sine_2)), lanes_mul(around_4, sine_1)), lanes_mul(sine_0, _s3));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_5), lanes_mul(climb_1, turn_rate_4)), lanes_mul(climb_2, turn_rate_3)), lanes_mul(climb_3, turn_rate_2)), lanes_mul(climb_4, turn_rate_1)), lanes_mul(climb_5, turn_rate_0));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_5), lanes_mul(around_1, cosine_4)), lanes_mul(around_2, cosine_3)), lanes_mul(around_3, cosine_2)), lanes_mul(around_4, cosine_1)), lanes_mul(cosine_0, _s3));
+    return (LANES(court_ring_round_5_out)){ _s2, _s3, lanes_neg(lanes_mul(K(0.16666666666666666), _s4)), lanes_mul(K(0.16666666666666666), _s5), lanes_neg(lanes_mul(lanes_mul(K(0.16666666666666666), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_5), p_gravity), _s6))), lanes_mul(K(0.16666666666666666), lanes_sub(lanes_mul(_s0, _s7), lanes_mul(K(0.4), _s8))), lanes_mul(lanes_mul(K(0.16666666666666666), p_ring_radius), _s3), lanes_mul(K(0.16666666666666666), lanes_add(lanes_mul(lanes_mul(K(0.6), p_ring_radius), _s9), lanes_mul(_s0, _s3))) };
 }
 
 /* The terms of order 7, from those before.
-   Routh's equations. 218 operations: 88 additions, 4 subtractions, 121 multiplications, 1 division, 4 negations. */
+   Routh's equations. 126 operations: 50 additions, 2 subtractions, 72 multiplications, 2 negations. */
 typedef struct {
-    V near_6;
     V omega_6;
     V around_6;
-    V tilted_6;
-    V pressed_6;
-    V force_6;
     V cosine_7;
     V sine_7;
     V climb_7;
     V along_7;
     V turn_rate_7;
-    V cos_7;
-    V sin_7;
+    V tilted_7;
 } LANES(court_ring_round_6_out);
 
 LANES_INLINE LANES(court_ring_round_6_out)
-LANES(court_ring_round_6)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V p_wire_radius)
+LANES(court_ring_round_6)(V along_6, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V p_gravity, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V per_reach, V p_ring_radius, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V p_wire_radius)
 {
     const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_5), lanes_mul(cosine_2, near_4)), lanes_mul(cosine_3, near_3)), lanes_mul(cosine_4, near_2)), lanes_mul(cosine_5, near_1)), lanes_mul(cosine_6, near_0));
-    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), _s1));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_5)), lanes_mul(along_2, near_4)), lanes_mul(along_3, near_3)), lanes_mul(along_4, near_2)), lanes_mul(along_5, near_1));
-    const V _s4 = lanes_add(_s3, lanes_mul(along_6, near_0));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_5)), lanes_mul(climb_2, omega_4)), lanes_mul(climb_3, omega_3)), lanes_mul(climb_4, omega_2)), lanes_mul(climb_5, omega_1));
-    const V _s6 = lanes_add(_s5, lanes_mul(climb_6, omega_0));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_6), lanes_mul(along_1, sine_5)), lanes_mul(along_2, sine_4)), lanes_mul(along_3, sine_3)), lanes_mul(along_4, sine_2)), lanes_mul(along_5, sine_1));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_6), lanes_mul(cosine_1, turn_rate_5)), lanes_mul(cosine_2, turn_rate_4)), lanes_mul(cosine_3, turn_rate_3)), lanes_mul(cosine_4, turn_rate_2)), lanes_mul(cosine_5, turn_rate_1));
-    const V _s9 = lanes_sub(lanes_add(_s7, lanes_mul(along_6, sine_0)), lanes_mul(K(0.4), lanes_add(_s8, lanes_mul(cosine_6, turn_rate_0))));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_6), lanes_mul(along_1, cosine_5)), lanes_mul(along_2, cosine_4)), lanes_mul(along_3, cosine_3)), lanes_mul(along_4, cosine_2)), lanes_mul(along_5, cosine_1));
-    const V _s11 = lanes_add(_s10, lanes_mul(along_6, cosine_0));
-    const V _s12 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_mul(climb_3, climb_3), lanes_mul(lanes_mul(K(2.0), climb_0), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_5)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_4)));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s11), lanes_mul(omega_1, pressed_5)), lanes_mul(omega_2, pressed_4)), lanes_mul(omega_3, pressed_3)), lanes_mul(omega_4, pressed_2)), lanes_mul(omega_5, pressed_1));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_6), lanes_mul(climb_1, sine_5)), lanes_mul(climb_2, sine_4)), lanes_mul(climb_3, sine_3)), lanes_mul(climb_4, sine_2)), lanes_mul(climb_5, sine_1));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_6), lanes_mul(climb_1, cosine_5)), lanes_mul(climb_2, cosine_4)), lanes_mul(climb_3, cosine_3)), lanes_mul(climb_4, cosine_2)), lanes_mul(climb_5, cosine_1));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s9), lanes_mul(omega_1, tilted_5)), lanes_mul(omega_2, tilted_4)), lanes_mul(omega_3, tilted_3)), lanes_mul(omega_4, tilted_2)), lanes_mul(omega_5, tilted_1));
-    const V _s17 = lanes_neg(lanes_div(lanes_mul(K(0.14285714285714285), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_6), p_gravity), lanes_add(_s16, lanes_mul(tilted_0, _s4)))), _s0));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_6), lanes_mul(around_1, sine_5)), lanes_mul(around_2, sine_4)), lanes_mul(around_3, sine_3)), lanes_mul(around_4, sine_2)), lanes_mul(around_5, sine_1));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_6), lanes_mul(climb_1, turn_rate_5)), lanes_mul(climb_2, turn_rate_4)), lanes_mul(climb_3, turn_rate_3)), lanes_mul(climb_4, turn_rate_2)), lanes_mul(climb_5, turn_rate_1));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_6), lanes_mul(omega_1, sin_5)), lanes_mul(omega_2, sin_4)), lanes_mul(omega_3, sin_3)), lanes_mul(omega_4, sin_2)), lanes_mul(omega_5, sin_1));
-    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_5)), lanes_mul(cos_2, omega_4)), lanes_mul(cos_3, omega_3)), lanes_mul(cos_4, omega_2)), lanes_mul(cos_5, omega_1));
-    return (LANES(court_ring_round_6_out)){ _s2, _s4, _s6, _s9, _s11, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_6), _s12), lanes_add(_s13, lanes_mul(pressed_0, _s4))), lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s14, lanes_mul(climb_6, sine_0)))), lanes_mul(K(0.14285714285714285), lanes_add(_s15, lanes_mul(climb_6, cosine_0))), _s17, lanes_mul(K(0.14285714285714285), lanes_sub(lanes_mul(_s0, lanes_add(_s18, lanes_mul(sine_0, _s6))), lanes_mul(K(0.4), lanes_add(_s19, lanes_mul(climb_6, turn_rate_0))))), lanes_mul(lanes_mul(K(0.14285714285714285), p_ring_radius), _s6), lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s20, lanes_mul(sin_0, _s4)))), lanes_mul(K(0.14285714285714285), lanes_add(_s21, lanes_mul(cos_6, omega_0))) };
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_5), lanes_mul(cosine_2, omega_4)), lanes_mul(cosine_3, omega_3)), lanes_mul(cosine_4, omega_2)), lanes_mul(cosine_5, omega_1)), lanes_mul(cosine_6, omega_0));
+    const V _s2 = lanes_mul(near_0, lanes_sub(along_6, lanes_mul(_s0, _s1)));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_5)), lanes_mul(climb_2, omega_4)), lanes_mul(climb_3, omega_3)), lanes_mul(climb_4, omega_2)), lanes_mul(climb_5, omega_1));
+    const V _s4 = lanes_add(_s3, lanes_mul(climb_6, omega_0));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_6), lanes_mul(climb_1, sine_5)), lanes_mul(climb_2, sine_4)), lanes_mul(climb_3, sine_3)), lanes_mul(climb_4, sine_2)), lanes_mul(climb_5, sine_1));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_6), lanes_mul(climb_1, cosine_5)), lanes_mul(climb_2, cosine_4)), lanes_mul(climb_3, cosine_3)), lanes_mul(climb_4, cosine_2)), lanes_mul(climb_5, cosine_1));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_6), lanes_mul(omega_1, tilted_5)), lanes_mul(omega_2, tilted_4)), lanes_mul(omega_3, tilted_3)), lanes_mul(omega_4, tilted_2)), lanes_mul(omega_5, tilted_1));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_6), lanes_mul(around_1, sine_5)), lanes_mul(around_2, sine_4)), lanes_mul(around_3, sine_3)), lanes_mul(around_4, sine_2)), lanes_mul(around_5, sine_1));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_6), lanes_mul(climb_1, turn_rate_5)), lanes_mul(climb_2, turn_rate_4)), lanes_mul(climb_3, turn_rate_3)), lanes_mul(climb_4, turn_rate_2)), lanes_mul(climb_5, turn_rate_1));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_6), lanes_mul(around_1, cosine_5)), lanes_mul(around_2, cosine_4)), lanes_mul(around_3, cosine_3)), lanes_mul(around_4, cosine_2)), lanes_mul(around_5, cosine_1));
+    return (LANES(court_ring_round_6_out)){ _s2, _s4, lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s5, lanes_mul(climb_6, sine_0)))), lanes_mul(K(0.14285714285714285), lanes_add(_s6, lanes_mul(climb_6, cosine_0))), lanes_neg(lanes_mul(lanes_mul(K(0.14285714285714285), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_6), p_gravity), lanes_add(_s7, lanes_mul(tilted_0, _s2))))), lanes_mul(K(0.14285714285714285), lanes_sub(lanes_mul(_s0, lanes_add(_s8, lanes_mul(sine_0, _s4))), lanes_mul(K(0.4), lanes_add(_s9, lanes_mul(climb_6, turn_rate_0))))), lanes_mul(lanes_mul(K(0.14285714285714285), p_ring_radius), _s4), lanes_mul(K(0.14285714285714285), lanes_add(lanes_mul(lanes_mul(K(0.6), p_ring_radius), lanes_add(_s10, lanes_mul(cosine_0, _s4))), lanes_mul(_s0, _s4))) };
 }
 
 /* The terms of order 8, from those before.
-   Routh's equations. 247 operations: 102 additions, 4 subtractions, 136 multiplications, 1 division, 4 negations. */
+   Routh's equations. 142 operations: 58 additions, 2 subtractions, 80 multiplications, 2 negations. */
 typedef struct {
-    V near_7;
     V omega_7;
     V around_7;
-    V tilted_7;
-    V pressed_7;
-    V force_7;
     V cosine_8;
     V sine_8;
     V climb_8;
     V along_8;
     V turn_rate_8;
-    V cos_8;
-    V sin_8;
+    V tilted_8;
 } LANES(court_ring_round_7_out);
 
 LANES_INLINE LANES(court_ring_round_7_out)
-LANES(court_ring_round_7)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V p_wire_radius)
+LANES(court_ring_round_7)(V along_7, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V p_gravity, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V per_reach, V p_ring_radius, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V p_wire_radius)
 {
     const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_6), lanes_mul(cosine_2, near_5)), lanes_mul(cosine_3, near_4)), lanes_mul(cosine_4, near_3)), lanes_mul(cosine_5, near_2)), lanes_mul(cosine_6, near_1));
-    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(_s1, lanes_mul(cosine_7, near_0))));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_6)), lanes_mul(along_2, near_5)), lanes_mul(along_3, near_4)), lanes_mul(along_4, near_3)), lanes_mul(along_5, near_2));
-    const V _s4 = lanes_add(lanes_add(_s3, lanes_mul(along_6, near_1)), lanes_mul(along_7, near_0));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_6)), lanes_mul(climb_2, omega_5)), lanes_mul(climb_3, omega_4)), lanes_mul(climb_4, omega_3)), lanes_mul(climb_5, omega_2));
-    const V _s6 = lanes_add(lanes_add(_s5, lanes_mul(climb_6, omega_1)), lanes_mul(climb_7, omega_0));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_7), lanes_mul(along_1, sine_6)), lanes_mul(along_2, sine_5)), lanes_mul(along_3, sine_4)), lanes_mul(along_4, sine_3)), lanes_mul(along_5, sine_2));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_7), lanes_mul(cosine_1, turn_rate_6)), lanes_mul(cosine_2, turn_rate_5)), lanes_mul(cosine_3, turn_rate_4)), lanes_mul(cosine_4, turn_rate_3)), lanes_mul(cosine_5, turn_rate_2));
-    const V _s9 = lanes_sub(lanes_add(lanes_add(_s7, lanes_mul(along_6, sine_1)), lanes_mul(along_7, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(_s8, lanes_mul(cosine_6, turn_rate_1)), lanes_mul(cosine_7, turn_rate_0))));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_7), lanes_mul(along_1, cosine_6)), lanes_mul(along_2, cosine_5)), lanes_mul(along_3, cosine_4)), lanes_mul(along_4, cosine_3)), lanes_mul(along_5, cosine_2));
-    const V _s11 = lanes_add(lanes_add(_s10, lanes_mul(along_6, cosine_1)), lanes_mul(along_7, cosine_0));
-    const V _s12 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_7), lanes_mul(lanes_mul(K(2.0), climb_1), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_5)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_4)));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s11), lanes_mul(omega_1, pressed_6)), lanes_mul(omega_2, pressed_5)), lanes_mul(omega_3, pressed_4)), lanes_mul(omega_4, pressed_3)), lanes_mul(omega_5, pressed_2));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_7), lanes_mul(climb_1, sine_6)), lanes_mul(climb_2, sine_5)), lanes_mul(climb_3, sine_4)), lanes_mul(climb_4, sine_3)), lanes_mul(climb_5, sine_2));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_7), lanes_mul(climb_1, cosine_6)), lanes_mul(climb_2, cosine_5)), lanes_mul(climb_3, cosine_4)), lanes_mul(climb_4, cosine_3)), lanes_mul(climb_5, cosine_2));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s9), lanes_mul(omega_1, tilted_6)), lanes_mul(omega_2, tilted_5)), lanes_mul(omega_3, tilted_4)), lanes_mul(omega_4, tilted_3)), lanes_mul(omega_5, tilted_2));
-    const V _s17 = lanes_div(lanes_mul(K(0.125), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_7), p_gravity), lanes_add(lanes_add(_s16, lanes_mul(omega_6, tilted_1)), lanes_mul(tilted_0, _s4)))), _s0);
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_7), lanes_mul(around_1, sine_6)), lanes_mul(around_2, sine_5)), lanes_mul(around_3, sine_4)), lanes_mul(around_4, sine_3)), lanes_mul(around_5, sine_2));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_7), lanes_mul(climb_1, turn_rate_6)), lanes_mul(climb_2, turn_rate_5)), lanes_mul(climb_3, turn_rate_4)), lanes_mul(climb_4, turn_rate_3)), lanes_mul(climb_5, turn_rate_2));
-    const V _s20 = lanes_mul(K(0.125), lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(_s18, lanes_mul(around_6, sine_1)), lanes_mul(sine_0, _s6))), lanes_mul(K(0.4), lanes_add(lanes_add(_s19, lanes_mul(climb_6, turn_rate_1)), lanes_mul(climb_7, turn_rate_0)))));
-    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_7), lanes_mul(omega_1, sin_6)), lanes_mul(omega_2, sin_5)), lanes_mul(omega_3, sin_4)), lanes_mul(omega_4, sin_3)), lanes_mul(omega_5, sin_2));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_6)), lanes_mul(cos_2, omega_5)), lanes_mul(cos_3, omega_4)), lanes_mul(cos_4, omega_3)), lanes_mul(cos_5, omega_2));
-    return (LANES(court_ring_round_7_out)){ _s2, _s4, _s6, _s9, _s11, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_7), _s12), lanes_add(lanes_add(_s13, lanes_mul(omega_6, pressed_1)), lanes_mul(pressed_0, _s4))), lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s14, lanes_mul(climb_6, sine_1)), lanes_mul(climb_7, sine_0)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s15, lanes_mul(climb_6, cosine_1)), lanes_mul(climb_7, cosine_0))), lanes_neg(_s17), _s20, lanes_mul(lanes_mul(K(0.125), p_ring_radius), _s6), lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s21, lanes_mul(omega_6, sin_1)), lanes_mul(sin_0, _s4)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s22, lanes_mul(cos_6, omega_1)), lanes_mul(cos_7, omega_0))) };
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_6), lanes_mul(cosine_2, omega_5)), lanes_mul(cosine_3, omega_4)), lanes_mul(cosine_4, omega_3)), lanes_mul(cosine_5, omega_2)), lanes_mul(cosine_6, omega_1));
+    const V _s2 = lanes_mul(near_0, lanes_sub(along_7, lanes_mul(_s0, lanes_add(_s1, lanes_mul(cosine_7, omega_0)))));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_6)), lanes_mul(climb_2, omega_5)), lanes_mul(climb_3, omega_4)), lanes_mul(climb_4, omega_3)), lanes_mul(climb_5, omega_2));
+    const V _s4 = lanes_add(lanes_add(_s3, lanes_mul(climb_6, omega_1)), lanes_mul(climb_7, omega_0));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_7), lanes_mul(climb_1, sine_6)), lanes_mul(climb_2, sine_5)), lanes_mul(climb_3, sine_4)), lanes_mul(climb_4, sine_3)), lanes_mul(climb_5, sine_2));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_7), lanes_mul(climb_1, cosine_6)), lanes_mul(climb_2, cosine_5)), lanes_mul(climb_3, cosine_4)), lanes_mul(climb_4, cosine_3)), lanes_mul(climb_5, cosine_2));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_7), lanes_mul(omega_1, tilted_6)), lanes_mul(omega_2, tilted_5)), lanes_mul(omega_3, tilted_4)), lanes_mul(omega_4, tilted_3)), lanes_mul(omega_5, tilted_2));
+    const V _s8 = lanes_neg(lanes_mul(lanes_mul(K(0.125), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_7), p_gravity), lanes_add(lanes_add(_s7, lanes_mul(omega_6, tilted_1)), lanes_mul(tilted_0, _s2)))));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_7), lanes_mul(around_1, sine_6)), lanes_mul(around_2, sine_5)), lanes_mul(around_3, sine_4)), lanes_mul(around_4, sine_3)), lanes_mul(around_5, sine_2));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_7), lanes_mul(climb_1, turn_rate_6)), lanes_mul(climb_2, turn_rate_5)), lanes_mul(climb_3, turn_rate_4)), lanes_mul(climb_4, turn_rate_3)), lanes_mul(climb_5, turn_rate_2));
+    const V _s11 = lanes_mul(K(0.125), lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(_s9, lanes_mul(around_6, sine_1)), lanes_mul(sine_0, _s4))), lanes_mul(K(0.4), lanes_add(lanes_add(_s10, lanes_mul(climb_6, turn_rate_1)), lanes_mul(climb_7, turn_rate_0)))));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_7), lanes_mul(around_1, cosine_6)), lanes_mul(around_2, cosine_5)), lanes_mul(around_3, cosine_4)), lanes_mul(around_4, cosine_3)), lanes_mul(around_5, cosine_2));
+    const V _s13 = lanes_mul(K(0.125), lanes_add(lanes_mul(lanes_mul(K(0.6), p_ring_radius), lanes_add(lanes_add(_s12, lanes_mul(around_6, cosine_1)), lanes_mul(cosine_0, _s4))), lanes_mul(_s0, _s4)));
+    return (LANES(court_ring_round_7_out)){ _s2, _s4, lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s5, lanes_mul(climb_6, sine_1)), lanes_mul(climb_7, sine_0)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s6, lanes_mul(climb_6, cosine_1)), lanes_mul(climb_7, cosine_0))), _s8, _s11, lanes_mul(lanes_mul(K(0.125), p_ring_radius), _s4), _s13 };
 }
 
 /* The terms of order 9, from those before.
-   Routh's equations. 277 operations: 117 additions, 4 subtractions, 151 multiplications, 1 division, 4 negations. */
+   Routh's equations. 158 operations: 66 additions, 2 subtractions, 88 multiplications, 2 negations. */
 typedef struct {
-    V near_8;
     V omega_8;
     V around_8;
-    V tilted_8;
-    V pressed_8;
-    V force_8;
     V cosine_9;
     V sine_9;
     V climb_9;
     V along_9;
     V turn_rate_9;
-    V cos_9;
-    V sin_9;
+    V tilted_9;
 } LANES(court_ring_round_8_out);
 
 LANES_INLINE LANES(court_ring_round_8_out)
-LANES(court_ring_round_8)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V p_wire_radius)
+LANES(court_ring_round_8)(V along_8, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V p_gravity, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V per_reach, V p_ring_radius, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V p_wire_radius)
 {
     const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_7), lanes_mul(cosine_2, near_6)), lanes_mul(cosine_3, near_5)), lanes_mul(cosine_4, near_4)), lanes_mul(cosine_5, near_3)), lanes_mul(cosine_6, near_2));
-    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(_s1, lanes_mul(cosine_7, near_1)), lanes_mul(cosine_8, near_0))));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_7)), lanes_mul(along_2, near_6)), lanes_mul(along_3, near_5)), lanes_mul(along_4, near_4)), lanes_mul(along_5, near_3));
-    const V _s4 = lanes_add(lanes_add(lanes_add(_s3, lanes_mul(along_6, near_2)), lanes_mul(along_7, near_1)), lanes_mul(along_8, near_0));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_7)), lanes_mul(climb_2, omega_6)), lanes_mul(climb_3, omega_5)), lanes_mul(climb_4, omega_4)), lanes_mul(climb_5, omega_3));
-    const V _s6 = lanes_add(lanes_add(lanes_add(_s5, lanes_mul(climb_6, omega_2)), lanes_mul(climb_7, omega_1)), lanes_mul(climb_8, omega_0));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_8), lanes_mul(along_1, sine_7)), lanes_mul(along_2, sine_6)), lanes_mul(along_3, sine_5)), lanes_mul(along_4, sine_4)), lanes_mul(along_5, sine_3));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_8), lanes_mul(cosine_1, turn_rate_7)), lanes_mul(cosine_2, turn_rate_6)), lanes_mul(cosine_3, turn_rate_5)), lanes_mul(cosine_4, turn_rate_4)), lanes_mul(cosine_5, turn_rate_3));
-    const V _s9 = lanes_sub(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(along_6, sine_2)), lanes_mul(along_7, sine_1)), lanes_mul(along_8, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(_s8, lanes_mul(cosine_6, turn_rate_2)), lanes_mul(cosine_7, turn_rate_1)), lanes_mul(cosine_8, turn_rate_0))));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_8), lanes_mul(along_1, cosine_7)), lanes_mul(along_2, cosine_6)), lanes_mul(along_3, cosine_5)), lanes_mul(along_4, cosine_4)), lanes_mul(along_5, cosine_3));
-    const V _s11 = lanes_add(lanes_add(lanes_add(_s10, lanes_mul(along_6, cosine_2)), lanes_mul(along_7, cosine_1)), lanes_mul(along_8, cosine_0));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_4, climb_4), lanes_mul(lanes_mul(K(2.0), climb_0), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_7)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_5));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s11), lanes_mul(omega_1, pressed_7)), lanes_mul(omega_2, pressed_6)), lanes_mul(omega_3, pressed_5)), lanes_mul(omega_4, pressed_4)), lanes_mul(omega_5, pressed_3));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_8), lanes_mul(climb_1, sine_7)), lanes_mul(climb_2, sine_6)), lanes_mul(climb_3, sine_5)), lanes_mul(climb_4, sine_4)), lanes_mul(climb_5, sine_3));
-    const V _s15 = lanes_neg(lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s14, lanes_mul(climb_6, sine_2)), lanes_mul(climb_7, sine_1)), lanes_mul(climb_8, sine_0))));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_8), lanes_mul(climb_1, cosine_7)), lanes_mul(climb_2, cosine_6)), lanes_mul(climb_3, cosine_5)), lanes_mul(climb_4, cosine_4)), lanes_mul(climb_5, cosine_3));
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s9), lanes_mul(omega_1, tilted_7)), lanes_mul(omega_2, tilted_6)), lanes_mul(omega_3, tilted_5)), lanes_mul(omega_4, tilted_4)), lanes_mul(omega_5, tilted_3));
-    const V _s18 = lanes_mul(K(0.1111111111111111), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_8), p_gravity), lanes_add(lanes_add(lanes_add(_s17, lanes_mul(omega_6, tilted_2)), lanes_mul(omega_7, tilted_1)), lanes_mul(tilted_0, _s4))));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_8), lanes_mul(around_1, sine_7)), lanes_mul(around_2, sine_6)), lanes_mul(around_3, sine_5)), lanes_mul(around_4, sine_4)), lanes_mul(around_5, sine_3));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_8), lanes_mul(climb_1, turn_rate_7)), lanes_mul(climb_2, turn_rate_6)), lanes_mul(climb_3, turn_rate_5)), lanes_mul(climb_4, turn_rate_4)), lanes_mul(climb_5, turn_rate_3));
-    const V _s21 = lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(lanes_add(_s19, lanes_mul(around_6, sine_2)), lanes_mul(around_7, sine_1)), lanes_mul(sine_0, _s6))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(_s20, lanes_mul(climb_6, turn_rate_2)), lanes_mul(climb_7, turn_rate_1)), lanes_mul(climb_8, turn_rate_0))));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_8), lanes_mul(omega_1, sin_7)), lanes_mul(omega_2, sin_6)), lanes_mul(omega_3, sin_5)), lanes_mul(omega_4, sin_4)), lanes_mul(omega_5, sin_3));
-    const V _s23 = lanes_neg(lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s22, lanes_mul(omega_6, sin_2)), lanes_mul(omega_7, sin_1)), lanes_mul(sin_0, _s4))));
-    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_7)), lanes_mul(cos_2, omega_6)), lanes_mul(cos_3, omega_5)), lanes_mul(cos_4, omega_4)), lanes_mul(cos_5, omega_3));
-    return (LANES(court_ring_round_8_out)){ _s2, _s4, _s6, _s9, _s11, lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_8), lanes_mul(_s0, _s12)), lanes_add(lanes_add(lanes_add(_s13, lanes_mul(omega_6, pressed_2)), lanes_mul(omega_7, pressed_1)), lanes_mul(pressed_0, _s4))), _s15, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s16, lanes_mul(climb_6, cosine_2)), lanes_mul(climb_7, cosine_1)), lanes_mul(climb_8, cosine_0))), lanes_neg(lanes_div(_s18, _s0)), lanes_mul(K(0.1111111111111111), _s21), lanes_mul(lanes_mul(K(0.1111111111111111), p_ring_radius), _s6), _s23, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s24, lanes_mul(cos_6, omega_2)), lanes_mul(cos_7, omega_1)), lanes_mul(cos_8, omega_0))) };
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_7), lanes_mul(cosine_2, omega_6)), lanes_mul(cosine_3, omega_5)), lanes_mul(cosine_4, omega_4)), lanes_mul(cosine_5, omega_3)), lanes_mul(cosine_6, omega_2));
+    const V _s2 = lanes_mul(near_0, lanes_sub(along_8, lanes_mul(_s0, lanes_add(lanes_add(_s1, lanes_mul(cosine_7, omega_1)), lanes_mul(cosine_8, omega_0)))));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_7)), lanes_mul(climb_2, omega_6)), lanes_mul(climb_3, omega_5)), lanes_mul(climb_4, omega_4)), lanes_mul(climb_5, omega_3));
+    const V _s4 = lanes_add(lanes_add(lanes_add(_s3, lanes_mul(climb_6, omega_2)), lanes_mul(climb_7, omega_1)), lanes_mul(climb_8, omega_0));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_8), lanes_mul(climb_1, sine_7)), lanes_mul(climb_2, sine_6)), lanes_mul(climb_3, sine_5)), lanes_mul(climb_4, sine_4)), lanes_mul(climb_5, sine_3));
+    const V _s6 = lanes_neg(lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s5, lanes_mul(climb_6, sine_2)), lanes_mul(climb_7, sine_1)), lanes_mul(climb_8, sine_0))));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_8), lanes_mul(climb_1, cosine_7)), lanes_mul(climb_2, cosine_6)), lanes_mul(climb_3, cosine_5)), lanes_mul(climb_4, cosine_4)), lanes_mul(climb_5, cosine_3));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_8), lanes_mul(omega_1, tilted_7)), lanes_mul(omega_2, tilted_6)), lanes_mul(omega_3, tilted_5)), lanes_mul(omega_4, tilted_4)), lanes_mul(omega_5, tilted_3));
+    const V _s9 = lanes_mul(lanes_mul(K(0.1111111111111111), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_8), p_gravity), lanes_add(lanes_add(lanes_add(_s8, lanes_mul(omega_6, tilted_2)), lanes_mul(omega_7, tilted_1)), lanes_mul(tilted_0, _s2))));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_8), lanes_mul(around_1, sine_7)), lanes_mul(around_2, sine_6)), lanes_mul(around_3, sine_5)), lanes_mul(around_4, sine_4)), lanes_mul(around_5, sine_3));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_8), lanes_mul(climb_1, turn_rate_7)), lanes_mul(climb_2, turn_rate_6)), lanes_mul(climb_3, turn_rate_5)), lanes_mul(climb_4, turn_rate_4)), lanes_mul(climb_5, turn_rate_3));
+    const V _s12 = lanes_sub(lanes_mul(_s0, lanes_add(lanes_add(lanes_add(_s10, lanes_mul(around_6, sine_2)), lanes_mul(around_7, sine_1)), lanes_mul(sine_0, _s4))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(_s11, lanes_mul(climb_6, turn_rate_2)), lanes_mul(climb_7, turn_rate_1)), lanes_mul(climb_8, turn_rate_0))));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_8), lanes_mul(around_1, cosine_7)), lanes_mul(around_2, cosine_6)), lanes_mul(around_3, cosine_5)), lanes_mul(around_4, cosine_4)), lanes_mul(around_5, cosine_3));
+    const V _s14 = lanes_add(lanes_mul(lanes_mul(K(0.6), p_ring_radius), lanes_add(lanes_add(lanes_add(_s13, lanes_mul(around_6, cosine_2)), lanes_mul(around_7, cosine_1)), lanes_mul(cosine_0, _s4))), lanes_mul(_s0, _s4));
+    return (LANES(court_ring_round_8_out)){ _s2, _s4, _s6, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s7, lanes_mul(climb_6, cosine_2)), lanes_mul(climb_7, cosine_1)), lanes_mul(climb_8, cosine_0))), lanes_neg(_s9), lanes_mul(K(0.1111111111111111), _s12), lanes_mul(lanes_mul(K(0.1111111111111111), p_ring_radius), _s4), lanes_mul(K(0.1111111111111111), _s14) };
 }
 
 /* The terms of order 10, from those before.
-   Routh's equations. 306 operations: 131 additions, 4 subtractions, 166 multiplications, 1 division, 4 negations. */
+   Routh's equations. 174 operations: 74 additions, 2 subtractions, 96 multiplications, 2 negations. */
 typedef struct {
-    V near_9;
     V omega_9;
     V around_9;
-    V tilted_9;
-    V pressed_9;
-    V force_9;
     V cosine_10;
     V sine_10;
     V climb_10;
     V along_10;
     V turn_rate_10;
-    V cos_10;
-    V sin_10;
+    V tilted_10;
 } LANES(court_ring_round_9_out);
 
 LANES_INLINE LANES(court_ring_round_9_out)
-LANES(court_ring_round_9)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V p_ring_radius, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+LANES(court_ring_round_9)(V along_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V p_ball_radius, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_gravity, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V per_reach, V p_ring_radius, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
 {
     const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_8), lanes_mul(cosine_2, near_7)), lanes_mul(cosine_3, near_6)), lanes_mul(cosine_4, near_5)), lanes_mul(cosine_5, near_4)), lanes_mul(cosine_6, near_3));
-    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_add(_s1, lanes_mul(cosine_7, near_2)), lanes_mul(cosine_8, near_1)), lanes_mul(cosine_9, near_0))));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_8)), lanes_mul(along_2, near_7)), lanes_mul(along_3, near_6)), lanes_mul(along_4, near_5)), lanes_mul(along_5, near_4));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(along_6, near_3)), lanes_mul(along_7, near_2)), lanes_mul(along_8, near_1)), lanes_mul(along_9, near_0));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_8)), lanes_mul(climb_2, omega_7)), lanes_mul(climb_3, omega_6)), lanes_mul(climb_4, omega_5)), lanes_mul(climb_5, omega_4));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(_s5, lanes_mul(climb_6, omega_3)), lanes_mul(climb_7, omega_2)), lanes_mul(climb_8, omega_1)), lanes_mul(climb_9, omega_0));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_9), lanes_mul(along_1, sine_8)), lanes_mul(along_2, sine_7)), lanes_mul(along_3, sine_6)), lanes_mul(along_4, sine_5)), lanes_mul(along_5, sine_4));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_9), lanes_mul(cosine_1, turn_rate_8)), lanes_mul(cosine_2, turn_rate_7)), lanes_mul(cosine_3, turn_rate_6)), lanes_mul(cosine_4, turn_rate_5)), lanes_mul(cosine_5, turn_rate_4));
-    const V _s9 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(_s8, lanes_mul(cosine_6, turn_rate_3)), lanes_mul(cosine_7, turn_rate_2)), lanes_mul(cosine_8, turn_rate_1)), lanes_mul(cosine_9, turn_rate_0)));
-    const V _s10 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(along_6, sine_3)), lanes_mul(along_7, sine_2)), lanes_mul(along_8, sine_1)), lanes_mul(along_9, sine_0)), _s9);
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_9), lanes_mul(along_1, cosine_8)), lanes_mul(along_2, cosine_7)), lanes_mul(along_3, cosine_6)), lanes_mul(along_4, cosine_5)), lanes_mul(along_5, cosine_4));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(_s11, lanes_mul(along_6, cosine_3)), lanes_mul(along_7, cosine_2)), lanes_mul(along_8, cosine_1)), lanes_mul(along_9, cosine_0));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_9), lanes_mul(lanes_mul(K(2.0), climb_1), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_7)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_4), climb_5));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s12), lanes_mul(omega_1, pressed_8)), lanes_mul(omega_2, pressed_7)), lanes_mul(omega_3, pressed_6)), lanes_mul(omega_4, pressed_5)), lanes_mul(omega_5, pressed_4));
-    const V _s15 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_9), lanes_mul(_s0, _s13)), lanes_add(lanes_add(lanes_add(lanes_add(_s14, lanes_mul(omega_6, pressed_3)), lanes_mul(omega_7, pressed_2)), lanes_mul(omega_8, pressed_1)), lanes_mul(pressed_0, _s4)));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_9), lanes_mul(climb_1, sine_8)), lanes_mul(climb_2, sine_7)), lanes_mul(climb_3, sine_6)), lanes_mul(climb_4, sine_5)), lanes_mul(climb_5, sine_4));
-    const V _s17 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s16, lanes_mul(climb_6, sine_3)), lanes_mul(climb_7, sine_2)), lanes_mul(climb_8, sine_1)), lanes_mul(climb_9, sine_0)));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_9), lanes_mul(climb_1, cosine_8)), lanes_mul(climb_2, cosine_7)), lanes_mul(climb_3, cosine_6)), lanes_mul(climb_4, cosine_5)), lanes_mul(climb_5, cosine_4));
-    const V _s19 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s18, lanes_mul(climb_6, cosine_3)), lanes_mul(climb_7, cosine_2)), lanes_mul(climb_8, cosine_1)), lanes_mul(climb_9, cosine_0)));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s10), lanes_mul(omega_1, tilted_8)), lanes_mul(omega_2, tilted_7)), lanes_mul(omega_3, tilted_6)), lanes_mul(omega_4, tilted_5)), lanes_mul(omega_5, tilted_4));
-    const V _s21 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_9), p_gravity), lanes_add(lanes_add(lanes_add(lanes_add(_s20, lanes_mul(omega_6, tilted_3)), lanes_mul(omega_7, tilted_2)), lanes_mul(omega_8, tilted_1)), lanes_mul(tilted_0, _s4)));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_9), lanes_mul(around_1, sine_8)), lanes_mul(around_2, sine_7)), lanes_mul(around_3, sine_6)), lanes_mul(around_4, sine_5)), lanes_mul(around_5, sine_4));
-    const V _s23 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_add(_s22, lanes_mul(around_6, sine_3)), lanes_mul(around_7, sine_2)), lanes_mul(around_8, sine_1)), lanes_mul(sine_0, _s6)));
-    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_9), lanes_mul(climb_1, turn_rate_8)), lanes_mul(climb_2, turn_rate_7)), lanes_mul(climb_3, turn_rate_6)), lanes_mul(climb_4, turn_rate_5)), lanes_mul(climb_5, turn_rate_4));
-    const V _s25 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(_s24, lanes_mul(climb_6, turn_rate_3)), lanes_mul(climb_7, turn_rate_2)), lanes_mul(climb_8, turn_rate_1)), lanes_mul(climb_9, turn_rate_0)));
-    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_9), lanes_mul(omega_1, sin_8)), lanes_mul(omega_2, sin_7)), lanes_mul(omega_3, sin_6)), lanes_mul(omega_4, sin_5)), lanes_mul(omega_5, sin_4));
-    const V _s27 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s26, lanes_mul(omega_6, sin_3)), lanes_mul(omega_7, sin_2)), lanes_mul(omega_8, sin_1)), lanes_mul(sin_0, _s4)));
-    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_8)), lanes_mul(cos_2, omega_7)), lanes_mul(cos_3, omega_6)), lanes_mul(cos_4, omega_5)), lanes_mul(cos_5, omega_4));
-    const V _s29 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s28, lanes_mul(cos_6, omega_3)), lanes_mul(cos_7, omega_2)), lanes_mul(cos_8, omega_1)), lanes_mul(cos_9, omega_0)));
-    return (LANES(court_ring_round_9_out)){ _s2, _s4, _s6, _s10, _s12, _s15, lanes_neg(_s17), _s19, lanes_neg(lanes_div(lanes_mul(K(0.1), _s21), _s0)), lanes_mul(K(0.1), lanes_sub(_s23, _s25)), lanes_mul(lanes_mul(K(0.1), p_ring_radius), _s6), lanes_neg(_s27), _s29 };
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_8), lanes_mul(cosine_2, omega_7)), lanes_mul(cosine_3, omega_6)), lanes_mul(cosine_4, omega_5)), lanes_mul(cosine_5, omega_4)), lanes_mul(cosine_6, omega_3));
+    const V _s2 = lanes_sub(along_9, lanes_mul(_s0, lanes_add(lanes_add(lanes_add(_s1, lanes_mul(cosine_7, omega_2)), lanes_mul(cosine_8, omega_1)), lanes_mul(cosine_9, omega_0))));
+    const V _s3 = lanes_mul(near_0, _s2);
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_8)), lanes_mul(climb_2, omega_7)), lanes_mul(climb_3, omega_6)), lanes_mul(climb_4, omega_5)), lanes_mul(climb_5, omega_4));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(_s4, lanes_mul(climb_6, omega_3)), lanes_mul(climb_7, omega_2)), lanes_mul(climb_8, omega_1)), lanes_mul(climb_9, omega_0));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_9), lanes_mul(climb_1, sine_8)), lanes_mul(climb_2, sine_7)), lanes_mul(climb_3, sine_6)), lanes_mul(climb_4, sine_5)), lanes_mul(climb_5, sine_4));
+    const V _s7 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(climb_6, sine_3)), lanes_mul(climb_7, sine_2)), lanes_mul(climb_8, sine_1)), lanes_mul(climb_9, sine_0)));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_9), lanes_mul(climb_1, cosine_8)), lanes_mul(climb_2, cosine_7)), lanes_mul(climb_3, cosine_6)), lanes_mul(climb_4, cosine_5)), lanes_mul(climb_5, cosine_4));
+    const V _s9 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s8, lanes_mul(climb_6, cosine_3)), lanes_mul(climb_7, cosine_2)), lanes_mul(climb_8, cosine_1)), lanes_mul(climb_9, cosine_0)));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_9), lanes_mul(omega_1, tilted_8)), lanes_mul(omega_2, tilted_7)), lanes_mul(omega_3, tilted_6)), lanes_mul(omega_4, tilted_5)), lanes_mul(omega_5, tilted_4));
+    const V _s11 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_9), p_gravity), lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(omega_6, tilted_3)), lanes_mul(omega_7, tilted_2)), lanes_mul(omega_8, tilted_1)), lanes_mul(tilted_0, _s3)));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_9), lanes_mul(around_1, sine_8)), lanes_mul(around_2, sine_7)), lanes_mul(around_3, sine_6)), lanes_mul(around_4, sine_5)), lanes_mul(around_5, sine_4));
+    const V _s13 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_add(_s12, lanes_mul(around_6, sine_3)), lanes_mul(around_7, sine_2)), lanes_mul(around_8, sine_1)), lanes_mul(sine_0, _s5)));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_9), lanes_mul(climb_1, turn_rate_8)), lanes_mul(climb_2, turn_rate_7)), lanes_mul(climb_3, turn_rate_6)), lanes_mul(climb_4, turn_rate_5)), lanes_mul(climb_5, turn_rate_4));
+    const V _s15 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(_s14, lanes_mul(climb_6, turn_rate_3)), lanes_mul(climb_7, turn_rate_2)), lanes_mul(climb_8, turn_rate_1)), lanes_mul(climb_9, turn_rate_0)));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_9), lanes_mul(around_1, cosine_8)), lanes_mul(around_2, cosine_7)), lanes_mul(around_3, cosine_6)), lanes_mul(around_4, cosine_5)), lanes_mul(around_5, cosine_4));
+    const V _s17 = lanes_mul(lanes_mul(K(0.6), p_ring_radius), lanes_add(lanes_add(lanes_add(lanes_add(_s16, lanes_mul(around_6, cosine_3)), lanes_mul(around_7, cosine_2)), lanes_mul(around_8, cosine_1)), lanes_mul(cosine_0, _s5)));
+    return (LANES(court_ring_round_9_out)){ _s3, _s5, lanes_neg(_s7), _s9, lanes_neg(lanes_mul(lanes_mul(K(0.1), per_reach), _s11)), lanes_mul(K(0.1), lanes_sub(_s13, _s15)), lanes_mul(lanes_mul(K(0.1), p_ring_radius), _s5), lanes_mul(K(0.1), lanes_add(_s17, lanes_mul(_s0, _s5))) };
 }
 
 /* The terms of order 11, from those before.
-   Routh's equations. 336 operations: 146 additions, 4 subtractions, 181 multiplications, 1 division, 4 negations. */
+   Routh's equations. 190 operations: 82 additions, 2 subtractions, 104 multiplications, 2 negations. */
 typedef struct {
-    V near_10;
     V omega_10;
     V around_10;
-    V tilted_10;
-    V pressed_10;
-    V force_10;
     V cosine_11;
     V sine_11;
     V climb_11;
     V along_11;
     V turn_rate_11;
-    V cos_11;
-    V sin_11;
+    V tilted_11;
 } LANES(court_ring_round_10_out);
 
 LANES_INLINE LANES(court_ring_round_10_out)
-LANES(court_ring_round_10)(V along_0, V along_1, V along_10, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_gravity, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V near_9, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V pressed_9, V p_ring_radius, V sin_0, V sin_1, V sin_10, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+LANES(court_ring_round_10)(V along_10, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cosine_0, V cosine_1, V cosine_10, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_gravity, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V per_reach, V p_ring_radius, V sine_0, V sine_1, V sine_10, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_10, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
 {
     const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_9), lanes_mul(cosine_10, near_0)), lanes_mul(cosine_2, near_8)), lanes_mul(cosine_3, near_7)), lanes_mul(cosine_4, near_6)), lanes_mul(cosine_5, near_5));
-    const V _s2 = lanes_mul(lanes_mul(near_0, _s0), lanes_add(lanes_add(lanes_add(lanes_add(_s1, lanes_mul(cosine_6, near_4)), lanes_mul(cosine_7, near_3)), lanes_mul(cosine_8, near_2)), lanes_mul(cosine_9, near_1)));
-    const V _s3 = lanes_neg(_s2);
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s3), lanes_mul(along_1, near_9)), lanes_mul(along_10, near_0)), lanes_mul(along_2, near_8)), lanes_mul(along_3, near_7)), lanes_mul(along_4, near_6));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s4, lanes_mul(along_5, near_5)), lanes_mul(along_6, near_4)), lanes_mul(along_7, near_3)), lanes_mul(along_8, near_2)), lanes_mul(along_9, near_1));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s5), lanes_mul(climb_1, omega_9)), lanes_mul(climb_10, omega_0)), lanes_mul(climb_2, omega_8)), lanes_mul(climb_3, omega_7)), lanes_mul(climb_4, omega_6));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(climb_5, omega_5)), lanes_mul(climb_6, omega_4)), lanes_mul(climb_7, omega_3)), lanes_mul(climb_8, omega_2)), lanes_mul(climb_9, omega_1));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_10), lanes_mul(along_1, sine_9)), lanes_mul(along_10, sine_0)), lanes_mul(along_2, sine_8)), lanes_mul(along_3, sine_7)), lanes_mul(along_4, sine_6));
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s8, lanes_mul(along_5, sine_5)), lanes_mul(along_6, sine_4)), lanes_mul(along_7, sine_3)), lanes_mul(along_8, sine_2)), lanes_mul(along_9, sine_1));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_10), lanes_mul(cosine_1, turn_rate_9)), lanes_mul(cosine_10, turn_rate_0)), lanes_mul(cosine_2, turn_rate_8)), lanes_mul(cosine_3, turn_rate_7)), lanes_mul(cosine_4, turn_rate_6));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(cosine_5, turn_rate_5)), lanes_mul(cosine_6, turn_rate_4)), lanes_mul(cosine_7, turn_rate_3)), lanes_mul(cosine_8, turn_rate_2)), lanes_mul(cosine_9, turn_rate_1));
-    const V _s12 = lanes_sub(_s9, lanes_mul(K(0.4), _s11));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_10), lanes_mul(along_1, cosine_9)), lanes_mul(along_10, cosine_0)), lanes_mul(along_2, cosine_8)), lanes_mul(along_3, cosine_7)), lanes_mul(along_4, cosine_6));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s13, lanes_mul(along_5, cosine_5)), lanes_mul(along_6, cosine_4)), lanes_mul(along_7, cosine_3)), lanes_mul(along_8, cosine_2)), lanes_mul(along_9, cosine_1));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_5, climb_5), lanes_mul(lanes_mul(K(2.0), climb_0), climb_10)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_9)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_7));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s14), lanes_mul(omega_1, pressed_9)), lanes_mul(omega_2, pressed_8)), lanes_mul(omega_3, pressed_7)), lanes_mul(omega_4, pressed_6)), lanes_mul(omega_5, pressed_5));
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s16, lanes_mul(omega_6, pressed_4)), lanes_mul(omega_7, pressed_3)), lanes_mul(omega_8, pressed_2)), lanes_mul(omega_9, pressed_1)), lanes_mul(pressed_0, _s5));
-    const V _s18 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_10), lanes_mul(_s0, lanes_add(_s15, lanes_mul(lanes_mul(K(2.0), climb_4), climb_6)))), _s17);
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_10), lanes_mul(climb_1, sine_9)), lanes_mul(climb_10, sine_0)), lanes_mul(climb_2, sine_8)), lanes_mul(climb_3, sine_7)), lanes_mul(climb_4, sine_6));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s19, lanes_mul(climb_5, sine_5)), lanes_mul(climb_6, sine_4)), lanes_mul(climb_7, sine_3)), lanes_mul(climb_8, sine_2)), lanes_mul(climb_9, sine_1));
-    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_10), lanes_mul(climb_1, cosine_9)), lanes_mul(climb_10, cosine_0)), lanes_mul(climb_2, cosine_8)), lanes_mul(climb_3, cosine_7)), lanes_mul(climb_4, cosine_6));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s21, lanes_mul(climb_5, cosine_5)), lanes_mul(climb_6, cosine_4)), lanes_mul(climb_7, cosine_3)), lanes_mul(climb_8, cosine_2)), lanes_mul(climb_9, cosine_1));
-    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s12), lanes_mul(omega_1, tilted_9)), lanes_mul(omega_2, tilted_8)), lanes_mul(omega_3, tilted_7)), lanes_mul(omega_4, tilted_6)), lanes_mul(omega_5, tilted_5));
-    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s23, lanes_mul(omega_6, tilted_4)), lanes_mul(omega_7, tilted_3)), lanes_mul(omega_8, tilted_2)), lanes_mul(omega_9, tilted_1)), lanes_mul(tilted_0, _s5));
-    const V _s25 = lanes_neg(lanes_div(lanes_mul(K(0.09090909090909091), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_10), p_gravity), _s24)), _s0));
-    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_10), lanes_mul(around_1, sine_9)), lanes_mul(around_2, sine_8)), lanes_mul(around_3, sine_7)), lanes_mul(around_4, sine_6)), lanes_mul(around_5, sine_5));
-    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s26, lanes_mul(around_6, sine_4)), lanes_mul(around_7, sine_3)), lanes_mul(around_8, sine_2)), lanes_mul(around_9, sine_1)), lanes_mul(sine_0, _s7));
-    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_10), lanes_mul(climb_1, turn_rate_9)), lanes_mul(climb_10, turn_rate_0)), lanes_mul(climb_2, turn_rate_8)), lanes_mul(climb_3, turn_rate_7)), lanes_mul(climb_4, turn_rate_6));
-    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s28, lanes_mul(climb_5, turn_rate_5)), lanes_mul(climb_6, turn_rate_4)), lanes_mul(climb_7, turn_rate_3)), lanes_mul(climb_8, turn_rate_2)), lanes_mul(climb_9, turn_rate_1));
-    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_10), lanes_mul(omega_1, sin_9)), lanes_mul(omega_2, sin_8)), lanes_mul(omega_3, sin_7)), lanes_mul(omega_4, sin_6)), lanes_mul(omega_5, sin_5));
-    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s30, lanes_mul(omega_6, sin_4)), lanes_mul(omega_7, sin_3)), lanes_mul(omega_8, sin_2)), lanes_mul(omega_9, sin_1)), lanes_mul(sin_0, _s5));
-    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s5), lanes_mul(cos_1, omega_9)), lanes_mul(cos_10, omega_0)), lanes_mul(cos_2, omega_8)), lanes_mul(cos_3, omega_7)), lanes_mul(cos_4, omega_6));
-    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s32, lanes_mul(cos_5, omega_5)), lanes_mul(cos_6, omega_4)), lanes_mul(cos_7, omega_3)), lanes_mul(cos_8, omega_2)), lanes_mul(cos_9, omega_1));
-    return (LANES(court_ring_round_10_out)){ _s3, _s5, _s7, _s12, _s14, _s18, lanes_neg(lanes_mul(K(0.09090909090909091), _s20)), lanes_mul(K(0.09090909090909091), _s22), _s25, lanes_mul(K(0.09090909090909091), lanes_sub(lanes_mul(_s0, _s27), lanes_mul(K(0.4), _s29))), lanes_mul(lanes_mul(K(0.09090909090909091), p_ring_radius), _s7), lanes_neg(lanes_mul(K(0.09090909090909091), _s31)), lanes_mul(K(0.09090909090909091), _s33) };
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_9), lanes_mul(cosine_10, omega_0)), lanes_mul(cosine_2, omega_8)), lanes_mul(cosine_3, omega_7)), lanes_mul(cosine_4, omega_6)), lanes_mul(cosine_5, omega_5));
+    const V _s2 = lanes_mul(_s0, lanes_add(lanes_add(lanes_add(lanes_add(_s1, lanes_mul(cosine_6, omega_4)), lanes_mul(cosine_7, omega_3)), lanes_mul(cosine_8, omega_2)), lanes_mul(cosine_9, omega_1)));
+    const V _s3 = lanes_mul(near_0, lanes_sub(along_10, _s2));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_9)), lanes_mul(climb_10, omega_0)), lanes_mul(climb_2, omega_8)), lanes_mul(climb_3, omega_7)), lanes_mul(climb_4, omega_6));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s4, lanes_mul(climb_5, omega_5)), lanes_mul(climb_6, omega_4)), lanes_mul(climb_7, omega_3)), lanes_mul(climb_8, omega_2)), lanes_mul(climb_9, omega_1));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_10), lanes_mul(climb_1, sine_9)), lanes_mul(climb_10, sine_0)), lanes_mul(climb_2, sine_8)), lanes_mul(climb_3, sine_7)), lanes_mul(climb_4, sine_6));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(climb_5, sine_5)), lanes_mul(climb_6, sine_4)), lanes_mul(climb_7, sine_3)), lanes_mul(climb_8, sine_2)), lanes_mul(climb_9, sine_1));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_10), lanes_mul(climb_1, cosine_9)), lanes_mul(climb_10, cosine_0)), lanes_mul(climb_2, cosine_8)), lanes_mul(climb_3, cosine_7)), lanes_mul(climb_4, cosine_6));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s8, lanes_mul(climb_5, cosine_5)), lanes_mul(climb_6, cosine_4)), lanes_mul(climb_7, cosine_3)), lanes_mul(climb_8, cosine_2)), lanes_mul(climb_9, cosine_1));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_10), lanes_mul(omega_1, tilted_9)), lanes_mul(omega_2, tilted_8)), lanes_mul(omega_3, tilted_7)), lanes_mul(omega_4, tilted_6)), lanes_mul(omega_5, tilted_5));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(omega_6, tilted_4)), lanes_mul(omega_7, tilted_3)), lanes_mul(omega_8, tilted_2)), lanes_mul(omega_9, tilted_1)), lanes_mul(tilted_0, _s3));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_10), lanes_mul(around_1, sine_9)), lanes_mul(around_2, sine_8)), lanes_mul(around_3, sine_7)), lanes_mul(around_4, sine_6)), lanes_mul(around_5, sine_5));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s12, lanes_mul(around_6, sine_4)), lanes_mul(around_7, sine_3)), lanes_mul(around_8, sine_2)), lanes_mul(around_9, sine_1)), lanes_mul(sine_0, _s5));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_10), lanes_mul(climb_1, turn_rate_9)), lanes_mul(climb_10, turn_rate_0)), lanes_mul(climb_2, turn_rate_8)), lanes_mul(climb_3, turn_rate_7)), lanes_mul(climb_4, turn_rate_6));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s14, lanes_mul(climb_5, turn_rate_5)), lanes_mul(climb_6, turn_rate_4)), lanes_mul(climb_7, turn_rate_3)), lanes_mul(climb_8, turn_rate_2)), lanes_mul(climb_9, turn_rate_1));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_10), lanes_mul(around_1, cosine_9)), lanes_mul(around_2, cosine_8)), lanes_mul(around_3, cosine_7)), lanes_mul(around_4, cosine_6)), lanes_mul(around_5, cosine_5));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s16, lanes_mul(around_6, cosine_4)), lanes_mul(around_7, cosine_3)), lanes_mul(around_8, cosine_2)), lanes_mul(around_9, cosine_1)), lanes_mul(cosine_0, _s5));
+    return (LANES(court_ring_round_10_out)){ _s3, _s5, lanes_neg(lanes_mul(K(0.09090909090909091), _s7)), lanes_mul(K(0.09090909090909091), _s9), lanes_neg(lanes_mul(lanes_mul(K(0.09090909090909091), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_10), p_gravity), _s11))), lanes_mul(K(0.09090909090909091), lanes_sub(lanes_mul(_s0, _s13), lanes_mul(K(0.4), _s15))), lanes_mul(lanes_mul(K(0.09090909090909091), p_ring_radius), _s5), lanes_mul(K(0.09090909090909091), lanes_add(lanes_mul(lanes_mul(K(0.6), p_ring_radius), _s17), lanes_mul(_s0, _s5))) };
 }
 
 /* The terms of order 12, from those before.
-   Routh's equations. 365 operations: 160 additions, 4 subtractions, 196 multiplications, 1 division, 4 negations. */
+   Routh's equations. 206 operations: 90 additions, 2 subtractions, 112 multiplications, 2 negations. */
 typedef struct {
-    V near_11;
     V omega_11;
     V around_11;
-    V tilted_11;
-    V pressed_11;
-    V force_11;
     V cosine_12;
     V sine_12;
     V climb_12;
     V along_12;
     V turn_rate_12;
-    V cos_12;
-    V sin_12;
+    V tilted_12;
 } LANES(court_ring_round_11_out);
 
 LANES_INLINE LANES(court_ring_round_11_out)
-LANES(court_ring_round_11)(V along_0, V along_1, V along_10, V along_11, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_10, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_11, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_gravity, V near_0, V near_1, V near_10, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V near_9, V omega_0, V omega_1, V omega_10, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V pressed_0, V pressed_1, V pressed_10, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V pressed_9, V p_ring_radius, V sin_0, V sin_1, V sin_10, V sin_11, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_11, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_10, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
+LANES(court_ring_round_11)(V along_11, V around_0, V around_1, V around_10, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V p_ball_radius, V climb_0, V climb_1, V climb_10, V climb_11, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V p_gravity, V near_0, V omega_0, V omega_1, V omega_10, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V per_reach, V p_ring_radius, V sine_0, V sine_1, V sine_10, V sine_11, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_10, V tilted_11, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V p_wire_radius)
 {
     const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_10), lanes_mul(cosine_10, near_1)), lanes_mul(cosine_11, near_0)), lanes_mul(cosine_2, near_9)), lanes_mul(cosine_3, near_8)), lanes_mul(cosine_4, near_7));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s1, lanes_mul(cosine_5, near_6)), lanes_mul(cosine_6, near_5)), lanes_mul(cosine_7, near_4)), lanes_mul(cosine_8, near_3)), lanes_mul(cosine_9, near_2));
-    const V _s3 = lanes_neg(lanes_mul(lanes_mul(near_0, _s0), _s2));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s3), lanes_mul(along_1, near_10)), lanes_mul(along_10, near_1)), lanes_mul(along_11, near_0)), lanes_mul(along_2, near_9)), lanes_mul(along_3, near_8));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s4, lanes_mul(along_4, near_7)), lanes_mul(along_5, near_6)), lanes_mul(along_6, near_5)), lanes_mul(along_7, near_4)), lanes_mul(along_8, near_3));
-    const V _s6 = lanes_add(_s5, lanes_mul(along_9, near_2));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s6), lanes_mul(climb_1, omega_10)), lanes_mul(climb_10, omega_1)), lanes_mul(climb_11, omega_0)), lanes_mul(climb_2, omega_9)), lanes_mul(climb_3, omega_8));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(climb_4, omega_7)), lanes_mul(climb_5, omega_6)), lanes_mul(climb_6, omega_5)), lanes_mul(climb_7, omega_4)), lanes_mul(climb_8, omega_3));
-    const V _s9 = lanes_add(_s8, lanes_mul(climb_9, omega_2));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_11), lanes_mul(along_1, sine_10)), lanes_mul(along_10, sine_1)), lanes_mul(along_11, sine_0)), lanes_mul(along_2, sine_9)), lanes_mul(along_3, sine_8));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(along_4, sine_7)), lanes_mul(along_5, sine_6)), lanes_mul(along_6, sine_5)), lanes_mul(along_7, sine_4)), lanes_mul(along_8, sine_3));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_11), lanes_mul(cosine_1, turn_rate_10)), lanes_mul(cosine_10, turn_rate_1)), lanes_mul(cosine_11, turn_rate_0)), lanes_mul(cosine_2, turn_rate_9)), lanes_mul(cosine_3, turn_rate_8));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s12, lanes_mul(cosine_4, turn_rate_7)), lanes_mul(cosine_5, turn_rate_6)), lanes_mul(cosine_6, turn_rate_5)), lanes_mul(cosine_7, turn_rate_4)), lanes_mul(cosine_8, turn_rate_3));
-    const V _s14 = lanes_sub(lanes_add(_s11, lanes_mul(along_9, sine_2)), lanes_mul(K(0.4), lanes_add(_s13, lanes_mul(cosine_9, turn_rate_2))));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_11), lanes_mul(along_1, cosine_10)), lanes_mul(along_10, cosine_1)), lanes_mul(along_11, cosine_0)), lanes_mul(along_2, cosine_9)), lanes_mul(along_3, cosine_8));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(along_4, cosine_7)), lanes_mul(along_5, cosine_6)), lanes_mul(along_6, cosine_5)), lanes_mul(along_7, cosine_4)), lanes_mul(along_8, cosine_3));
-    const V _s17 = lanes_add(_s16, lanes_mul(along_9, cosine_2));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_11), lanes_mul(lanes_mul(K(2.0), climb_1), climb_10)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_9)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_4), climb_7));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s17), lanes_mul(omega_1, pressed_10)), lanes_mul(omega_10, pressed_1)), lanes_mul(omega_2, pressed_9)), lanes_mul(omega_3, pressed_8)), lanes_mul(omega_4, pressed_7));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s19, lanes_mul(omega_5, pressed_6)), lanes_mul(omega_6, pressed_5)), lanes_mul(omega_7, pressed_4)), lanes_mul(omega_8, pressed_3)), lanes_mul(omega_9, pressed_2));
-    const V _s21 = lanes_sub(lanes_sub(lanes_mul(p_gravity, sine_11), lanes_mul(_s0, lanes_add(_s18, lanes_mul(lanes_mul(K(2.0), climb_5), climb_6)))), lanes_add(_s20, lanes_mul(pressed_0, _s6)));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_11), lanes_mul(climb_1, sine_10)), lanes_mul(climb_10, sine_1)), lanes_mul(climb_11, sine_0)), lanes_mul(climb_2, sine_9)), lanes_mul(climb_3, sine_8));
-    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s22, lanes_mul(climb_4, sine_7)), lanes_mul(climb_5, sine_6)), lanes_mul(climb_6, sine_5)), lanes_mul(climb_7, sine_4)), lanes_mul(climb_8, sine_3));
-    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_11), lanes_mul(climb_1, cosine_10)), lanes_mul(climb_10, cosine_1)), lanes_mul(climb_11, cosine_0)), lanes_mul(climb_2, cosine_9)), lanes_mul(climb_3, cosine_8));
-    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s24, lanes_mul(climb_4, cosine_7)), lanes_mul(climb_5, cosine_6)), lanes_mul(climb_6, cosine_5)), lanes_mul(climb_7, cosine_4)), lanes_mul(climb_8, cosine_3));
-    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s14), lanes_mul(omega_1, tilted_10)), lanes_mul(omega_10, tilted_1)), lanes_mul(omega_2, tilted_9)), lanes_mul(omega_3, tilted_8)), lanes_mul(omega_4, tilted_7));
-    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s26, lanes_mul(omega_5, tilted_6)), lanes_mul(omega_6, tilted_5)), lanes_mul(omega_7, tilted_4)), lanes_mul(omega_8, tilted_3)), lanes_mul(omega_9, tilted_2));
-    const V _s28 = lanes_neg(lanes_div(lanes_mul(K(0.08333333333333333), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_11), p_gravity), lanes_add(_s27, lanes_mul(tilted_0, _s6)))), _s0));
-    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_11), lanes_mul(around_1, sine_10)), lanes_mul(around_10, sine_1)), lanes_mul(around_2, sine_9)), lanes_mul(around_3, sine_8)), lanes_mul(around_4, sine_7));
-    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s29, lanes_mul(around_5, sine_6)), lanes_mul(around_6, sine_5)), lanes_mul(around_7, sine_4)), lanes_mul(around_8, sine_3)), lanes_mul(around_9, sine_2));
-    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_11), lanes_mul(climb_1, turn_rate_10)), lanes_mul(climb_10, turn_rate_1)), lanes_mul(climb_11, turn_rate_0)), lanes_mul(climb_2, turn_rate_9)), lanes_mul(climb_3, turn_rate_8));
-    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s31, lanes_mul(climb_4, turn_rate_7)), lanes_mul(climb_5, turn_rate_6)), lanes_mul(climb_6, turn_rate_5)), lanes_mul(climb_7, turn_rate_4)), lanes_mul(climb_8, turn_rate_3));
-    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_11), lanes_mul(omega_1, sin_10)), lanes_mul(omega_10, sin_1)), lanes_mul(omega_2, sin_9)), lanes_mul(omega_3, sin_8)), lanes_mul(omega_4, sin_7));
-    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s33, lanes_mul(omega_5, sin_6)), lanes_mul(omega_6, sin_5)), lanes_mul(omega_7, sin_4)), lanes_mul(omega_8, sin_3)), lanes_mul(omega_9, sin_2));
-    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s6), lanes_mul(cos_1, omega_10)), lanes_mul(cos_10, omega_1)), lanes_mul(cos_11, omega_0)), lanes_mul(cos_2, omega_9)), lanes_mul(cos_3, omega_8));
-    const V _s36 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s35, lanes_mul(cos_4, omega_7)), lanes_mul(cos_5, omega_6)), lanes_mul(cos_6, omega_5)), lanes_mul(cos_7, omega_4)), lanes_mul(cos_8, omega_3));
-    return (LANES(court_ring_round_11_out)){ _s3, _s6, _s9, _s14, _s17, _s21, lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s23, lanes_mul(climb_9, sine_2)))), lanes_mul(K(0.08333333333333333), lanes_add(_s25, lanes_mul(climb_9, cosine_2))), _s28, lanes_mul(K(0.08333333333333333), lanes_sub(lanes_mul(_s0, lanes_add(_s30, lanes_mul(sine_0, _s9))), lanes_mul(K(0.4), lanes_add(_s32, lanes_mul(climb_9, turn_rate_2))))), lanes_mul(lanes_mul(K(0.08333333333333333), p_ring_radius), _s9), lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s34, lanes_mul(sin_0, _s6)))), lanes_mul(K(0.08333333333333333), lanes_add(_s36, lanes_mul(cos_9, omega_2))) };
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_10), lanes_mul(cosine_10, omega_1)), lanes_mul(cosine_11, omega_0)), lanes_mul(cosine_2, omega_9)), lanes_mul(cosine_3, omega_8)), lanes_mul(cosine_4, omega_7));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s1, lanes_mul(cosine_5, omega_6)), lanes_mul(cosine_6, omega_5)), lanes_mul(cosine_7, omega_4)), lanes_mul(cosine_8, omega_3)), lanes_mul(cosine_9, omega_2));
+    const V _s3 = lanes_mul(near_0, lanes_sub(along_11, lanes_mul(_s0, _s2)));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_10)), lanes_mul(climb_10, omega_1)), lanes_mul(climb_11, omega_0)), lanes_mul(climb_2, omega_9)), lanes_mul(climb_3, omega_8));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s4, lanes_mul(climb_4, omega_7)), lanes_mul(climb_5, omega_6)), lanes_mul(climb_6, omega_5)), lanes_mul(climb_7, omega_4)), lanes_mul(climb_8, omega_3));
+    const V _s6 = lanes_add(_s5, lanes_mul(climb_9, omega_2));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_11), lanes_mul(climb_1, sine_10)), lanes_mul(climb_10, sine_1)), lanes_mul(climb_11, sine_0)), lanes_mul(climb_2, sine_9)), lanes_mul(climb_3, sine_8));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(climb_4, sine_7)), lanes_mul(climb_5, sine_6)), lanes_mul(climb_6, sine_5)), lanes_mul(climb_7, sine_4)), lanes_mul(climb_8, sine_3));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_11), lanes_mul(climb_1, cosine_10)), lanes_mul(climb_10, cosine_1)), lanes_mul(climb_11, cosine_0)), lanes_mul(climb_2, cosine_9)), lanes_mul(climb_3, cosine_8));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s9, lanes_mul(climb_4, cosine_7)), lanes_mul(climb_5, cosine_6)), lanes_mul(climb_6, cosine_5)), lanes_mul(climb_7, cosine_4)), lanes_mul(climb_8, cosine_3));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_11), lanes_mul(omega_1, tilted_10)), lanes_mul(omega_10, tilted_1)), lanes_mul(omega_2, tilted_9)), lanes_mul(omega_3, tilted_8)), lanes_mul(omega_4, tilted_7));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s11, lanes_mul(omega_5, tilted_6)), lanes_mul(omega_6, tilted_5)), lanes_mul(omega_7, tilted_4)), lanes_mul(omega_8, tilted_3)), lanes_mul(omega_9, tilted_2));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_11), lanes_mul(around_1, sine_10)), lanes_mul(around_10, sine_1)), lanes_mul(around_2, sine_9)), lanes_mul(around_3, sine_8)), lanes_mul(around_4, sine_7));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s13, lanes_mul(around_5, sine_6)), lanes_mul(around_6, sine_5)), lanes_mul(around_7, sine_4)), lanes_mul(around_8, sine_3)), lanes_mul(around_9, sine_2));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_11), lanes_mul(climb_1, turn_rate_10)), lanes_mul(climb_10, turn_rate_1)), lanes_mul(climb_11, turn_rate_0)), lanes_mul(climb_2, turn_rate_9)), lanes_mul(climb_3, turn_rate_8));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(climb_4, turn_rate_7)), lanes_mul(climb_5, turn_rate_6)), lanes_mul(climb_6, turn_rate_5)), lanes_mul(climb_7, turn_rate_4)), lanes_mul(climb_8, turn_rate_3));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_11), lanes_mul(around_1, cosine_10)), lanes_mul(around_10, cosine_1)), lanes_mul(around_2, cosine_9)), lanes_mul(around_3, cosine_8)), lanes_mul(around_4, cosine_7));
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s17, lanes_mul(around_5, cosine_6)), lanes_mul(around_6, cosine_5)), lanes_mul(around_7, cosine_4)), lanes_mul(around_8, cosine_3)), lanes_mul(around_9, cosine_2));
+    return (LANES(court_ring_round_11_out)){ _s3, _s6, lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s8, lanes_mul(climb_9, sine_2)))), lanes_mul(K(0.08333333333333333), lanes_add(_s10, lanes_mul(climb_9, cosine_2))), lanes_neg(lanes_mul(lanes_mul(K(0.08333333333333333), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_11), p_gravity), lanes_add(_s12, lanes_mul(tilted_0, _s3))))), lanes_mul(K(0.08333333333333333), lanes_sub(lanes_mul(_s0, lanes_add(_s14, lanes_mul(sine_0, _s6))), lanes_mul(K(0.4), lanes_add(_s16, lanes_mul(climb_9, turn_rate_2))))), lanes_mul(lanes_mul(K(0.08333333333333333), p_ring_radius), _s6), lanes_mul(K(0.08333333333333333), lanes_add(lanes_mul(lanes_mul(K(0.6), p_ring_radius), lanes_add(_s18, lanes_mul(cosine_0, _s6))), lanes_mul(_s0, _s6))) };
 }
 
 /* The first window that ends later than a time, if there is one, from then on.
