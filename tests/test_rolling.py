@@ -70,6 +70,7 @@ class Rolling:
 
     def expand(self) -> None:
         """Take the series at the place where the ball is."""
+        self.call("ring_tube")
         for name in ("start", *range(ORDER), "pace"):
             self.call(f"ring_round_{name}")
 
