@@ -102,19 +102,70 @@ def test_on_a_ring_they_are_too_in_its_own_coordinates() -> None:
     c, s, a, along, spun, cos, sin = values.values()
     rho = wide + reach * c
     terms = {rolling.term(name, 0): value for name, value in values.items()}
-    terms[rolling.term("near", 0)] = 1 / rho
+    terms |= {rolling.term("near", 0): 1 / rho, rolling.per_reach: 1 / reach}
+    terms[rolling.term("tilted", 0)] = along * s - rolling.SHARE * spun * c
     first = {k: release(e).subs(terms) for k, e in ring.following(0).items()}
     named = {sp.Symbol(name, real=True): value for name, value in first.items()}
-    pace = {k: release(e).subs(named | terms) for k, e in ring.pace().items() if k.endswith("_1")}
+    wanted = {"vx_1", "vy_1", "vz_1", "force"}
+    pace = {k: release(e).subs(named | terms) for k, e in ring.pace().items() if k in wanted}
     e, over, up = sp.Matrix([cos, sin, 0]), sp.Matrix([-sin, cos, 0]), sp.Matrix([0, 0, 1])
     n, v = c * e + s * up, reach * a * (c * up - s * e) + along * over
     turning = (v - wide * along / rho * over) / reach
     friction = rolling.SHARE * (spun * n.cross(turning) - (FALL - FALL.dot(n) * n))
     pressed = -FALL.dot(n) - v.dot(turning)
-    assert first["force_0"] == pressed
+    assert pace["force"] == pressed
     expected = FALL + pressed * n + friction
     assert [pace[f"v{axis}_1"] for axis in "xyz"] == [sp.nsimplify(p) for p in expected]
     assert sp.simplify(first["turn_rate_1"] + v.dot(n.cross(turning))) == 0
+
+
+def test_on_a_ring_what_has_a_rate_of_its_own_changes_as_what_it_is_made_of() -> None:
+    """T = P S - beta s C, P = rho Omega, and N with its rate: all by the rates of C, S, A, P, s."""
+    wide, reach, g = sp.symbols("R_H R g", positive=True)
+    ring = circling.Circling(wide, reach, RADIUS, g)
+    c, s, a, along, spun = (rolling.term(name, 0) for name in circling.MOVING)
+    rho = wide + reach * c
+    known = {rolling.term("near", 0): 1 / rho, rolling.per_reach: 1 / reach}
+    known[rolling.term("tilted", 0)] = along * s - rolling.SHARE * spun * c
+    first = {k: release(e).subs(known) for k, e in ring.following(0).items()}
+    omega = first["omega_0"]
+    known[rolling.term("omega", 0)] = omega
+    known[rolling.term("around", 0)] = first["around_0"]
+    rates = {rolling.term(name, 0): first[f"{name}_1"] for name in circling.MOVING}
+
+    def rate(expression: sp.Expr) -> sp.Expr:
+        return sum(sp.diff(expression, x) * by for x, by in rates.items())
+
+    def same(left: sp.Expr, right: sp.Expr) -> bool:
+        """Return whether they are where C² + S² = 1."""
+        return sp.rem(sp.numer(sp.together(left - right)), s**2 + c**2 - 1, s) == 0
+
+    assert same(omega * rho, along)
+    assert same(rate(along * s - rolling.SHARE * spun * c), first["tilted_1"])
+    second = release(ring.following(1)["omega_1"])
+    second = second.subs({sp.Symbol(k, real=True): e for k, e in first.items()}).subs(known)
+    assert same(rate(omega), second)
+    pressed = {k: release(e).subs(known) for k, e in ring.pressed().items()}
+    assert same(pressed["force"], g * s - reach * a**2 - along * omega * c)
+    assert same(rate(pressed["force"]), pressed["force_rate"])
+
+
+def test_on_a_ring_the_force_bends_no_more_than_is_said() -> None:
+    """N'' is a sum of products, each factor of which has a bound: at no step it is that sum."""
+    ring = circling.Circling(*(sp.Symbol(name, positive=True) for name in ("R_H", "R", "R_B", "g")))
+    c, s, a, omega = (rolling.term(name, 0) for name in ("cosine", "sine", "climb", "omega"))
+    rise, turn = sp.symbols("rise turn", real=True)
+    rates = {c: -s * a, s: c * a, a: rise, omega: turn}
+    force_rate = release(ring.pressed()["force_rate"])
+    bend = sum(sp.diff(force_rate, x) * by for x, by in rates.items())
+    bound = release(ring.bent(sp.Integer(0), sp.Abs(a), sp.Abs(rise), sp.Abs(omega), sp.Abs(turn)))
+    for signs in range(2**6):
+        values = {
+            x: (-1) ** (signs >> k & 1) * sp.Rational(k + 2, 7)
+            for k, x in enumerate((c, s, a, omega, rise, turn))
+        }
+        values |= {x: sp.Rational(3, 5) for x in bound.free_symbols - set(values)}
+        assert abs(bend.subs(values)) <= bound.subs(values)
 
 
 def test_nothing_follows_a_neighbouring_motion_where_no_errors_are_asked_for() -> None:
@@ -143,7 +194,9 @@ def test_what_ends_with_friction_is_what_the_gap_of_a_flight_lacks() -> None:
     of = circling.Circling(*map(sp.Float, (radius, reach, 0.12, g)))
     first = (mpmath.cos(a), mpmath.sin(a), climb, along, s, 1, 0)
     values = {f"{name}_0": sp.Float(v) for name, v in zip(circling.COORDINATES, first, strict=True)}
-    values["near_0"] = sp.Float(1 / rho)
+    values |= {"near_0": sp.Float(1 / rho), "per_reach": sp.Float(1 / reach)}
+    values["tilted_0"] = values["along_0"] * values["sine_0"]
+    values["tilted_0"] -= rolling.SHARE * values["turn_rate_0"] * values["cosine_0"]
 
     def found(expression: sp.Expr) -> sp.Expr:
         return release(expression).subs({sp.Symbol(n, real=True): v for n, v in values.items()})
@@ -151,7 +204,7 @@ def test_what_ends_with_friction_is_what_the_gap_of_a_flight_lacks() -> None:
     for k in range(2):
         values |= {name: found(expression) for name, expression in of.following(k).items()}
     assert abs(bent) < 1e-12
-    assert abs(values["force_0"]) < 1e-12
-    brace = found(of.pace()["brace"])
+    assert abs(found(of.pressed()["force"])) < 1e-12
+    brace, force_rate = found(of.pace()["brace"]), found(of.pressed()["force_rate"])
     assert abs(brace) > 1
-    assert snapped == pytest.approx(-float(values["force_1"] + brace), rel=1e-9)
+    assert snapped == pytest.approx(-float(force_rate + brace), rel=1e-9)

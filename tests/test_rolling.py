@@ -70,6 +70,7 @@ class Rolling:
 
     def expand(self) -> None:
         """Take the series at the place where the ball is."""
+        self.call("ring_tube")
         for name in ("start", *range(ORDER), "pace"):
             self.call(f"ring_round_{name}")
 
@@ -279,7 +280,9 @@ def test_without_restitution_a_ball_leaves_the_bridge_beside_the_ring_that_it_to
     low, high = list(ring_roll.boxes(NBA))[1]
     place = at_bridge["before"][:, :3]
     away = np.linalg.norm(place - np.clip(place, low, high), axis=1)
-    np.testing.assert_allclose(away, NBA["ball_radius"], rtol=0, atol=1e-15)
+    # A rolling ball has arrived at what it is as near to as its place is known, and nears.
+    landing = 2.0**-47 * (np.abs(place).sum(axis=1) + NBA["ball_radius"])
+    assert np.all(np.abs(away - NBA["ball_radius"]) <= landing)
 
 
 @needs_library

@@ -27,11 +27,14 @@ import sympy as sp
 from ..contact.rolling import INERTIA_FACTOR
 from ..ground.choice import hold, largest, size, smallest
 from ..ground.polynomials import horner
-from ..ground.symbols import UNIT_ROUNDOFF, normal, position, spin, t, velocity
+from ..ground.symbols import normal, position, spin, t, velocity
 
 ORDER = 8
 """Terms of the series: a power of two, so that the step is a root of roots. Fewer make kernels
 short, more make steps long."""
+
+MISSED = sp.Rational(1, 2**46)
+"""What the last term of a step may be, of the speed: some 2^-49 of it are then left out."""
 
 SHARE = INERTIA_FACTOR / (1 + INERTIA_FACTOR)
 """What rolling takes of a force along the surface: 2/5 for a thin shell."""
@@ -147,8 +150,8 @@ def pace(acceleration: Sequence[sp.Expr], strength: sp.Expr) -> dict[str, sp.Exp
     """Return a step after which the series is as good as rounded, and what bounds motion in it.
 
     The first term that is left out is about the last times the step over the time in which the
-    motion changes; with the last at u of the speed that is a few hundredths of u. Where the last
-    happens to be small, the one before it counts.
+    motion changes: an eighth of it, at most. Where the last happens to be small, the one before it
+    counts.
     """
     rows = [[*(term(name, k) for name in (*SERIES[:3], "turn_rate"))] for k in range(ORDER + 1)]
     sizes = [hold(sp.Add(*map(size, row))) for row in rows]
@@ -158,7 +161,7 @@ def pace(acceleration: Sequence[sp.Expr], strength: sp.Expr) -> dict[str, sp.Exp
     scale = hold(speed + strength * sp.Rational(1, 2**6))
     last = hold(largest(hold(sizes[ORDER] + rate * sizes[ORDER - 1]), hold(scale * ways[ORDER])))
     most = sp.Integer(1)
-    ratio = hold(UNIT_ROUNDOFF * scale / last)
+    ratio = hold(MISSED * scale / last)
     root = ratio
     for _ in range(ORDER.bit_length() - 1):
         root = hold(sp.sqrt(root))
@@ -170,6 +173,7 @@ def pace(acceleration: Sequence[sp.Expr], strength: sp.Expr) -> dict[str, sp.Exp
     bend = hold(sum(k * (k - 1) * size(forces[k]) * powers[k - 2] for k in range(2, ORDER)))
     return {
         "stride": step,
+        "missed": hold(MISSED / 8 * scale),
         "strongest": strongest,
         "fastest": hold(speed + step * strongest),
         "force": forces[0],

@@ -58,6 +58,8 @@ BEGINS, ROLLS, LEAVES = 1, 2, 3
 """What a ball in contact does next; 0: it is in flight."""
 
 stride, strongest, fastest = sp.symbols("stride strongest fastest", nonnegative=True)
+missed = sp.Symbol("missed", nonnegative=True)
+"""What the series of a step leaves out of the velocity, m/s."""
 force, force_rate, force_bend, brace = sp.symbols("force force_rate force_bend brace", real=True)
 spare = sp.Symbol("spare", nonnegative=True)
 """How long a ball that leaves a surface certainly meets nothing else."""
@@ -588,7 +590,8 @@ def _neighbour(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
         * hold(sum(map(size, velocity)) + ball_radius * hold(sum(map(size, spin))))
     )
     compared = {}
-    rounds = (place,) * 3 + (pace,) * 3 + (pace / ball_radius,) * 3
+    off = hold(pace + missed)
+    rounds = (hold(place + missed * stride),) * 3 + (off,) * 3 + (off / ball_radius,) * 3
     for s, d, unit in zip(states, errors, rounds, strict=True):
         change = hold(hold(sp.Symbol(f"far_{s}", real=True) - s) / apart)
         compared[str(d)] = change + IfLess(change, 0, -unit, unit)
@@ -601,7 +604,12 @@ def _neighbour(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
     return (
         made("apart", {"apart": scale}, "How often an error makes a neighbouring motion.", "FAR"),
         made("neighbour", far, "A neighbouring motion, along the errors.", "Table 1"),
-        made("compared", compared, "The errors after a step, with its roundings.", "differences"),
+        made(
+            "compared",
+            compared,
+            "The errors after a step, with what it rounds and leaves out.",
+            "differences",
+        ),
         made("carry_hop", carried, "Errors after a while of flight.", "derivative of Eq. 3"),
     )
 

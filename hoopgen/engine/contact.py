@@ -24,8 +24,8 @@ Floats = NDArray[np.float64]
 _SHORTEST = 2.0**-30
 """Of a step, s: at a seam, which a ball may follow, a bound of what is left may be 0."""
 
-_LONGER = 2.0
-"""Steps than those of the engines: theirs are off by a rounding, and a step of so much more by some
+_LONGER = 1.25
+"""Steps than those of the engines: theirs are off by roundings, and a step of so much more by some
 1e-12 m, which nobody sees. Where there are seams the bounds on what is left hold for theirs."""
 
 
@@ -107,7 +107,8 @@ class Roll:
         order = sum(re.fullmatch(rf"{series}_\d+", name) is not None for name in kernels.ARGUMENTS)
         seams = (name for seam in self._seams for name in (seam, "beside_seam"))
         self._about = [
-            *([] if on_ring else [f"{body}_normal", f"{body}_tube"]),
+            *([] if on_ring else [f"{body}_normal"]),
+            f"{body}_tube",
             f"{series}_start",
             *(f"{series}_{k}" for k in range(order)),
             f"{series}_pace",

@@ -230,6 +230,7 @@ IN_CONTACT = {
     "stride": Letter("h", "step of a ball in contact"),
     "strongest": Letter("A", "bound on its acceleration within the step"),
     "fastest": Letter("U", "bound on its speed within the step"),
+    "missed": Letter(r"\epsilon_h", "what the series leaves out of its velocity in the step"),
     "apart": Letter(r"\lambda", "how many times its errors a neighbouring motion is away"),
     "settles": Letter(r"\text{settles}", "the ball stays on the surface"),
     "nearly": Letter(r"\text{nearly}", "its bounces are small enough for that"),
@@ -267,8 +268,6 @@ SERIES = {
     "omega": r"\Omega",
     "around": r"(A\Omega)",
     "tilted": r"(PS - \beta sC)",
-    "pressed": "(PC)",
-    "force": "N",
 }
 """Of the series of a ball that rolls: its coefficients have their order in brackets."""
 
