@@ -9,49 +9,34 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from hoopgen.derive.ground.kernel import Kind
 from hoopgen.derive.ground.tree import Do, Each, Guard, Node, Repeat, live_before, writes
 
 from .groups import CGroups, Frame
-from .loop import TYPES, Apart, carried, repeats, scope
+from .loop import (
+    EXPANDED,
+    LOADED,
+    NONE,
+    PACKED,
+    STORED,
+    TYPES,
+    Apart,
+    Note,
+    bare,
+    carried,
+    repeats,
+    scope,
+    within,
+    written_within,
+)
 
-LOADED: dict[Kind, str] = {
-    "double": "lanes_load({})",
-    "single": "singles_load({})",
-    "truth": "lanes_less(K(0.0), lanes_load({}))",
-}
-STORED: dict[Kind, str] = {
-    "double": "lanes_store({}, {})",
-    "single": "singles_store({}, {})",
-    "truth": "lanes_store({}, lanes_select({}, K(1.0), K(0.0)))",
-}
-PACKED: dict[Kind, str] = {
-    "double": "lanes_pack({}, packed, {})",
-    "single": "singles_pack({}, packed, {})",
-    "truth": "lanes_pack({}, packed, lanes_select({}, K(1.0), K(0.0)))",
-}
-EXPANDED: dict[Kind, str] = {
-    "double": "lanes_expand({0}, idle, {1})",
-    "single": "singles_expand({0}, idle, {1})",
-    "truth": "lanes_less(K(0.0), lanes_expand({0}, idle, lanes_select({1}, K(1.0), K(0.0))))",
-}
-"""How columns of each kind are read and written: a truth is a number that is not zero."""
-NONE: dict[Kind, str] = {"double": "K(0.0)", "single": "KS(0.0)", "truth": "lanes_nowhere()"}
-
-_ROWS = re.compile(r"\brows\b")
 """Where the mask of a pass is used."""
 
 
-@dataclass(frozen=True)
-class Note:
-    """Lines that come before the node of an index: what they read, and what they give."""
-
-    index: int
-    lines: tuple[str, ...]
-    reads: frozenset[str]
-    gives: dict[str, Kind] = field(default_factory=dict)
+_ROWS = re.compile(r"\brows\b")
+"""Where the mask of a pass is used."""
 
 
 @dataclass
@@ -74,6 +59,8 @@ class CLists(CGroups):
         The list that the pass at hand goes over.
     bases
         By what is of the row at hand of a table, the array that has its values, as if a parameter.
+    inner
+        By a guarded body of the pass at hand, the columns that it stores; whether it loads them.
     """
 
     job: Sequence[str] = ()
@@ -83,6 +70,7 @@ class CLists(CGroups):
     beside: str = ""
     frame: Frame = field(default_factory=lambda: Frame("", {}))
     bases: dict[str, str] = field(default_factory=dict)
+    inner: dict[int, dict[str, bool]] = field(default_factory=dict)
 
     def passes(self, nodes: Sequence[Node], frame: Frame, after: Iterable[str], note: Note) -> None:
         """Print nodes for all shots of a list, given what is needed after them."""
@@ -103,7 +91,7 @@ class CLists(CGroups):
             # Lists of one name follow one another, and share their columns.
             self.lines.append("{")
             if isinstance(node, Each):
-                before = _within(note, start, index)
+                before = within(note, start, index)
                 if start < index or before:
                     needed = live_before(nodes[index:], after)
                     self._pass(nodes[start:index], frame, needed, None, before)
@@ -111,7 +99,7 @@ class CLists(CGroups):
                 self.lines.append("}")
                 start = index + 1
                 continue
-            own = self._pass(nodes[start:index], frame, later, node, _within(note, start, index))
+            own = self._pass(nodes[start:index], frame, later, node, within(note, start, index))
             if isinstance(node, Guard):
                 first = len(self.lines)
                 self._rows(node.body, own, set(scope(node, later).gives))
@@ -123,7 +111,7 @@ class CLists(CGroups):
             self.lines.append("}")
             start = index + 1
         if start < len(nodes):
-            last = _within(note, start, len(nodes))
+            last = within(note, start, len(nodes))
             self._pass(nodes[start:], frame, after, None, last)
 
     def _set_apart(self, name: str, frame: Frame, first: int) -> None:
@@ -218,7 +206,15 @@ class CLists(CGroups):
         takes = scope(cut, later).takes if cut else ()
         wanted = set(stored) | set(takes) | ({cut.truth} if cut else set())
         wanted |= note.reads - set(written) if note else set()
-        need = live_before(_bare(nodes), wanted)
+        need = live_before(bare(nodes), wanted)
+        shared = note.reads if note else frozenset()
+        guards = [node for node in nodes if isinstance(node, Guard) and not self.cheap(node)]
+        self.inner = {
+            id(node): written_within(node, nodes, set(stored) & set(frame.known), shared)
+            for node in (guards if cut is None else ())
+        }
+        inside = {name for names in self.inner.values() for name in names}
+        need -= {name for names in self.inner.values() for name, loaded in names.items() if loaded}
         own = Frame(f"{frame.prefix}{cut.truth}_" if cut else "", {})
         self.frame = frame
         line = self.lines.append
@@ -242,6 +238,9 @@ class CLists(CGroups):
         self._noted(nodes, known, wanted, note)
         for name, kind in stored.items():
             self._column(frame, name, kind)
+            if name in inside:
+                frame.known[name] = kind
+                continue
             line(f"    {STORED[kind].format(f'{frame.column(name)} + i', name)};")
             frame.known[name] = kind
         if cut:
@@ -250,6 +249,20 @@ class CLists(CGroups):
         if any(_ROWS.search(text) for text in self.lines[first:]):
             self.lines.insert(first, f"    const M rows = lanes_first({frame.count} - i);")
         return own
+
+    def beside_body(
+        self, node: Guard, known: dict[str, Kind], indent: str
+    ) -> tuple[list[str], list[str]]:
+        """Load and store what the body alone writes."""
+        begin, finish = [], []
+        for name, loaded in self.inner.get(id(node), {}).items():
+            kind = self.frame.known[name]
+            place = f"{self.frame.column(name)} + i"
+            if loaded:
+                begin.append(f"{indent}{TYPES[kind]} {name} = {LOADED[kind].format(place)};")
+                known[name] = kind
+            finish.append(f"{indent}{STORED[kind].format(place, name)};")
+        return begin, finish
 
     def _noted(
         self, nodes: Sequence[Node], known: dict[str, Kind], wanted: set[str], note: Note | None
@@ -379,20 +392,3 @@ class CLists(CGroups):
         line("        }")
         line("    }")
         line("}")
-
-
-def _within(note: Note | None, start: int, end: int) -> Note | None:
-    """Return the note for a run of the nodes, if it belongs there."""
-    if note is None or not start <= note.index <= end:
-        return None
-    return replace(note, index=note.index - start)
-
-
-def _bare(nodes: Sequence[Node]) -> tuple[Node, ...]:
-    """Return the tree with no rows in its tables, whose variables are loaded row by row."""
-    made: list[Node] = []
-    for node in nodes:
-        if not isinstance(node, Do):
-            node = replace(node, body=_bare(node.body))
-        made.append(replace(node, rows=()) if isinstance(node, Each) else node)
-    return tuple(made)
