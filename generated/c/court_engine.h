@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 17608efa79d077d6,
+   Generated from templates/c/engine.h.j2, scene court, derivation 8eaab50db1d45604,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -15,8 +15,8 @@ typedef double LANES(court_column)[2 * LANES_SHOTS + LANES_WIDTH];
 typedef float LANES(court_singles)[2 * LANES_SHOTS + LANES_WIDTH];
 
 /* Have the states of the shots from one on fetched while others are worked on, and the places of
-   their results: else each store waits for its line. */
-LANES_INLINE void LANES(court_ahead)(const court_job *job, size_t shot)
+   their results, those apart that go past the caches: else each store waits for its line. */
+LANES_INLINE void LANES(court_ahead)(const court_job *job, size_t shot, int streams)
 {
 #ifdef __GNUC__
     const double *state = job->states + COURT_STATE * shot;
@@ -38,7 +38,7 @@ LANES_INLINE void LANES(court_ahead)(const court_job *job, size_t shot)
     if (out->time)
         for (size_t byte = 0; byte < sizeof *out->time * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->time + sizeof *out->time * shot + byte, 1, 3);
-    if (out->state)
+    if (out->state && !streams)
         for (size_t byte = 0; byte < 9 * sizeof *out->state * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->state + 9 * sizeof *out->state * shot + byte, 1, 3);
     if (out->rolls)
@@ -60,7 +60,7 @@ LANES_INLINE void LANES(court_ahead)(const court_job *job, size_t shot)
         for (size_t byte = 0; byte < sizeof *out->uncertain * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->uncertain + sizeof *out->uncertain * shot + byte, 1, 3);
 #else
-    (void)job, (void)shot;
+    (void)job, (void)shot, (void)streams;
 #endif
 }
 
@@ -129,7 +129,6 @@ typedef struct {
     LANES(court_column) waiting_rolls;
     LANES(court_column) waiting_slip_left;
     LANES(court_column) waiting_through;
-    LANES(court_column) waiting_outcome;
     LANES(court_column) waiting_p_ball_radius, waiting_p_ring_radius, waiting_p_wire_radius, waiting_p_board_distance, waiting_p_board_half_width, waiting_p_board_bottom, waiting_p_board_top, waiting_p_board_thickness, waiting_p_bridge_half_width, waiting_p_bridge_depth, waiting_p_gravity, waiting_p_end_depth, waiting_p_ring_restitution, waiting_p_backboard_restitution, waiting_p_bridge_restitution, waiting_p_ring_friction, waiting_p_backboard_friction, waiting_p_bridge_friction, waiting_p_tangential_restitution, waiting_p_restitution_speed;
     LANES(court_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(court_column) body;
@@ -628,18 +627,26 @@ LANES_INLINE void LANES(court_plain_finish_all)(const LANES(court_plain_lists) *
         for (size_t k = 0; k < shots; k++) {
             out->time[start + k] = (double)lists->clock[k];
         }
-    if (out->state)
-        for (size_t k = 0; k < shots; k++) {
-            out->state[9 * (start + k) + 0] = (double)lists->x[k];
-            out->state[9 * (start + k) + 1] = (double)lists->y[k];
-            out->state[9 * (start + k) + 2] = (double)lists->z[k];
-            out->state[9 * (start + k) + 3] = (double)lists->vx[k];
-            out->state[9 * (start + k) + 4] = (double)lists->vy[k];
-            out->state[9 * (start + k) + 5] = (double)lists->vz[k];
-            out->state[9 * (start + k) + 6] = (double)lists->wx[k];
-            out->state[9 * (start + k) + 7] = (double)lists->wy[k];
-            out->state[9 * (start + k) + 8] = (double)lists->wz[k];
+    if (out->state) {
+        /* As many rows as there are lanes fill whole lines: they go past the caches. */
+        double rows[COURT_STATE * LANES_WIDTH];
+        for (size_t k = 0; k < shots; k += LANES_WIDTH) {
+            const double *const columns[] = {
+                lists->x + k,
+                lists->y + k,
+                lists->z + k,
+                lists->vx + k,
+                lists->vy + k,
+                lists->vz + k,
+                lists->wx + k,
+                lists->wy + k,
+                lists->wz + k,
+            };
+            const size_t some = shots - k < LANES_WIDTH ? shots - k : LANES_WIDTH;
+            lanes_rows(rows, columns, COURT_STATE);
+            stream(out->state + COURT_STATE * (start + k), rows, COURT_STATE * some);
         }
+    }
     if (out->rolls)
         for (size_t k = 0; k < shots; k++) {
             out->rolls[start + k] = (int32_t)(int32_t)lists->rolls[k];
@@ -720,7 +727,6 @@ LANES_INLINE void LANES(court_plain_wait)(LANES(court_plain_lists) *lists, size_
     lanes_pack(lists->waiting_rolls + lists->waiting, who, lanes_load(lists->rolls + row));
     lanes_pack(lists->waiting_slip_left + lists->waiting, who, lanes_load(lists->slip_left + row));
     lanes_pack(lists->waiting_through + lists->waiting, who, lanes_load(lists->through + row));
-    lanes_pack(lists->waiting_outcome + lists->waiting, who, lanes_load(lists->outcome + row));
     if (job->varying) {
         lanes_pack(lists->waiting_p_ball_radius + lists->waiting, who, lanes_load(lists->p_ball_radius + row));
         lanes_pack(lists->waiting_p_ring_radius + lists->waiting, who, lanes_load(lists->p_ring_radius + row));
@@ -752,29 +758,28 @@ LANES_INLINE size_t LANES(court_plain_resume)(LANES(court_plain_lists) *lists, s
     const size_t room = 2 * LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
-    memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
-    memcpy(lists->y + row, lists->waiting_y + from, shots * sizeof(double));
-    memcpy(lists->z + row, lists->waiting_z + from, shots * sizeof(double));
-    memcpy(lists->vx + row, lists->waiting_vx + from, shots * sizeof(double));
-    memcpy(lists->vy + row, lists->waiting_vy + from, shots * sizeof(double));
-    memcpy(lists->vz + row, lists->waiting_vz + from, shots * sizeof(double));
-    memcpy(lists->wx + row, lists->waiting_wx + from, shots * sizeof(double));
-    memcpy(lists->wy + row, lists->waiting_wy + from, shots * sizeof(double));
-    memcpy(lists->wz + row, lists->waiting_wz + from, shots * sizeof(double));
-    memcpy(lists->clock + row, lists->waiting_clock + from, shots * sizeof(double));
-    memcpy(lists->last + row, lists->waiting_last + from, shots * sizeof(double));
-    memcpy(lists->first + row, lists->waiting_first + from, shots * sizeof(double));
-    memcpy(lists->contacts + row, lists->waiting_contacts + from, shots * sizeof(double));
-    memcpy(lists->count_0 + row, lists->waiting_count_0 + from, shots * sizeof(double));
-    memcpy(lists->count_1 + row, lists->waiting_count_1 + from, shots * sizeof(double));
-    memcpy(lists->count_2 + row, lists->waiting_count_2 + from, shots * sizeof(double));
-    memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof(double));
-    memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof(double));
-    memcpy(lists->circled + row, lists->waiting_circled + from, shots * sizeof(double));
-    memcpy(lists->rolls + row, lists->waiting_rolls + from, shots * sizeof(double));
-    memcpy(lists->slip_left + row, lists->waiting_slip_left + from, shots * sizeof(double));
-    memcpy(lists->through + row, lists->waiting_through + from, shots * sizeof(double));
-    memcpy(lists->outcome + row, lists->waiting_outcome + from, shots * sizeof(double));
+    memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof *lists->x);
+    memcpy(lists->y + row, lists->waiting_y + from, shots * sizeof *lists->y);
+    memcpy(lists->z + row, lists->waiting_z + from, shots * sizeof *lists->z);
+    memcpy(lists->vx + row, lists->waiting_vx + from, shots * sizeof *lists->vx);
+    memcpy(lists->vy + row, lists->waiting_vy + from, shots * sizeof *lists->vy);
+    memcpy(lists->vz + row, lists->waiting_vz + from, shots * sizeof *lists->vz);
+    memcpy(lists->wx + row, lists->waiting_wx + from, shots * sizeof *lists->wx);
+    memcpy(lists->wy + row, lists->waiting_wy + from, shots * sizeof *lists->wy);
+    memcpy(lists->wz + row, lists->waiting_wz + from, shots * sizeof *lists->wz);
+    memcpy(lists->clock + row, lists->waiting_clock + from, shots * sizeof *lists->clock);
+    memcpy(lists->last + row, lists->waiting_last + from, shots * sizeof *lists->last);
+    memcpy(lists->first + row, lists->waiting_first + from, shots * sizeof *lists->first);
+    memcpy(lists->contacts + row, lists->waiting_contacts + from, shots * sizeof *lists->contacts);
+    memcpy(lists->count_0 + row, lists->waiting_count_0 + from, shots * sizeof *lists->count_0);
+    memcpy(lists->count_1 + row, lists->waiting_count_1 + from, shots * sizeof *lists->count_1);
+    memcpy(lists->count_2 + row, lists->waiting_count_2 + from, shots * sizeof *lists->count_2);
+    memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof *lists->held);
+    memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof *lists->mode);
+    memcpy(lists->circled + row, lists->waiting_circled + from, shots * sizeof *lists->circled);
+    memcpy(lists->rolls + row, lists->waiting_rolls + from, shots * sizeof *lists->rolls);
+    memcpy(lists->slip_left + row, lists->waiting_slip_left + from, shots * sizeof *lists->slip_left);
+    memcpy(lists->through + row, lists->waiting_through + from, shots * sizeof *lists->through);
     if (job->varying) {
         memcpy(lists->p_ball_radius + row, lists->waiting_p_ball_radius + from, shots * sizeof(double));
         memcpy(lists->p_ring_radius + row, lists->waiting_p_ring_radius + from, shots * sizeof(double));
@@ -841,7 +846,6 @@ LANES_INLINE size_t LANES(court_plain_leave)(LANES(court_plain_lists) *lists, si
             lanes_pack(lists->rolls + kept, going, lanes_load(lists->rolls + i));
             lanes_pack(lists->slip_left + kept, going, lanes_load(lists->slip_left + i));
             lanes_pack(lists->through + kept, going, lanes_load(lists->through + i));
-            lanes_pack(lists->outcome + kept, going, lanes_load(lists->outcome + i));
             if (job->varying) {
                 lanes_pack(lists->p_ball_radius + kept, going, lanes_load(lists->p_ball_radius + i));
                 lanes_pack(lists->p_ring_radius + kept, going, lanes_load(lists->p_ring_radius + i));
@@ -2752,6 +2756,7 @@ static void LANES(court_plain)(const court_job *job)
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
     size_t begun = 0, end = 0, shots = 0;
+    int streams = 0; /* whether the shots before ended all at once: then those to come will, too */
 
     lists->waiting = 0;
     if (job->shots == 0)
@@ -2861,7 +2866,7 @@ static void LANES(court_plain)(const court_job *job)
         size_t open_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
-            LANES(court_ahead)(job, begun + i);
+            LANES(court_ahead)(job, begun + i, streams);
             V last = lanes_load(lists->last + i);
             V mode = lanes_load(lists->mode + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
@@ -2905,8 +2910,9 @@ static void LANES(court_plain)(const court_job *job)
             V time = _o11.time;
             V rate = _o11.rate;
             V bend = _o11.bend;
+            V apex = _o11.apex;
             const LANES(court_meeting_plane_out) _o12 =
-                LANES(court_meeting_plane)(bend, rate, time);
+                LANES(court_meeting_plane)(apex, bend, rate, time);
             M arrives = _o12.arrives;
             const LANES(court_timely_out) _o13 =
                 LANES(court_timely)(arrives, K(0.0), K(0.0), time, when);
@@ -5319,8 +5325,10 @@ static void LANES(court_plain)(const court_job *job)
         if (following && !lanes_any(going)) {
             LANES(court_plain_finish_all)(lists, shots, job);
             shots = 0;
+            streams = 1;
             continue;
         }
+        streams = 0;
         shots = LANES(court_plain_leave)(lists, 0, shots, job);
     }
 }
@@ -5414,11 +5422,6 @@ typedef struct {
     LANES(court_column) waiting_taut_clock;
     LANES(court_column) waiting_through;
     LANES(court_column) waiting_uncertain;
-    LANES(court_column) waiting_position_claim;
-    LANES(court_column) waiting_velocity_claim;
-    LANES(court_column) waiting_spin_claim;
-    LANES(court_column) waiting_time_claim;
-    LANES(court_column) waiting_outcome;
     LANES(court_column) waiting_p_ball_radius, waiting_p_ring_radius, waiting_p_wire_radius, waiting_p_board_distance, waiting_p_board_half_width, waiting_p_board_bottom, waiting_p_board_top, waiting_p_board_thickness, waiting_p_bridge_half_width, waiting_p_bridge_depth, waiting_p_gravity, waiting_p_end_depth, waiting_p_ring_restitution, waiting_p_backboard_restitution, waiting_p_bridge_restitution, waiting_p_ring_friction, waiting_p_backboard_friction, waiting_p_bridge_friction, waiting_p_tangential_restitution, waiting_p_restitution_speed;
     LANES(court_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(court_column) body;
@@ -6042,18 +6045,26 @@ LANES_INLINE void LANES(court_bounded_finish_all)(const LANES(court_bounded_list
         for (size_t k = 0; k < shots; k++) {
             out->time[start + k] = (double)lists->clock[k];
         }
-    if (out->state)
-        for (size_t k = 0; k < shots; k++) {
-            out->state[9 * (start + k) + 0] = (double)lists->x[k];
-            out->state[9 * (start + k) + 1] = (double)lists->y[k];
-            out->state[9 * (start + k) + 2] = (double)lists->z[k];
-            out->state[9 * (start + k) + 3] = (double)lists->vx[k];
-            out->state[9 * (start + k) + 4] = (double)lists->vy[k];
-            out->state[9 * (start + k) + 5] = (double)lists->vz[k];
-            out->state[9 * (start + k) + 6] = (double)lists->wx[k];
-            out->state[9 * (start + k) + 7] = (double)lists->wy[k];
-            out->state[9 * (start + k) + 8] = (double)lists->wz[k];
+    if (out->state) {
+        /* As many rows as there are lanes fill whole lines: they go past the caches. */
+        double rows[COURT_STATE * LANES_WIDTH];
+        for (size_t k = 0; k < shots; k += LANES_WIDTH) {
+            const double *const columns[] = {
+                lists->x + k,
+                lists->y + k,
+                lists->z + k,
+                lists->vx + k,
+                lists->vy + k,
+                lists->vz + k,
+                lists->wx + k,
+                lists->wy + k,
+                lists->wz + k,
+            };
+            const size_t some = shots - k < LANES_WIDTH ? shots - k : LANES_WIDTH;
+            lanes_rows(rows, columns, COURT_STATE);
+            stream(out->state + COURT_STATE * (start + k), rows, COURT_STATE * some);
         }
+    }
     if (out->rolls)
         for (size_t k = 0; k < shots; k++) {
             out->rolls[start + k] = (int32_t)(int32_t)lists->rolls[k];
@@ -6182,11 +6193,6 @@ LANES_INLINE void LANES(court_bounded_wait)(LANES(court_bounded_lists) *lists, s
     lanes_pack(lists->waiting_taut_clock + lists->waiting, who, lanes_load(lists->taut_clock + row));
     lanes_pack(lists->waiting_through + lists->waiting, who, lanes_load(lists->through + row));
     lanes_pack(lists->waiting_uncertain + lists->waiting, who, lanes_load(lists->uncertain + row));
-    lanes_pack(lists->waiting_position_claim + lists->waiting, who, lanes_load(lists->position_claim + row));
-    lanes_pack(lists->waiting_velocity_claim + lists->waiting, who, lanes_load(lists->velocity_claim + row));
-    lanes_pack(lists->waiting_spin_claim + lists->waiting, who, lanes_load(lists->spin_claim + row));
-    lanes_pack(lists->waiting_time_claim + lists->waiting, who, lanes_load(lists->time_claim + row));
-    lanes_pack(lists->waiting_outcome + lists->waiting, who, lanes_load(lists->outcome + row));
     if (job->varying) {
         lanes_pack(lists->waiting_p_ball_radius + lists->waiting, who, lanes_load(lists->p_ball_radius + row));
         lanes_pack(lists->waiting_p_ring_radius + lists->waiting, who, lanes_load(lists->p_ring_radius + row));
@@ -6218,49 +6224,44 @@ LANES_INLINE size_t LANES(court_bounded_resume)(LANES(court_bounded_lists) *list
     const size_t room = 2 * LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
-    memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
-    memcpy(lists->y + row, lists->waiting_y + from, shots * sizeof(double));
-    memcpy(lists->z + row, lists->waiting_z + from, shots * sizeof(double));
-    memcpy(lists->vx + row, lists->waiting_vx + from, shots * sizeof(double));
-    memcpy(lists->vy + row, lists->waiting_vy + from, shots * sizeof(double));
-    memcpy(lists->vz + row, lists->waiting_vz + from, shots * sizeof(double));
-    memcpy(lists->wx + row, lists->waiting_wx + from, shots * sizeof(double));
-    memcpy(lists->wy + row, lists->waiting_wy + from, shots * sizeof(double));
-    memcpy(lists->wz + row, lists->waiting_wz + from, shots * sizeof(double));
-    memcpy(lists->dx + row, lists->waiting_dx + from, shots * sizeof(double));
-    memcpy(lists->dy + row, lists->waiting_dy + from, shots * sizeof(double));
-    memcpy(lists->dz + row, lists->waiting_dz + from, shots * sizeof(double));
-    memcpy(lists->dvx + row, lists->waiting_dvx + from, shots * sizeof(double));
-    memcpy(lists->dvy + row, lists->waiting_dvy + from, shots * sizeof(double));
-    memcpy(lists->dvz + row, lists->waiting_dvz + from, shots * sizeof(double));
-    memcpy(lists->dwx + row, lists->waiting_dwx + from, shots * sizeof(double));
-    memcpy(lists->dwy + row, lists->waiting_dwy + from, shots * sizeof(double));
-    memcpy(lists->dwz + row, lists->waiting_dwz + from, shots * sizeof(double));
-    memcpy(lists->clock + row, lists->waiting_clock + from, shots * sizeof(double));
-    memcpy(lists->clock_error + row, lists->waiting_clock_error + from, shots * sizeof(double));
-    memcpy(lists->last + row, lists->waiting_last + from, shots * sizeof(double));
-    memcpy(lists->first + row, lists->waiting_first + from, shots * sizeof(double));
-    memcpy(lists->contacts + row, lists->waiting_contacts + from, shots * sizeof(double));
-    memcpy(lists->count_0 + row, lists->waiting_count_0 + from, shots * sizeof(double));
-    memcpy(lists->count_1 + row, lists->waiting_count_1 + from, shots * sizeof(double));
-    memcpy(lists->count_2 + row, lists->waiting_count_2 + from, shots * sizeof(double));
-    memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof(double));
-    memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof(double));
-    memcpy(lists->circled + row, lists->waiting_circled + from, shots * sizeof(double));
-    memcpy(lists->assured + row, lists->waiting_assured + from, shots * sizeof(double));
-    memcpy(lists->rolls + row, lists->waiting_rolls + from, shots * sizeof(double));
-    memcpy(lists->slip_left + row, lists->waiting_slip_left + from, shots * sizeof(double));
-    memcpy(lists->grip_lost + row, lists->waiting_grip_lost + from, shots * sizeof(double));
-    memcpy(lists->taut + row, lists->waiting_taut + from, shots * sizeof(double));
-    memcpy(lists->taut_rate + row, lists->waiting_taut_rate + from, shots * sizeof(double));
-    memcpy(lists->taut_clock + row, lists->waiting_taut_clock + from, shots * sizeof(double));
-    memcpy(lists->through + row, lists->waiting_through + from, shots * sizeof(double));
-    memcpy(lists->uncertain + row, lists->waiting_uncertain + from, shots * sizeof(double));
-    memcpy(lists->position_claim + row, lists->waiting_position_claim + from, shots * sizeof(double));
-    memcpy(lists->velocity_claim + row, lists->waiting_velocity_claim + from, shots * sizeof(double));
-    memcpy(lists->spin_claim + row, lists->waiting_spin_claim + from, shots * sizeof(double));
-    memcpy(lists->time_claim + row, lists->waiting_time_claim + from, shots * sizeof(double));
-    memcpy(lists->outcome + row, lists->waiting_outcome + from, shots * sizeof(double));
+    memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof *lists->x);
+    memcpy(lists->y + row, lists->waiting_y + from, shots * sizeof *lists->y);
+    memcpy(lists->z + row, lists->waiting_z + from, shots * sizeof *lists->z);
+    memcpy(lists->vx + row, lists->waiting_vx + from, shots * sizeof *lists->vx);
+    memcpy(lists->vy + row, lists->waiting_vy + from, shots * sizeof *lists->vy);
+    memcpy(lists->vz + row, lists->waiting_vz + from, shots * sizeof *lists->vz);
+    memcpy(lists->wx + row, lists->waiting_wx + from, shots * sizeof *lists->wx);
+    memcpy(lists->wy + row, lists->waiting_wy + from, shots * sizeof *lists->wy);
+    memcpy(lists->wz + row, lists->waiting_wz + from, shots * sizeof *lists->wz);
+    memcpy(lists->dx + row, lists->waiting_dx + from, shots * sizeof *lists->dx);
+    memcpy(lists->dy + row, lists->waiting_dy + from, shots * sizeof *lists->dy);
+    memcpy(lists->dz + row, lists->waiting_dz + from, shots * sizeof *lists->dz);
+    memcpy(lists->dvx + row, lists->waiting_dvx + from, shots * sizeof *lists->dvx);
+    memcpy(lists->dvy + row, lists->waiting_dvy + from, shots * sizeof *lists->dvy);
+    memcpy(lists->dvz + row, lists->waiting_dvz + from, shots * sizeof *lists->dvz);
+    memcpy(lists->dwx + row, lists->waiting_dwx + from, shots * sizeof *lists->dwx);
+    memcpy(lists->dwy + row, lists->waiting_dwy + from, shots * sizeof *lists->dwy);
+    memcpy(lists->dwz + row, lists->waiting_dwz + from, shots * sizeof *lists->dwz);
+    memcpy(lists->clock + row, lists->waiting_clock + from, shots * sizeof *lists->clock);
+    memcpy(lists->clock_error + row, lists->waiting_clock_error + from, shots * sizeof *lists->clock_error);
+    memcpy(lists->last + row, lists->waiting_last + from, shots * sizeof *lists->last);
+    memcpy(lists->first + row, lists->waiting_first + from, shots * sizeof *lists->first);
+    memcpy(lists->contacts + row, lists->waiting_contacts + from, shots * sizeof *lists->contacts);
+    memcpy(lists->count_0 + row, lists->waiting_count_0 + from, shots * sizeof *lists->count_0);
+    memcpy(lists->count_1 + row, lists->waiting_count_1 + from, shots * sizeof *lists->count_1);
+    memcpy(lists->count_2 + row, lists->waiting_count_2 + from, shots * sizeof *lists->count_2);
+    memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof *lists->held);
+    memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof *lists->mode);
+    memcpy(lists->circled + row, lists->waiting_circled + from, shots * sizeof *lists->circled);
+    memcpy(lists->assured + row, lists->waiting_assured + from, shots * sizeof *lists->assured);
+    memcpy(lists->rolls + row, lists->waiting_rolls + from, shots * sizeof *lists->rolls);
+    memcpy(lists->slip_left + row, lists->waiting_slip_left + from, shots * sizeof *lists->slip_left);
+    memcpy(lists->grip_lost + row, lists->waiting_grip_lost + from, shots * sizeof *lists->grip_lost);
+    memcpy(lists->taut + row, lists->waiting_taut + from, shots * sizeof *lists->taut);
+    memcpy(lists->taut_rate + row, lists->waiting_taut_rate + from, shots * sizeof *lists->taut_rate);
+    memcpy(lists->taut_clock + row, lists->waiting_taut_clock + from, shots * sizeof *lists->taut_clock);
+    memcpy(lists->through + row, lists->waiting_through + from, shots * sizeof *lists->through);
+    memcpy(lists->uncertain + row, lists->waiting_uncertain + from, shots * sizeof *lists->uncertain);
     if (job->varying) {
         memcpy(lists->p_ball_radius + row, lists->waiting_p_ball_radius + from, shots * sizeof(double));
         memcpy(lists->p_ring_radius + row, lists->waiting_p_ring_radius + from, shots * sizeof(double));
@@ -6343,11 +6344,6 @@ LANES_INLINE size_t LANES(court_bounded_leave)(LANES(court_bounded_lists) *lists
             lanes_pack(lists->taut_clock + kept, going, lanes_load(lists->taut_clock + i));
             lanes_pack(lists->through + kept, going, lanes_load(lists->through + i));
             lanes_pack(lists->uncertain + kept, going, lanes_load(lists->uncertain + i));
-            lanes_pack(lists->position_claim + kept, going, lanes_load(lists->position_claim + i));
-            lanes_pack(lists->velocity_claim + kept, going, lanes_load(lists->velocity_claim + i));
-            lanes_pack(lists->spin_claim + kept, going, lanes_load(lists->spin_claim + i));
-            lanes_pack(lists->time_claim + kept, going, lanes_load(lists->time_claim + i));
-            lanes_pack(lists->outcome + kept, going, lanes_load(lists->outcome + i));
             if (job->varying) {
                 lanes_pack(lists->p_ball_radius + kept, going, lanes_load(lists->p_ball_radius + i));
                 lanes_pack(lists->p_ring_radius + kept, going, lanes_load(lists->p_ring_radius + i));
@@ -6418,226 +6414,226 @@ static void LANES(court_bounded_leaves)(LANES(court_bounded_lists) *lists, size_
         V x = lanes_load(lists->kept_leaves_x + i);
         V y = lanes_load(lists->kept_leaves_y + i);
         V z = lanes_load(lists->kept_leaves_z + i);
-        const LANES(court_error_bounds_out) _o401 =
+        const LANES(court_error_bounds_out) _o400 =
             LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-        V position_error = _o401.position_error;
-        V velocity_error = _o401.velocity_error;
-        const LANES(court_holding_out) _o402 =
+        V position_error = _o400.position_error;
+        V velocity_error = _o400.velocity_error;
+        const LANES(court_holding_out) _o401 =
             LANES(court_holding)(held, K(0.0));
-        M here = _o402.here;
-        const M _m403 = lanes_both(rows, here);
-        if (lanes_any(_m403)) {
-            const LANES(court_ring_tube_out) _o404 =
+        M here = _o401.here;
+        const M _m402 = lanes_both(rows, here);
+        if (lanes_any(_m402)) {
+            const LANES(court_ring_tube_out) _o403 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            per_reach = lanes_select(_m403, _o404.per_reach, per_reach);
-            const LANES(court_ring_parting_out) _o405 =
+            per_reach = lanes_select(_m402, _o403.per_reach, per_reach);
+            const LANES(court_ring_parting_out) _o404 =
                 LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-            lift = lanes_select(_m403, _o405.lift, lift);
-            surge = lanes_select(_m403, _o405.surge, surge);
-            snap = lanes_select(_m403, _o405.snap, snap);
+            lift = lanes_select(_m402, _o404.lift, lift);
+            surge = lanes_select(_m402, _o404.surge, surge);
+            snap = lanes_select(_m402, _o404.snap, snap);
         }
-        const LANES(court_holding_out) _o406 =
+        const LANES(court_holding_out) _o405 =
             LANES(court_holding)(held, K(1.0));
-        here = _o406.here;
-        const M _m407 = lanes_both(rows, here);
-        if (lanes_any(_m407)) {
-            const LANES(court_backboard_tube_out) _o408 =
+        here = _o405.here;
+        const M _m406 = lanes_both(rows, here);
+        if (lanes_any(_m406)) {
+            const LANES(court_backboard_tube_out) _o407 =
                 LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            per_reach = lanes_select(_m407, _o408.per_reach, per_reach);
-            const LANES(court_backboard_parting_out) _o409 =
+            per_reach = lanes_select(_m406, _o407.per_reach, per_reach);
+            const LANES(court_backboard_parting_out) _o408 =
                 LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-            lift = lanes_select(_m407, _o409.lift, lift);
-            surge = lanes_select(_m407, _o409.surge, surge);
-            snap = lanes_select(_m407, _o409.snap, snap);
+            lift = lanes_select(_m406, _o408.lift, lift);
+            surge = lanes_select(_m406, _o408.surge, surge);
+            snap = lanes_select(_m406, _o408.snap, snap);
         }
-        const LANES(court_holding_out) _o410 =
+        const LANES(court_holding_out) _o409 =
             LANES(court_holding)(held, K(2.0));
-        here = _o410.here;
-        const M _m411 = lanes_both(rows, here);
-        if (lanes_any(_m411)) {
-            const LANES(court_bridge_tube_out) _o412 =
+        here = _o409.here;
+        const M _m410 = lanes_both(rows, here);
+        if (lanes_any(_m410)) {
+            const LANES(court_bridge_tube_out) _o411 =
                 LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            per_reach = lanes_select(_m411, _o412.per_reach, per_reach);
-            const LANES(court_bridge_parting_out) _o413 =
+            per_reach = lanes_select(_m410, _o411.per_reach, per_reach);
+            const LANES(court_bridge_parting_out) _o412 =
                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            lift = lanes_select(_m411, _o413.lift, lift);
-            surge = lanes_select(_m411, _o413.surge, surge);
-            snap = lanes_select(_m411, _o413.snap, snap);
+            lift = lanes_select(_m410, _o412.lift, lift);
+            surge = lanes_select(_m410, _o412.surge, surge);
+            snap = lanes_select(_m410, _o412.snap, snap);
         }
-        const LANES(court_unmet_out) _o414 =
+        const LANES(court_unmet_out) _o413 =
             LANES(court_unmet)();
-        V spare = _o414.spare;
-        const LANES(court_beside_out) _o415 =
+        V spare = _o413.spare;
+        const LANES(court_beside_out) _o414 =
             LANES(court_beside)(held, K(0.0));
-        M beside = _o415.beside;
-        const M _m416 = lanes_both(rows, beside);
-        if (lanes_any(_m416)) {
-            const LANES(court_ring_beside_out) _o417 =
+        M beside = _o414.beside;
+        const M _m415 = lanes_both(rows, beside);
+        if (lanes_any(_m415)) {
+            const LANES(court_ring_beside_out) _o416 =
                 LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            V gap = _o417.gap;
-            V nearing = _o417.nearing;
-            V dent = _o417.dent;
-            const LANES(court_spared_out) _o418 =
+            V gap = _o416.gap;
+            V nearing = _o416.nearing;
+            V dent = _o416.dent;
+            const LANES(court_spared_out) _o417 =
                 LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-            spare = lanes_select(_m416, _o418.spare, spare);
+            spare = lanes_select(_m415, _o417.spare, spare);
         }
-        const LANES(court_beside_out) _o419 =
+        const LANES(court_beside_out) _o418 =
             LANES(court_beside)(held, K(1.0));
-        beside = _o419.beside;
-        const M _m420 = lanes_both(rows, beside);
-        if (lanes_any(_m420)) {
-            const LANES(court_backboard_beside_out) _o421 =
+        beside = _o418.beside;
+        const M _m419 = lanes_both(rows, beside);
+        if (lanes_any(_m419)) {
+            const LANES(court_backboard_beside_out) _o420 =
                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o421.gap;
-            V nearing = _o421.nearing;
-            V dent = _o421.dent;
-            const LANES(court_spared_out) _o422 =
+            V gap = _o420.gap;
+            V nearing = _o420.nearing;
+            V dent = _o420.dent;
+            const LANES(court_spared_out) _o421 =
                 LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-            spare = lanes_select(_m420, _o422.spare, spare);
+            spare = lanes_select(_m419, _o421.spare, spare);
         }
-        const LANES(court_beside_out) _o423 =
+        const LANES(court_beside_out) _o422 =
             LANES(court_beside)(held, K(2.0));
-        beside = _o423.beside;
-        const M _m424 = lanes_both(rows, beside);
-        if (lanes_any(_m424)) {
-            const LANES(court_bridge_beside_out) _o425 =
+        beside = _o422.beside;
+        const M _m423 = lanes_both(rows, beside);
+        if (lanes_any(_m423)) {
+            const LANES(court_bridge_beside_out) _o424 =
                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            V gap = _o425.gap;
-            V nearing = _o425.nearing;
-            V dent = _o425.dent;
-            const LANES(court_spared_out) _o426 =
+            V gap = _o424.gap;
+            V nearing = _o424.nearing;
+            V dent = _o424.dent;
+            const LANES(court_spared_out) _o425 =
                 LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-            spare = lanes_select(_m424, _o426.spare, spare);
+            spare = lanes_select(_m423, _o425.spare, spare);
         }
-        const LANES(court_beside_out) _o427 =
+        const LANES(court_beside_out) _o426 =
             LANES(court_beside)(held, K(3.0));
-        beside = _o427.beside;
-        const M _m428 = lanes_both(rows, beside);
-        if (lanes_any(_m428)) {
-            const LANES(court_end_beside_out) _o429 =
+        beside = _o426.beside;
+        const M _m427 = lanes_both(rows, beside);
+        if (lanes_any(_m427)) {
+            const LANES(court_end_beside_out) _o428 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o429.gap;
-            V nearing = _o429.nearing;
-            V dent = _o429.dent;
-            const LANES(court_spared_out) _o430 =
+            V gap = _o428.gap;
+            V nearing = _o428.nearing;
+            V dent = _o428.dent;
+            const LANES(court_spared_out) _o429 =
                 LANES(court_spared)(dent, gap, p_gravity, nearing, spare, vx, vy, vz);
-            spare = lanes_select(_m428, _o430.spare, spare);
+            spare = lanes_select(_m427, _o429.spare, spare);
         }
-        const LANES(court_holding_out) _o431 =
+        const LANES(court_holding_out) _o430 =
             LANES(court_holding)(held, K(1.0));
-        here = _o431.here;
-        const M _m432 = lanes_both(rows, here);
-        if (lanes_any(_m432)) {
-            const LANES(court_backboard_seam0_out) _o433 =
+        here = _o430.here;
+        const M _m431 = lanes_both(rows, here);
+        if (lanes_any(_m431)) {
+            const LANES(court_backboard_seam0_out) _o432 =
                 LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-            V gap = _o433.gap;
-            V nearing = _o433.nearing;
-            V near = _o433.near;
-            const LANES(court_spared_seam_out) _o434 =
+            V gap = _o432.gap;
+            V nearing = _o432.nearing;
+            V near = _o432.near;
+            const LANES(court_spared_seam_out) _o433 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m432, _o434.spare, spare);
-            const LANES(court_backboard_seam1_out) _o435 =
+            spare = lanes_select(_m431, _o433.spare, spare);
+            const LANES(court_backboard_seam1_out) _o434 =
                 LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-            gap = _o435.gap;
-            nearing = _o435.nearing;
-            near = _o435.near;
-            const LANES(court_spared_seam_out) _o436 =
+            gap = _o434.gap;
+            nearing = _o434.nearing;
+            near = _o434.near;
+            const LANES(court_spared_seam_out) _o435 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m432, _o436.spare, spare);
-            const LANES(court_backboard_seam2_out) _o437 =
+            spare = lanes_select(_m431, _o435.spare, spare);
+            const LANES(court_backboard_seam2_out) _o436 =
                 LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-            gap = _o437.gap;
-            nearing = _o437.nearing;
-            near = _o437.near;
-            const LANES(court_spared_seam_out) _o438 =
+            gap = _o436.gap;
+            nearing = _o436.nearing;
+            near = _o436.near;
+            const LANES(court_spared_seam_out) _o437 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m432, _o438.spare, spare);
-            const LANES(court_backboard_seam3_out) _o439 =
+            spare = lanes_select(_m431, _o437.spare, spare);
+            const LANES(court_backboard_seam3_out) _o438 =
                 LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-            gap = _o439.gap;
-            nearing = _o439.nearing;
-            near = _o439.near;
-            const LANES(court_spared_seam_out) _o440 =
+            gap = _o438.gap;
+            nearing = _o438.nearing;
+            near = _o438.near;
+            const LANES(court_spared_seam_out) _o439 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m432, _o440.spare, spare);
-            const LANES(court_backboard_seam4_out) _o441 =
+            spare = lanes_select(_m431, _o439.spare, spare);
+            const LANES(court_backboard_seam4_out) _o440 =
                 LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-            gap = _o441.gap;
-            nearing = _o441.nearing;
-            near = _o441.near;
-            const LANES(court_spared_seam_out) _o442 =
+            gap = _o440.gap;
+            nearing = _o440.nearing;
+            near = _o440.near;
+            const LANES(court_spared_seam_out) _o441 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m432, _o442.spare, spare);
-            const LANES(court_backboard_seam5_out) _o443 =
+            spare = lanes_select(_m431, _o441.spare, spare);
+            const LANES(court_backboard_seam5_out) _o442 =
                 LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-            gap = _o443.gap;
-            nearing = _o443.nearing;
-            near = _o443.near;
-            const LANES(court_spared_seam_out) _o444 =
+            gap = _o442.gap;
+            nearing = _o442.nearing;
+            near = _o442.near;
+            const LANES(court_spared_seam_out) _o443 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m432, _o444.spare, spare);
+            spare = lanes_select(_m431, _o443.spare, spare);
         }
-        const LANES(court_holding_out) _o445 =
+        const LANES(court_holding_out) _o444 =
             LANES(court_holding)(held, K(2.0));
-        here = _o445.here;
-        const M _m446 = lanes_both(rows, here);
-        if (lanes_any(_m446)) {
-            const LANES(court_bridge_seam0_out) _o447 =
+        here = _o444.here;
+        const M _m445 = lanes_both(rows, here);
+        if (lanes_any(_m445)) {
+            const LANES(court_bridge_seam0_out) _o446 =
                 LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-            V gap = _o447.gap;
-            V nearing = _o447.nearing;
-            V near = _o447.near;
-            const LANES(court_spared_seam_out) _o448 =
+            V gap = _o446.gap;
+            V nearing = _o446.nearing;
+            V near = _o446.near;
+            const LANES(court_spared_seam_out) _o447 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m446, _o448.spare, spare);
-            const LANES(court_bridge_seam1_out) _o449 =
+            spare = lanes_select(_m445, _o447.spare, spare);
+            const LANES(court_bridge_seam1_out) _o448 =
                 LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-            gap = _o449.gap;
-            nearing = _o449.nearing;
-            near = _o449.near;
-            const LANES(court_spared_seam_out) _o450 =
+            gap = _o448.gap;
+            nearing = _o448.nearing;
+            near = _o448.near;
+            const LANES(court_spared_seam_out) _o449 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m446, _o450.spare, spare);
-            const LANES(court_bridge_seam2_out) _o451 =
+            spare = lanes_select(_m445, _o449.spare, spare);
+            const LANES(court_bridge_seam2_out) _o450 =
                 LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-            gap = _o451.gap;
-            nearing = _o451.nearing;
-            near = _o451.near;
-            const LANES(court_spared_seam_out) _o452 =
+            gap = _o450.gap;
+            nearing = _o450.nearing;
+            near = _o450.near;
+            const LANES(court_spared_seam_out) _o451 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m446, _o452.spare, spare);
-            const LANES(court_bridge_seam3_out) _o453 =
+            spare = lanes_select(_m445, _o451.spare, spare);
+            const LANES(court_bridge_seam3_out) _o452 =
                 LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-            gap = _o453.gap;
-            nearing = _o453.nearing;
-            near = _o453.near;
-            const LANES(court_spared_seam_out) _o454 =
+            gap = _o452.gap;
+            nearing = _o452.nearing;
+            near = _o452.near;
+            const LANES(court_spared_seam_out) _o453 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m446, _o454.spare, spare);
-            const LANES(court_bridge_seam4_out) _o455 =
+            spare = lanes_select(_m445, _o453.spare, spare);
+            const LANES(court_bridge_seam4_out) _o454 =
                 LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-            gap = _o455.gap;
-            nearing = _o455.nearing;
-            near = _o455.near;
-            const LANES(court_spared_seam_out) _o456 =
+            gap = _o454.gap;
+            nearing = _o454.nearing;
+            near = _o454.near;
+            const LANES(court_spared_seam_out) _o455 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m446, _o456.spare, spare);
-            const LANES(court_bridge_seam5_out) _o457 =
+            spare = lanes_select(_m445, _o455.spare, spare);
+            const LANES(court_bridge_seam5_out) _o456 =
                 LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-            gap = _o457.gap;
-            nearing = _o457.nearing;
-            near = _o457.near;
-            const LANES(court_spared_seam_out) _o458 =
+            gap = _o456.gap;
+            nearing = _o456.nearing;
+            near = _o456.near;
+            const LANES(court_spared_seam_out) _o457 =
                 LANES(court_spared_seam)(gap, p_gravity, near, nearing, spare);
-            spare = lanes_select(_m446, _o458.spare, spare);
+            spare = lanes_select(_m445, _o457.spare, spare);
         }
-        const LANES(court_parted_out) _o459 =
+        const LANES(court_parted_out) _o458 =
             LANES(court_parted)(doubt, p_gravity, lift, per_reach, position_error, snap, spare, surge, velocity_error, vx, vy, vz);
-        V when = _o459.when;
-        doubt = _o459.doubt;
-        const LANES(court_hopping_out) _o460 =
+        V when = _o458.when;
+        doubt = _o458.doubt;
+        const LANES(court_hopping_out) _o459 =
             LANES(court_hopping)();
-        V which = _o460.which;
+        V which = _o459.which;
         lanes_store(lists->kept_leaves_doubt + i, doubt);
         lanes_store(lists->kept_leaves_position_error + i, position_error);
         lanes_store(lists->kept_leaves_velocity_error + i, velocity_error);
@@ -6700,130 +6696,130 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o181 =
+        const LANES(court_resumed_out) _o180 =
             LANES(court_resumed)(clock, mode, position_error, velocity_error);
-        V which = _o181.which;
-        V late = _o181.late;
-        V began = _o181.began;
-        V doubt = _o181.doubt;
-        M begins = _o181.begins;
-        M rolling = _o181.rolling;
-        M leaves = _o181.leaves;
-        V nx = _o181.nx;
-        V ny = _o181.ny;
-        V nz = _o181.nz;
-        V gap = _o181.gap;
-        V bent_x = _o181.bent_x;
-        V bent_y = _o181.bent_y;
-        V bent_z = _o181.bent_z;
-        V lift = _o181.lift;
-        V surge = _o181.surge;
-        V snap = _o181.snap;
-        V per_reach = _o181.per_reach;
-        const M _m182 = lanes_both(rows, begins);
-        if (lanes_any(_m182)) {
-            const LANES(court_holding_out) _o183 =
+        V which = _o180.which;
+        V late = _o180.late;
+        V began = _o180.began;
+        V doubt = _o180.doubt;
+        M begins = _o180.begins;
+        M rolling = _o180.rolling;
+        M leaves = _o180.leaves;
+        V nx = _o180.nx;
+        V ny = _o180.ny;
+        V nz = _o180.nz;
+        V gap = _o180.gap;
+        V bent_x = _o180.bent_x;
+        V bent_y = _o180.bent_y;
+        V bent_z = _o180.bent_z;
+        V lift = _o180.lift;
+        V surge = _o180.surge;
+        V snap = _o180.snap;
+        V per_reach = _o180.per_reach;
+        const M _m181 = lanes_both(rows, begins);
+        if (lanes_any(_m181)) {
+            const LANES(court_holding_out) _o182 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o183.here;
-            const M _m184 = lanes_both(_m182, here);
+            M here = _o182.here;
+            const M _m183 = lanes_both(_m181, here);
             {
-                const LANES(court_ring_normal_out) _o185 =
+                const LANES(court_ring_normal_out) _o184 =
                     LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m184, _o185.nx, nx);
-                ny = lanes_select(_m184, _o185.ny, ny);
-                nz = lanes_select(_m184, _o185.nz, nz);
+                nx = lanes_select(_m183, _o184.nx, nx);
+                ny = lanes_select(_m183, _o184.ny, ny);
+                nz = lanes_select(_m183, _o184.nz, nz);
             }
-            const LANES(court_holding_out) _o186 =
+            const LANES(court_holding_out) _o185 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o186.here;
-            const M _m187 = lanes_both(_m182, here);
+            here = _o185.here;
+            const M _m186 = lanes_both(_m181, here);
             {
-                const LANES(court_backboard_normal_out) _o188 =
+                const LANES(court_backboard_normal_out) _o187 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m187, _o188.nx, nx);
-                ny = lanes_select(_m187, _o188.ny, ny);
-                nz = lanes_select(_m187, _o188.nz, nz);
+                nx = lanes_select(_m186, _o187.nx, nx);
+                ny = lanes_select(_m186, _o187.ny, ny);
+                nz = lanes_select(_m186, _o187.nz, nz);
             }
-            const LANES(court_holding_out) _o189 =
+            const LANES(court_holding_out) _o188 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o189.here;
-            const M _m190 = lanes_both(_m182, here);
+            here = _o188.here;
+            const M _m189 = lanes_both(_m181, here);
             {
-                const LANES(court_bridge_normal_out) _o191 =
+                const LANES(court_bridge_normal_out) _o190 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m190, _o191.nx, nx);
-                ny = lanes_select(_m190, _o191.ny, ny);
-                nz = lanes_select(_m190, _o191.nz, nz);
+                nx = lanes_select(_m189, _o190.nx, nx);
+                ny = lanes_select(_m189, _o190.ny, ny);
+                nz = lanes_select(_m189, _o190.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o192 =
+            const LANES(court_roll_turn_rate_out) _o191 =
                 LANES(court_roll_turn_rate)(p_ball_radius, nx, ny, nz, wx, wy, wz);
-            V turn_rate = _o192.turn_rate;
-            const LANES(court_gripped_out) _o193 =
+            V turn_rate = _o191.turn_rate;
+            const LANES(court_gripped_out) _o192 =
                 LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V rolled_x = _o193.rolled_x;
-            V rolled_y = _o193.rolled_y;
-            V rolled_z = _o193.rolled_z;
-            const LANES(court_holding_out) _o194 =
+            V rolled_x = _o192.rolled_x;
+            V rolled_y = _o192.rolled_y;
+            V rolled_z = _o192.rolled_z;
+            const LANES(court_holding_out) _o193 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o194.here;
-            const M _m195 = lanes_both(_m182, here);
+            here = _o193.here;
+            const M _m194 = lanes_both(_m181, here);
             {
-                const LANES(court_ring_off_out) _o196 =
+                const LANES(court_ring_off_out) _o195 =
                     LANES(court_ring_off)(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m195, _o196.gap, gap);
+                gap = lanes_select(_m194, _o195.gap, gap);
             }
-            const LANES(court_holding_out) _o197 =
+            const LANES(court_holding_out) _o196 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o197.here;
-            const M _m198 = lanes_both(_m182, here);
+            here = _o196.here;
+            const M _m197 = lanes_both(_m181, here);
             {
-                const LANES(court_backboard_off_out) _o199 =
+                const LANES(court_backboard_off_out) _o198 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m198, _o199.gap, gap);
+                gap = lanes_select(_m197, _o198.gap, gap);
             }
-            const LANES(court_holding_out) _o200 =
+            const LANES(court_holding_out) _o199 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o200.here;
-            const M _m201 = lanes_both(_m182, here);
+            here = _o199.here;
+            const M _m200 = lanes_both(_m181, here);
             {
-                const LANES(court_bridge_off_out) _o202 =
+                const LANES(court_bridge_off_out) _o201 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m201, _o202.gap, gap);
+                gap = lanes_select(_m200, _o201.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o203 =
+            const LANES(court_roll_placed_out) _o202 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z);
-            x = lanes_select(_m182, _o203.x, x);
-            y = lanes_select(_m182, _o203.y, y);
-            z = lanes_select(_m182, _o203.z, z);
-            vx = lanes_select(_m182, _o203.vx, vx);
-            vy = lanes_select(_m182, _o203.vy, vy);
-            vz = lanes_select(_m182, _o203.vz, vz);
-            wx = lanes_select(_m182, _o203.wx, wx);
-            wy = lanes_select(_m182, _o203.wy, wy);
-            wz = lanes_select(_m182, _o203.wz, wz);
-            const LANES(court_begun_errors_out) _o204 =
+            x = lanes_select(_m181, _o202.x, x);
+            y = lanes_select(_m181, _o202.y, y);
+            z = lanes_select(_m181, _o202.z, z);
+            vx = lanes_select(_m181, _o202.vx, vx);
+            vy = lanes_select(_m181, _o202.vy, vy);
+            vz = lanes_select(_m181, _o202.vz, vz);
+            wx = lanes_select(_m181, _o202.wx, wx);
+            wy = lanes_select(_m181, _o202.wy, wy);
+            wz = lanes_select(_m181, _o202.wz, wz);
+            const LANES(court_begun_errors_out) _o203 =
                 LANES(court_begun_errors)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz);
-            dx = lanes_select(_m182, _o204.dx, dx);
-            dy = lanes_select(_m182, _o204.dy, dy);
-            dz = lanes_select(_m182, _o204.dz, dz);
-            dvx = lanes_select(_m182, _o204.dvx, dvx);
-            dvy = lanes_select(_m182, _o204.dvy, dvy);
-            dvz = lanes_select(_m182, _o204.dvz, dvz);
-            dwx = lanes_select(_m182, _o204.dwx, dwx);
-            dwy = lanes_select(_m182, _o204.dwy, dwy);
-            dwz = lanes_select(_m182, _o204.dwz, dwz);
-            const LANES(court_untaut_out) _o205 =
+            dx = lanes_select(_m181, _o203.dx, dx);
+            dy = lanes_select(_m181, _o203.dy, dy);
+            dz = lanes_select(_m181, _o203.dz, dz);
+            dvx = lanes_select(_m181, _o203.dvx, dvx);
+            dvy = lanes_select(_m181, _o203.dvy, dvy);
+            dvz = lanes_select(_m181, _o203.dvz, dvz);
+            dwx = lanes_select(_m181, _o203.dwx, dwx);
+            dwy = lanes_select(_m181, _o203.dwy, dwy);
+            dwz = lanes_select(_m181, _o203.dwz, dwz);
+            const LANES(court_untaut_out) _o204 =
                 LANES(court_untaut)();
-            taut = lanes_select(_m182, _o205.taut, taut);
-            const LANES(court_beginning_contact_out) _o206 =
+            taut = lanes_select(_m181, _o204.taut, taut);
+            const LANES(court_beginning_contact_out) _o205 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m182, _o206.which, which);
-            circled = lanes_select(_m182, _o206.circled, circled);
+            which = lanes_select(_m181, _o205.which, which);
+            circled = lanes_select(_m181, _o205.circled, circled);
         }
-        const LANES(court_circles_out) _o207 =
+        const LANES(court_circles_out) _o206 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o207.circling;
-        rolling = _o207.rolling;
+        M circling = _o206.circling;
+        rolling = _o206.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -7044,688 +7040,688 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_error_bounds_out) _o208 =
+            const LANES(court_error_bounds_out) _o207 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o208.position_error;
-            V velocity_error = _o208.velocity_error;
-            const LANES(court_holding_out) _o209 =
+            V position_error = _o207.position_error;
+            V velocity_error = _o207.velocity_error;
+            const LANES(court_holding_out) _o208 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o209.here;
-            const M _m210 = lanes_both(active, here);
-            if (lanes_any(_m210)) {
-                const LANES(court_backboard_normal_out) _o211 =
+            M here = _o208.here;
+            const M _m209 = lanes_both(active, here);
+            if (lanes_any(_m209)) {
+                const LANES(court_backboard_normal_out) _o210 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m210, _o211.nx, nx);
-                ny = lanes_select(_m210, _o211.ny, ny);
-                nz = lanes_select(_m210, _o211.nz, nz);
-                const LANES(court_backboard_tube_out) _o212 =
+                nx = lanes_select(_m209, _o210.nx, nx);
+                ny = lanes_select(_m209, _o210.ny, ny);
+                nz = lanes_select(_m209, _o210.nz, nz);
+                const LANES(court_backboard_tube_out) _o211 =
                     LANES(court_backboard_tube)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                bent_x = lanes_select(_m210, _o212.bent_x, bent_x);
-                bent_y = lanes_select(_m210, _o212.bent_y, bent_y);
-                bent_z = lanes_select(_m210, _o212.bent_z, bent_z);
-                per_reach = lanes_select(_m210, _o212.per_reach, per_reach);
+                bent_x = lanes_select(_m209, _o211.bent_x, bent_x);
+                bent_y = lanes_select(_m209, _o211.bent_y, bent_y);
+                bent_z = lanes_select(_m209, _o211.bent_z, bent_z);
+                per_reach = lanes_select(_m209, _o211.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o213 =
+            const LANES(court_holding_out) _o212 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o213.here;
-            const M _m214 = lanes_both(active, here);
-            if (lanes_any(_m214)) {
-                const LANES(court_bridge_normal_out) _o215 =
+            here = _o212.here;
+            const M _m213 = lanes_both(active, here);
+            if (lanes_any(_m213)) {
+                const LANES(court_bridge_normal_out) _o214 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m214, _o215.nx, nx);
-                ny = lanes_select(_m214, _o215.ny, ny);
-                nz = lanes_select(_m214, _o215.nz, nz);
-                const LANES(court_bridge_tube_out) _o216 =
+                nx = lanes_select(_m213, _o214.nx, nx);
+                ny = lanes_select(_m213, _o214.ny, ny);
+                nz = lanes_select(_m213, _o214.nz, nz);
+                const LANES(court_bridge_tube_out) _o215 =
                     LANES(court_bridge_tube)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                bent_x = lanes_select(_m214, _o216.bent_x, bent_x);
-                bent_y = lanes_select(_m214, _o216.bent_y, bent_y);
-                bent_z = lanes_select(_m214, _o216.bent_z, bent_z);
-                per_reach = lanes_select(_m214, _o216.per_reach, per_reach);
+                bent_x = lanes_select(_m213, _o215.bent_x, bent_x);
+                bent_y = lanes_select(_m213, _o215.bent_y, bent_y);
+                bent_z = lanes_select(_m213, _o215.bent_z, bent_z);
+                per_reach = lanes_select(_m213, _o215.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o217 =
+            const LANES(court_roll_start_out) _o216 =
                 LANES(court_roll_start)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            V vx_0 = _o217.vx_0;
-            V vy_0 = _o217.vy_0;
-            V vz_0 = _o217.vz_0;
-            V nx_0 = _o217.nx_0;
-            V ny_0 = _o217.ny_0;
-            V nz_0 = _o217.nz_0;
-            V turn_rate_0 = _o217.turn_rate_0;
-            const LANES(court_roll_0_out) _o218 =
+            V vx_0 = _o216.vx_0;
+            V vy_0 = _o216.vy_0;
+            V vz_0 = _o216.vz_0;
+            V nx_0 = _o216.nx_0;
+            V ny_0 = _o216.ny_0;
+            V nz_0 = _o216.nz_0;
+            V turn_rate_0 = _o216.turn_rate_0;
+            const LANES(court_roll_0_out) _o217 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            V lift_0 = _o218.lift_0;
-            V tx_0 = _o218.tx_0;
-            V ty_0 = _o218.ty_0;
-            V tz_0 = _o218.tz_0;
-            V vx_1 = _o218.vx_1;
-            V vy_1 = _o218.vy_1;
-            V vz_1 = _o218.vz_1;
-            V nx_1 = _o218.nx_1;
-            V ny_1 = _o218.ny_1;
-            V nz_1 = _o218.nz_1;
-            V turn_rate_1 = _o218.turn_rate_1;
-            const LANES(court_roll_1_out) _o219 =
+            V lift_0 = _o217.lift_0;
+            V tx_0 = _o217.tx_0;
+            V ty_0 = _o217.ty_0;
+            V tz_0 = _o217.tz_0;
+            V vx_1 = _o217.vx_1;
+            V vy_1 = _o217.vy_1;
+            V vz_1 = _o217.vz_1;
+            V nx_1 = _o217.nx_1;
+            V ny_1 = _o217.ny_1;
+            V nz_1 = _o217.nz_1;
+            V turn_rate_1 = _o217.turn_rate_1;
+            const LANES(court_roll_1_out) _o218 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            V lift_1 = _o219.lift_1;
-            V tx_1 = _o219.tx_1;
-            V ty_1 = _o219.ty_1;
-            V tz_1 = _o219.tz_1;
-            V vx_2 = _o219.vx_2;
-            V vy_2 = _o219.vy_2;
-            V vz_2 = _o219.vz_2;
-            V nx_2 = _o219.nx_2;
-            V ny_2 = _o219.ny_2;
-            V nz_2 = _o219.nz_2;
-            V turn_rate_2 = _o219.turn_rate_2;
-            const LANES(court_roll_2_out) _o220 =
+            V lift_1 = _o218.lift_1;
+            V tx_1 = _o218.tx_1;
+            V ty_1 = _o218.ty_1;
+            V tz_1 = _o218.tz_1;
+            V vx_2 = _o218.vx_2;
+            V vy_2 = _o218.vy_2;
+            V vz_2 = _o218.vz_2;
+            V nx_2 = _o218.nx_2;
+            V ny_2 = _o218.ny_2;
+            V nz_2 = _o218.nz_2;
+            V turn_rate_2 = _o218.turn_rate_2;
+            const LANES(court_roll_2_out) _o219 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            V lift_2 = _o220.lift_2;
-            V tx_2 = _o220.tx_2;
-            V ty_2 = _o220.ty_2;
-            V tz_2 = _o220.tz_2;
-            V vx_3 = _o220.vx_3;
-            V vy_3 = _o220.vy_3;
-            V vz_3 = _o220.vz_3;
-            V nx_3 = _o220.nx_3;
-            V ny_3 = _o220.ny_3;
-            V nz_3 = _o220.nz_3;
-            V turn_rate_3 = _o220.turn_rate_3;
-            const LANES(court_roll_3_out) _o221 =
+            V lift_2 = _o219.lift_2;
+            V tx_2 = _o219.tx_2;
+            V ty_2 = _o219.ty_2;
+            V tz_2 = _o219.tz_2;
+            V vx_3 = _o219.vx_3;
+            V vy_3 = _o219.vy_3;
+            V vz_3 = _o219.vz_3;
+            V nx_3 = _o219.nx_3;
+            V ny_3 = _o219.ny_3;
+            V nz_3 = _o219.nz_3;
+            V turn_rate_3 = _o219.turn_rate_3;
+            const LANES(court_roll_3_out) _o220 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            V lift_3 = _o221.lift_3;
-            V tx_3 = _o221.tx_3;
-            V ty_3 = _o221.ty_3;
-            V tz_3 = _o221.tz_3;
-            V vx_4 = _o221.vx_4;
-            V vy_4 = _o221.vy_4;
-            V vz_4 = _o221.vz_4;
-            V nx_4 = _o221.nx_4;
-            V ny_4 = _o221.ny_4;
-            V nz_4 = _o221.nz_4;
-            V turn_rate_4 = _o221.turn_rate_4;
-            const LANES(court_roll_4_out) _o222 =
+            V lift_3 = _o220.lift_3;
+            V tx_3 = _o220.tx_3;
+            V ty_3 = _o220.ty_3;
+            V tz_3 = _o220.tz_3;
+            V vx_4 = _o220.vx_4;
+            V vy_4 = _o220.vy_4;
+            V vz_4 = _o220.vz_4;
+            V nx_4 = _o220.nx_4;
+            V ny_4 = _o220.ny_4;
+            V nz_4 = _o220.nz_4;
+            V turn_rate_4 = _o220.turn_rate_4;
+            const LANES(court_roll_4_out) _o221 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            V lift_4 = _o222.lift_4;
-            V tx_4 = _o222.tx_4;
-            V ty_4 = _o222.ty_4;
-            V tz_4 = _o222.tz_4;
-            V vx_5 = _o222.vx_5;
-            V vy_5 = _o222.vy_5;
-            V vz_5 = _o222.vz_5;
-            V nx_5 = _o222.nx_5;
-            V ny_5 = _o222.ny_5;
-            V nz_5 = _o222.nz_5;
-            V turn_rate_5 = _o222.turn_rate_5;
-            const LANES(court_roll_5_out) _o223 =
+            V lift_4 = _o221.lift_4;
+            V tx_4 = _o221.tx_4;
+            V ty_4 = _o221.ty_4;
+            V tz_4 = _o221.tz_4;
+            V vx_5 = _o221.vx_5;
+            V vy_5 = _o221.vy_5;
+            V vz_5 = _o221.vz_5;
+            V nx_5 = _o221.nx_5;
+            V ny_5 = _o221.ny_5;
+            V nz_5 = _o221.nz_5;
+            V turn_rate_5 = _o221.turn_rate_5;
+            const LANES(court_roll_5_out) _o222 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            V lift_5 = _o223.lift_5;
-            V tx_5 = _o223.tx_5;
-            V ty_5 = _o223.ty_5;
-            V tz_5 = _o223.tz_5;
-            V vx_6 = _o223.vx_6;
-            V vy_6 = _o223.vy_6;
-            V vz_6 = _o223.vz_6;
-            V nx_6 = _o223.nx_6;
-            V ny_6 = _o223.ny_6;
-            V nz_6 = _o223.nz_6;
-            V turn_rate_6 = _o223.turn_rate_6;
-            const LANES(court_roll_6_out) _o224 =
+            V lift_5 = _o222.lift_5;
+            V tx_5 = _o222.tx_5;
+            V ty_5 = _o222.ty_5;
+            V tz_5 = _o222.tz_5;
+            V vx_6 = _o222.vx_6;
+            V vy_6 = _o222.vy_6;
+            V vz_6 = _o222.vz_6;
+            V nx_6 = _o222.nx_6;
+            V ny_6 = _o222.ny_6;
+            V nz_6 = _o222.nz_6;
+            V turn_rate_6 = _o222.turn_rate_6;
+            const LANES(court_roll_6_out) _o223 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            V lift_6 = _o224.lift_6;
-            V tx_6 = _o224.tx_6;
-            V ty_6 = _o224.ty_6;
-            V tz_6 = _o224.tz_6;
-            V vx_7 = _o224.vx_7;
-            V vy_7 = _o224.vy_7;
-            V vz_7 = _o224.vz_7;
-            V nx_7 = _o224.nx_7;
-            V ny_7 = _o224.ny_7;
-            V nz_7 = _o224.nz_7;
-            V turn_rate_7 = _o224.turn_rate_7;
-            const LANES(court_roll_7_out) _o225 =
+            V lift_6 = _o223.lift_6;
+            V tx_6 = _o223.tx_6;
+            V ty_6 = _o223.ty_6;
+            V tz_6 = _o223.tz_6;
+            V vx_7 = _o223.vx_7;
+            V vy_7 = _o223.vy_7;
+            V vz_7 = _o223.vz_7;
+            V nx_7 = _o223.nx_7;
+            V ny_7 = _o223.ny_7;
+            V nz_7 = _o223.nz_7;
+            V turn_rate_7 = _o223.turn_rate_7;
+            const LANES(court_roll_7_out) _o224 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            V lift_7 = _o225.lift_7;
-            V vx_8 = _o225.vx_8;
-            V vy_8 = _o225.vy_8;
-            V vz_8 = _o225.vz_8;
-            V nx_8 = _o225.nx_8;
-            V ny_8 = _o225.ny_8;
-            V nz_8 = _o225.nz_8;
-            V turn_rate_8 = _o225.turn_rate_8;
-            const LANES(court_roll_pace_out) _o226 =
+            V lift_7 = _o224.lift_7;
+            V vx_8 = _o224.vx_8;
+            V vy_8 = _o224.vy_8;
+            V vz_8 = _o224.vz_8;
+            V nx_8 = _o224.nx_8;
+            V ny_8 = _o224.ny_8;
+            V nz_8 = _o224.nz_8;
+            V turn_rate_8 = _o224.turn_rate_8;
+            const LANES(court_roll_pace_out) _o225 =
                 LANES(court_roll_pace)(p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8);
-            V stride = _o226.stride;
-            V strongest = _o226.strongest;
-            V fastest = _o226.fastest;
-            V force = _o226.force;
-            V force_rate = _o226.force_rate;
-            V force_bend = _o226.force_bend;
-            V brace = _o226.brace;
-            const LANES(court_pulled_out) _o227 =
+            V stride = _o225.stride;
+            V strongest = _o225.strongest;
+            V fastest = _o225.fastest;
+            V force = _o225.force;
+            V force_rate = _o225.force_rate;
+            V force_bend = _o225.force_bend;
+            V brace = _o225.brace;
+            const LANES(court_pulled_out) _o226 =
                 LANES(court_pulled)(p_gravity, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-            V drag = _o227.drag;
-            V drag_rate = _o227.drag_rate;
-            V strain = _o227.strain;
-            V strain_rate = _o227.strain_rate;
-            const LANES(court_holding_out) _o228 =
+            V drag = _o226.drag;
+            V drag_rate = _o226.drag_rate;
+            V strain = _o226.strain;
+            V strain_rate = _o226.strain_rate;
+            const LANES(court_holding_out) _o227 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o228.here;
-            const M _m229 = lanes_both(active, here);
+            here = _o227.here;
+            const M _m228 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o230 =
+                const LANES(court_ring_impact_strained_out) _o229 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_backboard_friction);
-                strain = lanes_select(_m229, _o230.strain, strain);
-                strain_rate = lanes_select(_m229, _o230.strain_rate, strain_rate);
+                strain = lanes_select(_m228, _o229.strain, strain);
+                strain_rate = lanes_select(_m228, _o229.strain_rate, strain_rate);
             }
-            const LANES(court_holding_out) _o231 =
+            const LANES(court_holding_out) _o230 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o231.here;
-            const M _m232 = lanes_both(active, here);
+            here = _o230.here;
+            const M _m231 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o233 =
+                const LANES(court_ring_impact_strained_out) _o232 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_bridge_friction);
-                strain = lanes_select(_m232, _o233.strain, strain);
-                strain_rate = lanes_select(_m232, _o233.strain_rate, strain_rate);
+                strain = lanes_select(_m231, _o232.strain, strain);
+                strain_rate = lanes_select(_m231, _o232.strain_rate, strain_rate);
             }
-            const LANES(court_losing_out) _o234 =
+            const LANES(court_losing_out) _o233 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o234.loses;
-            const M _m235 = lanes_both(active, loses);
-            if (lanes_any(_m235)) {
-                const LANES(court_lost_grip_out) _o236 =
+            M loses = _o233.loses;
+            const M _m234 = lanes_both(active, loses);
+            if (lanes_any(_m234)) {
+                const LANES(court_lost_grip_out) _o235 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m235, _o236.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m234, _o235.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o237 =
+            const LANES(court_tightened_out) _o236 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o237.taut;
-            taut_rate = _o237.taut_rate;
-            taut_clock = _o237.taut_clock;
-            const LANES(court_leaving_force_out) _o238 =
+            taut = _o236.taut;
+            taut_rate = _o236.taut_rate;
+            taut_clock = _o236.taut_clock;
+            const LANES(court_leaving_force_out) _o237 =
                 LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o238.stride;
-            which = _o238.which;
-            M rests = _o238.rests;
-            doubt = _o238.doubt;
-            const LANES(court_beside_out) _o239 =
+            stride = _o237.stride;
+            which = _o237.which;
+            M rests = _o237.rests;
+            doubt = _o237.doubt;
+            const LANES(court_beside_out) _o238 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o239.beside;
-            const M _m240 = lanes_both(active, beside);
-            if (lanes_any(_m240)) {
-                const LANES(court_ring_beside_out) _o241 =
+            M beside = _o238.beside;
+            const M _m239 = lanes_both(active, beside);
+            if (lanes_any(_m239)) {
+                const LANES(court_ring_beside_out) _o240 =
                     LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o241.gap;
-                V nearing = _o241.nearing;
-                V dent = _o241.dent;
-                const LANES(court_beside_body_out) _o242 =
+                V gap = _o240.gap;
+                V nearing = _o240.nearing;
+                V dent = _o240.dent;
+                const LANES(court_beside_body_out) _o241 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(0.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m240, _o242.stride, stride);
-                which = lanes_select(_m240, _o242.which, which);
-                doubt = lanes_select(_m240, _o242.doubt, doubt);
-                late = lanes_select(_m240, _o242.late, late);
+                stride = lanes_select(_m239, _o241.stride, stride);
+                which = lanes_select(_m239, _o241.which, which);
+                doubt = lanes_select(_m239, _o241.doubt, doubt);
+                late = lanes_select(_m239, _o241.late, late);
             }
-            const LANES(court_beside_out) _o243 =
+            const LANES(court_beside_out) _o242 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o243.beside;
-            const M _m244 = lanes_both(active, beside);
-            if (lanes_any(_m244)) {
-                const LANES(court_backboard_beside_out) _o245 =
+            beside = _o242.beside;
+            const M _m243 = lanes_both(active, beside);
+            if (lanes_any(_m243)) {
+                const LANES(court_backboard_beside_out) _o244 =
                     LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                V gap = _o245.gap;
-                V nearing = _o245.nearing;
-                V dent = _o245.dent;
-                const LANES(court_beside_body_out) _o246 =
+                V gap = _o244.gap;
+                V nearing = _o244.nearing;
+                V dent = _o244.dent;
+                const LANES(court_beside_body_out) _o245 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m244, _o246.stride, stride);
-                which = lanes_select(_m244, _o246.which, which);
-                doubt = lanes_select(_m244, _o246.doubt, doubt);
-                late = lanes_select(_m244, _o246.late, late);
+                stride = lanes_select(_m243, _o245.stride, stride);
+                which = lanes_select(_m243, _o245.which, which);
+                doubt = lanes_select(_m243, _o245.doubt, doubt);
+                late = lanes_select(_m243, _o245.late, late);
             }
-            const LANES(court_beside_out) _o247 =
+            const LANES(court_beside_out) _o246 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o247.beside;
-            const M _m248 = lanes_both(active, beside);
-            if (lanes_any(_m248)) {
-                const LANES(court_bridge_beside_out) _o249 =
+            beside = _o246.beside;
+            const M _m247 = lanes_both(active, beside);
+            if (lanes_any(_m247)) {
+                const LANES(court_bridge_beside_out) _o248 =
                     LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                V gap = _o249.gap;
-                V nearing = _o249.nearing;
-                V dent = _o249.dent;
-                const LANES(court_beside_body_out) _o250 =
+                V gap = _o248.gap;
+                V nearing = _o248.nearing;
+                V dent = _o248.dent;
+                const LANES(court_beside_body_out) _o249 =
                     LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-                stride = lanes_select(_m248, _o250.stride, stride);
-                which = lanes_select(_m248, _o250.which, which);
-                doubt = lanes_select(_m248, _o250.doubt, doubt);
-                late = lanes_select(_m248, _o250.late, late);
+                stride = lanes_select(_m247, _o249.stride, stride);
+                which = lanes_select(_m247, _o249.which, which);
+                doubt = lanes_select(_m247, _o249.doubt, doubt);
+                late = lanes_select(_m247, _o249.late, late);
             }
-            const LANES(court_end_beside_out) _o251 =
+            const LANES(court_end_beside_out) _o250 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            V gap = _o251.gap;
-            V nearing = _o251.nearing;
-            V dent = _o251.dent;
-            const LANES(court_beside_gate_out) _o252 =
+            V gap = _o250.gap;
+            V nearing = _o250.nearing;
+            V dent = _o250.dent;
+            const LANES(court_beside_gate_out) _o251 =
                 LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o252.stride;
-            which = _o252.which;
-            doubt = _o252.doubt;
-            late = _o252.late;
-            const LANES(court_holding_out) _o253 =
+            stride = _o251.stride;
+            which = _o251.which;
+            doubt = _o251.doubt;
+            late = _o251.late;
+            const LANES(court_holding_out) _o252 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o253.here;
-            const M _m254 = lanes_both(active, here);
-            if (lanes_any(_m254)) {
-                const LANES(court_backboard_seam0_out) _o255 =
+            here = _o252.here;
+            const M _m253 = lanes_both(active, here);
+            if (lanes_any(_m253)) {
+                const LANES(court_backboard_seam0_out) _o254 =
                     LANES(court_backboard_seam0)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m254, _o255.gap, gap);
-                V nearing = _o255.nearing;
-                V near = _o255.near;
-                const LANES(court_beside_seam_out) _o256 =
+                gap = lanes_select(_m253, _o254.gap, gap);
+                V nearing = _o254.nearing;
+                V near = _o254.near;
+                const LANES(court_beside_seam_out) _o255 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m254, _o256.stride, stride);
-                const LANES(court_backboard_seam1_out) _o257 =
+                stride = lanes_select(_m253, _o255.stride, stride);
+                const LANES(court_backboard_seam1_out) _o256 =
                     LANES(court_backboard_seam1)(p_ball_radius, p_board_distance, p_board_thickness, vx, x);
-                gap = lanes_select(_m254, _o257.gap, gap);
-                nearing = _o257.nearing;
-                near = _o257.near;
-                const LANES(court_beside_seam_out) _o258 =
+                gap = lanes_select(_m253, _o256.gap, gap);
+                nearing = _o256.nearing;
+                near = _o256.near;
+                const LANES(court_beside_seam_out) _o257 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m254, _o258.stride, stride);
-                const LANES(court_backboard_seam2_out) _o259 =
+                stride = lanes_select(_m253, _o257.stride, stride);
+                const LANES(court_backboard_seam2_out) _o258 =
                     LANES(court_backboard_seam2)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m254, _o259.gap, gap);
-                nearing = _o259.nearing;
-                near = _o259.near;
-                const LANES(court_beside_seam_out) _o260 =
+                gap = lanes_select(_m253, _o258.gap, gap);
+                nearing = _o258.nearing;
+                near = _o258.near;
+                const LANES(court_beside_seam_out) _o259 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m254, _o260.stride, stride);
-                const LANES(court_backboard_seam3_out) _o261 =
+                stride = lanes_select(_m253, _o259.stride, stride);
+                const LANES(court_backboard_seam3_out) _o260 =
                     LANES(court_backboard_seam3)(p_ball_radius, p_board_half_width, vy, y);
-                gap = lanes_select(_m254, _o261.gap, gap);
-                nearing = _o261.nearing;
-                near = _o261.near;
-                const LANES(court_beside_seam_out) _o262 =
+                gap = lanes_select(_m253, _o260.gap, gap);
+                nearing = _o260.nearing;
+                near = _o260.near;
+                const LANES(court_beside_seam_out) _o261 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m254, _o262.stride, stride);
-                const LANES(court_backboard_seam4_out) _o263 =
+                stride = lanes_select(_m253, _o261.stride, stride);
+                const LANES(court_backboard_seam4_out) _o262 =
                     LANES(court_backboard_seam4)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m254, _o263.gap, gap);
-                nearing = _o263.nearing;
-                near = _o263.near;
-                const LANES(court_beside_seam_out) _o264 =
+                gap = lanes_select(_m253, _o262.gap, gap);
+                nearing = _o262.nearing;
+                near = _o262.near;
+                const LANES(court_beside_seam_out) _o263 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m254, _o264.stride, stride);
-                const LANES(court_backboard_seam5_out) _o265 =
+                stride = lanes_select(_m253, _o263.stride, stride);
+                const LANES(court_backboard_seam5_out) _o264 =
                     LANES(court_backboard_seam5)(p_ball_radius, p_board_bottom, p_board_top, vz, z);
-                gap = lanes_select(_m254, _o265.gap, gap);
-                nearing = _o265.nearing;
-                near = _o265.near;
-                const LANES(court_beside_seam_out) _o266 =
+                gap = lanes_select(_m253, _o264.gap, gap);
+                nearing = _o264.nearing;
+                near = _o264.near;
+                const LANES(court_beside_seam_out) _o265 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m254, _o266.stride, stride);
+                stride = lanes_select(_m253, _o265.stride, stride);
             }
-            const LANES(court_holding_out) _o267 =
+            const LANES(court_holding_out) _o266 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o267.here;
-            const M _m268 = lanes_both(active, here);
-            if (lanes_any(_m268)) {
-                const LANES(court_bridge_seam0_out) _o269 =
+            here = _o266.here;
+            const M _m267 = lanes_both(active, here);
+            if (lanes_any(_m267)) {
+                const LANES(court_bridge_seam0_out) _o268 =
                     LANES(court_bridge_seam0)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m268, _o269.gap, gap);
-                V nearing = _o269.nearing;
-                V near = _o269.near;
-                const LANES(court_beside_seam_out) _o270 =
+                gap = lanes_select(_m267, _o268.gap, gap);
+                V nearing = _o268.nearing;
+                V near = _o268.near;
+                const LANES(court_beside_seam_out) _o269 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m268, _o270.stride, stride);
-                const LANES(court_bridge_seam1_out) _o271 =
+                stride = lanes_select(_m267, _o269.stride, stride);
+                const LANES(court_bridge_seam1_out) _o270 =
                     LANES(court_bridge_seam1)(p_ball_radius, p_board_distance, p_ring_radius, vx, x);
-                gap = lanes_select(_m268, _o271.gap, gap);
-                nearing = _o271.nearing;
-                near = _o271.near;
-                const LANES(court_beside_seam_out) _o272 =
+                gap = lanes_select(_m267, _o270.gap, gap);
+                nearing = _o270.nearing;
+                near = _o270.near;
+                const LANES(court_beside_seam_out) _o271 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m268, _o272.stride, stride);
-                const LANES(court_bridge_seam2_out) _o273 =
+                stride = lanes_select(_m267, _o271.stride, stride);
+                const LANES(court_bridge_seam2_out) _o272 =
                     LANES(court_bridge_seam2)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m268, _o273.gap, gap);
-                nearing = _o273.nearing;
-                near = _o273.near;
-                const LANES(court_beside_seam_out) _o274 =
+                gap = lanes_select(_m267, _o272.gap, gap);
+                nearing = _o272.nearing;
+                near = _o272.near;
+                const LANES(court_beside_seam_out) _o273 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m268, _o274.stride, stride);
-                const LANES(court_bridge_seam3_out) _o275 =
+                stride = lanes_select(_m267, _o273.stride, stride);
+                const LANES(court_bridge_seam3_out) _o274 =
                     LANES(court_bridge_seam3)(p_ball_radius, p_bridge_half_width, vy, y);
-                gap = lanes_select(_m268, _o275.gap, gap);
-                nearing = _o275.nearing;
-                near = _o275.near;
-                const LANES(court_beside_seam_out) _o276 =
+                gap = lanes_select(_m267, _o274.gap, gap);
+                nearing = _o274.nearing;
+                near = _o274.near;
+                const LANES(court_beside_seam_out) _o275 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m268, _o276.stride, stride);
-                const LANES(court_bridge_seam4_out) _o277 =
+                stride = lanes_select(_m267, _o275.stride, stride);
+                const LANES(court_bridge_seam4_out) _o276 =
                     LANES(court_bridge_seam4)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m268, _o277.gap, gap);
-                nearing = _o277.nearing;
-                near = _o277.near;
-                const LANES(court_beside_seam_out) _o278 =
+                gap = lanes_select(_m267, _o276.gap, gap);
+                nearing = _o276.nearing;
+                near = _o276.near;
+                const LANES(court_beside_seam_out) _o277 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m268, _o278.stride, stride);
-                const LANES(court_bridge_seam5_out) _o279 =
+                stride = lanes_select(_m267, _o277.stride, stride);
+                const LANES(court_bridge_seam5_out) _o278 =
                     LANES(court_bridge_seam5)(p_ball_radius, p_bridge_depth, vz, p_wire_radius, z);
-                gap = lanes_select(_m268, _o279.gap, gap);
-                nearing = _o279.nearing;
-                near = _o279.near;
-                const LANES(court_beside_seam_out) _o280 =
+                gap = lanes_select(_m267, _o278.gap, gap);
+                nearing = _o278.nearing;
+                near = _o278.near;
+                const LANES(court_beside_seam_out) _o279 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m268, _o280.stride, stride);
+                stride = lanes_select(_m267, _o279.stride, stride);
             }
-            const LANES(court_beside_time_out) _o281 =
+            const LANES(court_beside_time_out) _o280 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o281.stride;
-            which = _o281.which;
-            const LANES(court_apart_out) _o282 =
+            stride = _o280.stride;
+            which = _o280.which;
+            const LANES(court_apart_out) _o281 =
                 LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-            V apart = _o282.apart;
-            const LANES(court_neighbour_out) _o283 =
+            V apart = _o281.apart;
+            const LANES(court_neighbour_out) _o282 =
                 LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o283.far_x;
-            V far_y = _o283.far_y;
-            V far_z = _o283.far_z;
-            V far_vx = _o283.far_vx;
-            V far_vy = _o283.far_vy;
-            V far_vz = _o283.far_vz;
-            V far_wx = _o283.far_wx;
-            V far_wy = _o283.far_wy;
-            V far_wz = _o283.far_wz;
-            V far_nx = _o283.far_nx;
-            V far_ny = _o283.far_ny;
-            V far_nz = _o283.far_nz;
-            V far_gap = _o283.far_gap;
-            const LANES(court_passing_from_out) _o284 =
+            V far_x = _o282.far_x;
+            V far_y = _o282.far_y;
+            V far_z = _o282.far_z;
+            V far_vx = _o282.far_vx;
+            V far_vy = _o282.far_vy;
+            V far_vz = _o282.far_vz;
+            V far_wx = _o282.far_wx;
+            V far_wy = _o282.far_wy;
+            V far_wz = _o282.far_wz;
+            V far_nx = _o282.far_nx;
+            V far_ny = _o282.far_ny;
+            V far_nz = _o282.far_nz;
+            V far_gap = _o282.far_gap;
+            const LANES(court_passing_from_out) _o283 =
                 LANES(court_passing_from)(z);
-            M over = _o284.over;
-            const LANES(court_roll_moved_out) _o285 =
+            M over = _o283.over;
+            const LANES(court_roll_moved_out) _o284 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o285.x;
-            vx = _o285.vx;
-            y = _o285.y;
-            vy = _o285.vy;
-            z = _o285.z;
-            vz = _o285.vz;
-            V turn_rate = _o285.turn_rate;
-            const LANES(court_holding_out) _o286 =
+            x = _o284.x;
+            vx = _o284.vx;
+            y = _o284.y;
+            vy = _o284.vy;
+            z = _o284.z;
+            vz = _o284.vz;
+            V turn_rate = _o284.turn_rate;
+            const LANES(court_holding_out) _o285 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o286.here;
-            const M _m287 = lanes_both(active, here);
-            if (lanes_any(_m287)) {
-                const LANES(court_backboard_normal_out) _o288 =
+            here = _o285.here;
+            const M _m286 = lanes_both(active, here);
+            if (lanes_any(_m286)) {
+                const LANES(court_backboard_normal_out) _o287 =
                     LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = lanes_select(_m287, _o288.nx, nx);
-                ny = lanes_select(_m287, _o288.ny, ny);
-                nz = lanes_select(_m287, _o288.nz, nz);
-                const LANES(court_backboard_off_out) _o289 =
+                nx = lanes_select(_m286, _o287.nx, nx);
+                ny = lanes_select(_m286, _o287.ny, ny);
+                nz = lanes_select(_m286, _o287.nz, nz);
+                const LANES(court_backboard_off_out) _o288 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                gap = lanes_select(_m287, _o289.gap, gap);
+                gap = lanes_select(_m286, _o288.gap, gap);
             }
-            const LANES(court_holding_out) _o290 =
+            const LANES(court_holding_out) _o289 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o290.here;
-            const M _m291 = lanes_both(active, here);
-            if (lanes_any(_m291)) {
-                const LANES(court_bridge_normal_out) _o292 =
+            here = _o289.here;
+            const M _m290 = lanes_both(active, here);
+            if (lanes_any(_m290)) {
+                const LANES(court_bridge_normal_out) _o291 =
                     LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = lanes_select(_m291, _o292.nx, nx);
-                ny = lanes_select(_m291, _o292.ny, ny);
-                nz = lanes_select(_m291, _o292.nz, nz);
-                const LANES(court_bridge_off_out) _o293 =
+                nx = lanes_select(_m290, _o291.nx, nx);
+                ny = lanes_select(_m290, _o291.ny, ny);
+                nz = lanes_select(_m290, _o291.nz, nz);
+                const LANES(court_bridge_off_out) _o292 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                gap = lanes_select(_m291, _o293.gap, gap);
+                gap = lanes_select(_m290, _o292.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o294 =
+            const LANES(court_roll_placed_out) _o293 =
                 LANES(court_roll_placed)(p_ball_radius, gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z);
-            x = _o294.x;
-            y = _o294.y;
-            z = _o294.z;
-            vx = _o294.vx;
-            vy = _o294.vy;
-            vz = _o294.vz;
-            wx = _o294.wx;
-            wy = _o294.wy;
-            wz = _o294.wz;
-            const LANES(court_passing_in_contact_out) _o295 =
+            x = _o293.x;
+            y = _o293.y;
+            z = _o293.z;
+            vx = _o293.vx;
+            vy = _o293.vy;
+            vz = _o293.vz;
+            wx = _o293.wx;
+            wy = _o293.wy;
+            wz = _o293.wz;
+            const LANES(court_passing_in_contact_out) _o294 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o295.through;
-            const LANES(court_holding_out) _o296 =
+            through = _o294.through;
+            const LANES(court_holding_out) _o295 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o296.here;
-            const M _m297 = lanes_both(active, here);
+            here = _o295.here;
+            const M _m296 = lanes_both(active, here);
             {
-                const LANES(court_backboard_normal_out) _o298 =
+                const LANES(court_backboard_normal_out) _o297 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m297, _o298.nx, far_nx);
-                far_ny = lanes_select(_m297, _o298.ny, far_ny);
-                far_nz = lanes_select(_m297, _o298.nz, far_nz);
+                far_nx = lanes_select(_m296, _o297.nx, far_nx);
+                far_ny = lanes_select(_m296, _o297.ny, far_ny);
+                far_nz = lanes_select(_m296, _o297.nz, far_nz);
             }
-            const LANES(court_holding_out) _o299 =
+            const LANES(court_holding_out) _o298 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o299.here;
-            const M _m300 = lanes_both(active, here);
+            here = _o298.here;
+            const M _m299 = lanes_both(active, here);
             {
-                const LANES(court_bridge_normal_out) _o301 =
+                const LANES(court_bridge_normal_out) _o300 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m300, _o301.nx, far_nx);
-                far_ny = lanes_select(_m300, _o301.ny, far_ny);
-                far_nz = lanes_select(_m300, _o301.nz, far_nz);
+                far_nx = lanes_select(_m299, _o300.nx, far_nx);
+                far_ny = lanes_select(_m299, _o300.ny, far_ny);
+                far_nz = lanes_select(_m299, _o300.nz, far_nz);
             }
-            const LANES(court_roll_turn_rate_out) _o302 =
+            const LANES(court_roll_turn_rate_out) _o301 =
                 LANES(court_roll_turn_rate)(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
-            turn_rate = _o302.turn_rate;
-            const LANES(court_holding_out) _o303 =
+            turn_rate = _o301.turn_rate;
+            const LANES(court_holding_out) _o302 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o303.here;
-            const M _m304 = lanes_both(active, here);
-            if (lanes_any(_m304)) {
-                const LANES(court_backboard_normal_out) _o305 =
+            here = _o302.here;
+            const M _m303 = lanes_both(active, here);
+            if (lanes_any(_m303)) {
+                const LANES(court_backboard_normal_out) _o304 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m304, _o305.nx, far_nx);
-                far_ny = lanes_select(_m304, _o305.ny, far_ny);
-                far_nz = lanes_select(_m304, _o305.nz, far_nz);
-                const LANES(court_backboard_off_out) _o306 =
+                far_nx = lanes_select(_m303, _o304.nx, far_nx);
+                far_ny = lanes_select(_m303, _o304.ny, far_ny);
+                far_nz = lanes_select(_m303, _o304.nz, far_nz);
+                const LANES(court_backboard_off_out) _o305 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                far_gap = lanes_select(_m304, _o306.gap, far_gap);
+                far_gap = lanes_select(_m303, _o305.gap, far_gap);
             }
-            const LANES(court_holding_out) _o307 =
+            const LANES(court_holding_out) _o306 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o307.here;
-            const M _m308 = lanes_both(active, here);
-            if (lanes_any(_m308)) {
-                const LANES(court_bridge_normal_out) _o309 =
+            here = _o306.here;
+            const M _m307 = lanes_both(active, here);
+            if (lanes_any(_m307)) {
+                const LANES(court_bridge_normal_out) _o308 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m308, _o309.nx, far_nx);
-                far_ny = lanes_select(_m308, _o309.ny, far_ny);
-                far_nz = lanes_select(_m308, _o309.nz, far_nz);
-                const LANES(court_bridge_off_out) _o310 =
+                far_nx = lanes_select(_m307, _o308.nx, far_nx);
+                far_ny = lanes_select(_m307, _o308.ny, far_ny);
+                far_nz = lanes_select(_m307, _o308.nz, far_nz);
+                const LANES(court_bridge_off_out) _o309 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                far_gap = lanes_select(_m308, _o310.gap, far_gap);
+                far_gap = lanes_select(_m307, _o309.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o311 =
+            const LANES(court_roll_placed_out) _o310 =
                 LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-            far_x = _o311.x;
-            far_y = _o311.y;
-            far_z = _o311.z;
-            far_vx = _o311.vx;
-            far_vy = _o311.vy;
-            far_vz = _o311.vz;
-            far_wx = _o311.wx;
-            far_wy = _o311.wy;
-            far_wz = _o311.wz;
-            const LANES(court_roll_start_out) _o312 =
+            far_x = _o310.x;
+            far_y = _o310.y;
+            far_z = _o310.z;
+            far_vx = _o310.vx;
+            far_vy = _o310.vy;
+            far_vz = _o310.vz;
+            far_wx = _o310.wx;
+            far_wy = _o310.wy;
+            far_wz = _o310.wz;
+            const LANES(court_roll_start_out) _o311 =
                 LANES(court_roll_start)(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
-            vx_0 = _o312.vx_0;
-            vy_0 = _o312.vy_0;
-            vz_0 = _o312.vz_0;
-            nx_0 = _o312.nx_0;
-            ny_0 = _o312.ny_0;
-            nz_0 = _o312.nz_0;
-            turn_rate_0 = _o312.turn_rate_0;
-            const LANES(court_roll_0_out) _o313 =
+            vx_0 = _o311.vx_0;
+            vy_0 = _o311.vy_0;
+            vz_0 = _o311.vz_0;
+            nx_0 = _o311.nx_0;
+            ny_0 = _o311.ny_0;
+            nz_0 = _o311.nz_0;
+            turn_rate_0 = _o311.turn_rate_0;
+            const LANES(court_roll_0_out) _o312 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, p_gravity, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0);
-            lift_0 = _o313.lift_0;
-            tx_0 = _o313.tx_0;
-            ty_0 = _o313.ty_0;
-            tz_0 = _o313.tz_0;
-            vx_1 = _o313.vx_1;
-            vy_1 = _o313.vy_1;
-            vz_1 = _o313.vz_1;
-            nx_1 = _o313.nx_1;
-            ny_1 = _o313.ny_1;
-            nz_1 = _o313.nz_1;
-            turn_rate_1 = _o313.turn_rate_1;
-            const LANES(court_roll_1_out) _o314 =
+            lift_0 = _o312.lift_0;
+            tx_0 = _o312.tx_0;
+            ty_0 = _o312.ty_0;
+            tz_0 = _o312.tz_0;
+            vx_1 = _o312.vx_1;
+            vy_1 = _o312.vy_1;
+            vz_1 = _o312.vz_1;
+            nx_1 = _o312.nx_1;
+            ny_1 = _o312.ny_1;
+            nz_1 = _o312.nz_1;
+            turn_rate_1 = _o312.turn_rate_1;
+            const LANES(court_roll_1_out) _o313 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, p_gravity, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1);
-            lift_1 = _o314.lift_1;
-            tx_1 = _o314.tx_1;
-            ty_1 = _o314.ty_1;
-            tz_1 = _o314.tz_1;
-            vx_2 = _o314.vx_2;
-            vy_2 = _o314.vy_2;
-            vz_2 = _o314.vz_2;
-            nx_2 = _o314.nx_2;
-            ny_2 = _o314.ny_2;
-            nz_2 = _o314.nz_2;
-            turn_rate_2 = _o314.turn_rate_2;
-            const LANES(court_roll_2_out) _o315 =
+            lift_1 = _o313.lift_1;
+            tx_1 = _o313.tx_1;
+            ty_1 = _o313.ty_1;
+            tz_1 = _o313.tz_1;
+            vx_2 = _o313.vx_2;
+            vy_2 = _o313.vy_2;
+            vz_2 = _o313.vz_2;
+            nx_2 = _o313.nx_2;
+            ny_2 = _o313.ny_2;
+            nz_2 = _o313.nz_2;
+            turn_rate_2 = _o313.turn_rate_2;
+            const LANES(court_roll_2_out) _o314 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2);
-            lift_2 = _o315.lift_2;
-            tx_2 = _o315.tx_2;
-            ty_2 = _o315.ty_2;
-            tz_2 = _o315.tz_2;
-            vx_3 = _o315.vx_3;
-            vy_3 = _o315.vy_3;
-            vz_3 = _o315.vz_3;
-            nx_3 = _o315.nx_3;
-            ny_3 = _o315.ny_3;
-            nz_3 = _o315.nz_3;
-            turn_rate_3 = _o315.turn_rate_3;
-            const LANES(court_roll_3_out) _o316 =
+            lift_2 = _o314.lift_2;
+            tx_2 = _o314.tx_2;
+            ty_2 = _o314.ty_2;
+            tz_2 = _o314.tz_2;
+            vx_3 = _o314.vx_3;
+            vy_3 = _o314.vy_3;
+            vz_3 = _o314.vz_3;
+            nx_3 = _o314.nx_3;
+            ny_3 = _o314.ny_3;
+            nz_3 = _o314.nz_3;
+            turn_rate_3 = _o314.turn_rate_3;
+            const LANES(court_roll_3_out) _o315 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3);
-            lift_3 = _o316.lift_3;
-            tx_3 = _o316.tx_3;
-            ty_3 = _o316.ty_3;
-            tz_3 = _o316.tz_3;
-            vx_4 = _o316.vx_4;
-            vy_4 = _o316.vy_4;
-            vz_4 = _o316.vz_4;
-            nx_4 = _o316.nx_4;
-            ny_4 = _o316.ny_4;
-            nz_4 = _o316.nz_4;
-            turn_rate_4 = _o316.turn_rate_4;
-            const LANES(court_roll_4_out) _o317 =
+            lift_3 = _o315.lift_3;
+            tx_3 = _o315.tx_3;
+            ty_3 = _o315.ty_3;
+            tz_3 = _o315.tz_3;
+            vx_4 = _o315.vx_4;
+            vy_4 = _o315.vy_4;
+            vz_4 = _o315.vz_4;
+            nx_4 = _o315.nx_4;
+            ny_4 = _o315.ny_4;
+            nz_4 = _o315.nz_4;
+            turn_rate_4 = _o315.turn_rate_4;
+            const LANES(court_roll_4_out) _o316 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4);
-            lift_4 = _o317.lift_4;
-            tx_4 = _o317.tx_4;
-            ty_4 = _o317.ty_4;
-            tz_4 = _o317.tz_4;
-            vx_5 = _o317.vx_5;
-            vy_5 = _o317.vy_5;
-            vz_5 = _o317.vz_5;
-            nx_5 = _o317.nx_5;
-            ny_5 = _o317.ny_5;
-            nz_5 = _o317.nz_5;
-            turn_rate_5 = _o317.turn_rate_5;
-            const LANES(court_roll_5_out) _o318 =
+            lift_4 = _o316.lift_4;
+            tx_4 = _o316.tx_4;
+            ty_4 = _o316.ty_4;
+            tz_4 = _o316.tz_4;
+            vx_5 = _o316.vx_5;
+            vy_5 = _o316.vy_5;
+            vz_5 = _o316.vz_5;
+            nx_5 = _o316.nx_5;
+            ny_5 = _o316.ny_5;
+            nz_5 = _o316.nz_5;
+            turn_rate_5 = _o316.turn_rate_5;
+            const LANES(court_roll_5_out) _o317 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5);
-            lift_5 = _o318.lift_5;
-            tx_5 = _o318.tx_5;
-            ty_5 = _o318.ty_5;
-            tz_5 = _o318.tz_5;
-            vx_6 = _o318.vx_6;
-            vy_6 = _o318.vy_6;
-            vz_6 = _o318.vz_6;
-            nx_6 = _o318.nx_6;
-            ny_6 = _o318.ny_6;
-            nz_6 = _o318.nz_6;
-            turn_rate_6 = _o318.turn_rate_6;
-            const LANES(court_roll_6_out) _o319 =
+            lift_5 = _o317.lift_5;
+            tx_5 = _o317.tx_5;
+            ty_5 = _o317.ty_5;
+            tz_5 = _o317.tz_5;
+            vx_6 = _o317.vx_6;
+            vy_6 = _o317.vy_6;
+            vz_6 = _o317.vz_6;
+            nx_6 = _o317.nx_6;
+            ny_6 = _o317.ny_6;
+            nz_6 = _o317.nz_6;
+            turn_rate_6 = _o317.turn_rate_6;
+            const LANES(court_roll_6_out) _o318 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6);
-            lift_6 = _o319.lift_6;
-            tx_6 = _o319.tx_6;
-            ty_6 = _o319.ty_6;
-            tz_6 = _o319.tz_6;
-            vx_7 = _o319.vx_7;
-            vy_7 = _o319.vy_7;
-            vz_7 = _o319.vz_7;
-            nx_7 = _o319.nx_7;
-            ny_7 = _o319.ny_7;
-            nz_7 = _o319.nz_7;
-            turn_rate_7 = _o319.turn_rate_7;
-            const LANES(court_roll_7_out) _o320 =
+            lift_6 = _o318.lift_6;
+            tx_6 = _o318.tx_6;
+            ty_6 = _o318.ty_6;
+            tz_6 = _o318.tz_6;
+            vx_7 = _o318.vx_7;
+            vy_7 = _o318.vy_7;
+            vz_7 = _o318.vz_7;
+            nx_7 = _o318.nx_7;
+            ny_7 = _o318.ny_7;
+            nz_7 = _o318.nz_7;
+            turn_rate_7 = _o318.turn_rate_7;
+            const LANES(court_roll_7_out) _o319 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, p_gravity, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7);
-            vx_8 = _o320.vx_8;
-            vy_8 = _o320.vy_8;
-            vz_8 = _o320.vz_8;
-            turn_rate_8 = _o320.turn_rate_8;
-            const LANES(court_roll_moved_out) _o321 =
+            vx_8 = _o319.vx_8;
+            vy_8 = _o319.vy_8;
+            vz_8 = _o319.vz_8;
+            turn_rate_8 = _o319.turn_rate_8;
+            const LANES(court_roll_moved_out) _o320 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, far_x, far_y, far_z);
-            far_x = _o321.x;
-            far_vx = _o321.vx;
-            far_y = _o321.y;
-            far_vy = _o321.vy;
-            far_z = _o321.z;
-            far_vz = _o321.vz;
-            turn_rate = _o321.turn_rate;
-            const LANES(court_holding_out) _o322 =
+            far_x = _o320.x;
+            far_vx = _o320.vx;
+            far_y = _o320.y;
+            far_vy = _o320.vy;
+            far_z = _o320.z;
+            far_vz = _o320.vz;
+            turn_rate = _o320.turn_rate;
+            const LANES(court_holding_out) _o321 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o322.here;
-            const M _m323 = lanes_both(active, here);
-            if (lanes_any(_m323)) {
-                const LANES(court_backboard_normal_out) _o324 =
+            here = _o321.here;
+            const M _m322 = lanes_both(active, here);
+            if (lanes_any(_m322)) {
+                const LANES(court_backboard_normal_out) _o323 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                far_nx = lanes_select(_m323, _o324.nx, far_nx);
-                far_ny = lanes_select(_m323, _o324.ny, far_ny);
-                far_nz = lanes_select(_m323, _o324.nz, far_nz);
-                const LANES(court_backboard_off_out) _o325 =
+                far_nx = lanes_select(_m322, _o323.nx, far_nx);
+                far_ny = lanes_select(_m322, _o323.ny, far_ny);
+                far_nz = lanes_select(_m322, _o323.nz, far_nz);
+                const LANES(court_backboard_off_out) _o324 =
                     LANES(court_backboard_off)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                far_gap = lanes_select(_m323, _o325.gap, far_gap);
+                far_gap = lanes_select(_m322, _o324.gap, far_gap);
             }
-            const LANES(court_holding_out) _o326 =
+            const LANES(court_holding_out) _o325 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o326.here;
-            const M _m327 = lanes_both(active, here);
-            if (lanes_any(_m327)) {
-                const LANES(court_bridge_normal_out) _o328 =
+            here = _o325.here;
+            const M _m326 = lanes_both(active, here);
+            if (lanes_any(_m326)) {
+                const LANES(court_bridge_normal_out) _o327 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                far_nx = lanes_select(_m327, _o328.nx, far_nx);
-                far_ny = lanes_select(_m327, _o328.ny, far_ny);
-                far_nz = lanes_select(_m327, _o328.nz, far_nz);
-                const LANES(court_bridge_off_out) _o329 =
+                far_nx = lanes_select(_m326, _o327.nx, far_nx);
+                far_ny = lanes_select(_m326, _o327.ny, far_ny);
+                far_nz = lanes_select(_m326, _o327.nz, far_nz);
+                const LANES(court_bridge_off_out) _o328 =
                     LANES(court_bridge_off)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
-                far_gap = lanes_select(_m327, _o329.gap, far_gap);
+                far_gap = lanes_select(_m326, _o328.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o330 =
+            const LANES(court_roll_placed_out) _o329 =
                 LANES(court_roll_placed)(p_ball_radius, far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z);
-            far_x = _o330.x;
-            far_y = _o330.y;
-            far_z = _o330.z;
-            far_vx = _o330.vx;
-            far_vy = _o330.vy;
-            far_vz = _o330.vz;
-            far_wx = _o330.wx;
-            far_wy = _o330.wy;
-            far_wz = _o330.wz;
-            const LANES(court_compared_out) _o331 =
+            far_x = _o329.x;
+            far_y = _o329.y;
+            far_z = _o329.z;
+            far_vx = _o329.vx;
+            far_vy = _o329.vy;
+            far_vz = _o329.vz;
+            far_wx = _o329.wx;
+            far_wy = _o329.wy;
+            far_wz = _o329.wz;
+            const LANES(court_compared_out) _o330 =
                 LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-            dx = _o331.dx;
-            dy = _o331.dy;
-            dz = _o331.dz;
-            dvx = _o331.dvx;
-            dvy = _o331.dvy;
-            dvz = _o331.dvz;
-            dwx = _o331.dwx;
-            dwy = _o331.dwy;
-            dwz = _o331.dwz;
-            const LANES(court_rolled_on_out) _o332 =
+            dx = _o330.dx;
+            dy = _o330.dy;
+            dz = _o330.dz;
+            dvx = _o330.dvx;
+            dvy = _o330.dvy;
+            dvz = _o330.dvz;
+            dwx = _o330.dwx;
+            dwy = _o330.dwy;
+            dwz = _o330.dwz;
+            const LANES(court_rolled_on_out) _o331 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o332.clock;
-            rolling = _o332.rolling;
+            clock = _o331.clock;
+            rolling = _o331.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -8048,562 +8044,562 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_error_bounds_out) _o333 =
+            const LANES(court_error_bounds_out) _o332 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o333.position_error;
-            V velocity_error = _o333.velocity_error;
-            const LANES(court_ring_tube_out) _o334 =
+            V position_error = _o332.position_error;
+            V velocity_error = _o332.velocity_error;
+            const LANES(court_ring_tube_out) _o333 =
                 LANES(court_ring_tube)(p_ball_radius, p_wire_radius);
-            V per_reach = _o334.per_reach;
-            const LANES(court_ring_round_start_out) _o335 =
+            V per_reach = _o333.per_reach;
+            const LANES(court_ring_round_start_out) _o334 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, wx, wy, wz, x, y, z);
-            V cosine_0 = _o335.cosine_0;
-            V sine_0 = _o335.sine_0;
-            V climb_0 = _o335.climb_0;
-            V along_0 = _o335.along_0;
-            V turn_rate_0 = _o335.turn_rate_0;
-            V cos_0 = _o335.cos_0;
-            V sin_0 = _o335.sin_0;
-            V near_0 = _o335.near_0;
-            const LANES(court_ring_round_0_out) _o336 =
+            V cosine_0 = _o334.cosine_0;
+            V sine_0 = _o334.sine_0;
+            V climb_0 = _o334.climb_0;
+            V along_0 = _o334.along_0;
+            V turn_rate_0 = _o334.turn_rate_0;
+            V cos_0 = _o334.cos_0;
+            V sin_0 = _o334.sin_0;
+            V near_0 = _o334.near_0;
+            const LANES(court_ring_round_0_out) _o335 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            V omega_0 = _o336.omega_0;
-            V around_0 = _o336.around_0;
-            V tilted_0 = _o336.tilted_0;
-            V pressed_0 = _o336.pressed_0;
-            V force_0 = _o336.force_0;
-            V cosine_1 = _o336.cosine_1;
-            V sine_1 = _o336.sine_1;
-            V climb_1 = _o336.climb_1;
-            V along_1 = _o336.along_1;
-            V turn_rate_1 = _o336.turn_rate_1;
-            V cos_1 = _o336.cos_1;
-            V sin_1 = _o336.sin_1;
-            const LANES(court_ring_round_1_out) _o337 =
+            V omega_0 = _o335.omega_0;
+            V around_0 = _o335.around_0;
+            V tilted_0 = _o335.tilted_0;
+            V pressed_0 = _o335.pressed_0;
+            V force_0 = _o335.force_0;
+            V cosine_1 = _o335.cosine_1;
+            V sine_1 = _o335.sine_1;
+            V climb_1 = _o335.climb_1;
+            V along_1 = _o335.along_1;
+            V turn_rate_1 = _o335.turn_rate_1;
+            V cos_1 = _o335.cos_1;
+            V sin_1 = _o335.sin_1;
+            const LANES(court_ring_round_1_out) _o336 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            V near_1 = _o337.near_1;
-            V omega_1 = _o337.omega_1;
-            V around_1 = _o337.around_1;
-            V tilted_1 = _o337.tilted_1;
-            V pressed_1 = _o337.pressed_1;
-            V force_1 = _o337.force_1;
-            V cosine_2 = _o337.cosine_2;
-            V sine_2 = _o337.sine_2;
-            V climb_2 = _o337.climb_2;
-            V along_2 = _o337.along_2;
-            V turn_rate_2 = _o337.turn_rate_2;
-            V cos_2 = _o337.cos_2;
-            V sin_2 = _o337.sin_2;
-            const LANES(court_ring_round_2_out) _o338 =
+            V near_1 = _o336.near_1;
+            V omega_1 = _o336.omega_1;
+            V around_1 = _o336.around_1;
+            V tilted_1 = _o336.tilted_1;
+            V pressed_1 = _o336.pressed_1;
+            V force_1 = _o336.force_1;
+            V cosine_2 = _o336.cosine_2;
+            V sine_2 = _o336.sine_2;
+            V climb_2 = _o336.climb_2;
+            V along_2 = _o336.along_2;
+            V turn_rate_2 = _o336.turn_rate_2;
+            V cos_2 = _o336.cos_2;
+            V sin_2 = _o336.sin_2;
+            const LANES(court_ring_round_2_out) _o337 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            V near_2 = _o338.near_2;
-            V omega_2 = _o338.omega_2;
-            V around_2 = _o338.around_2;
-            V tilted_2 = _o338.tilted_2;
-            V pressed_2 = _o338.pressed_2;
-            V force_2 = _o338.force_2;
-            V cosine_3 = _o338.cosine_3;
-            V sine_3 = _o338.sine_3;
-            V climb_3 = _o338.climb_3;
-            V along_3 = _o338.along_3;
-            V turn_rate_3 = _o338.turn_rate_3;
-            V cos_3 = _o338.cos_3;
-            V sin_3 = _o338.sin_3;
-            const LANES(court_ring_round_3_out) _o339 =
+            V near_2 = _o337.near_2;
+            V omega_2 = _o337.omega_2;
+            V around_2 = _o337.around_2;
+            V tilted_2 = _o337.tilted_2;
+            V pressed_2 = _o337.pressed_2;
+            V force_2 = _o337.force_2;
+            V cosine_3 = _o337.cosine_3;
+            V sine_3 = _o337.sine_3;
+            V climb_3 = _o337.climb_3;
+            V along_3 = _o337.along_3;
+            V turn_rate_3 = _o337.turn_rate_3;
+            V cos_3 = _o337.cos_3;
+            V sin_3 = _o337.sin_3;
+            const LANES(court_ring_round_3_out) _o338 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            V near_3 = _o339.near_3;
-            V omega_3 = _o339.omega_3;
-            V around_3 = _o339.around_3;
-            V tilted_3 = _o339.tilted_3;
-            V pressed_3 = _o339.pressed_3;
-            V force_3 = _o339.force_3;
-            V cosine_4 = _o339.cosine_4;
-            V sine_4 = _o339.sine_4;
-            V climb_4 = _o339.climb_4;
-            V along_4 = _o339.along_4;
-            V turn_rate_4 = _o339.turn_rate_4;
-            V cos_4 = _o339.cos_4;
-            V sin_4 = _o339.sin_4;
-            const LANES(court_ring_round_4_out) _o340 =
+            V near_3 = _o338.near_3;
+            V omega_3 = _o338.omega_3;
+            V around_3 = _o338.around_3;
+            V tilted_3 = _o338.tilted_3;
+            V pressed_3 = _o338.pressed_3;
+            V force_3 = _o338.force_3;
+            V cosine_4 = _o338.cosine_4;
+            V sine_4 = _o338.sine_4;
+            V climb_4 = _o338.climb_4;
+            V along_4 = _o338.along_4;
+            V turn_rate_4 = _o338.turn_rate_4;
+            V cos_4 = _o338.cos_4;
+            V sin_4 = _o338.sin_4;
+            const LANES(court_ring_round_4_out) _o339 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            V near_4 = _o340.near_4;
-            V omega_4 = _o340.omega_4;
-            V around_4 = _o340.around_4;
-            V tilted_4 = _o340.tilted_4;
-            V pressed_4 = _o340.pressed_4;
-            V force_4 = _o340.force_4;
-            V cosine_5 = _o340.cosine_5;
-            V sine_5 = _o340.sine_5;
-            V climb_5 = _o340.climb_5;
-            V along_5 = _o340.along_5;
-            V turn_rate_5 = _o340.turn_rate_5;
-            V cos_5 = _o340.cos_5;
-            V sin_5 = _o340.sin_5;
-            const LANES(court_ring_round_5_out) _o341 =
+            V near_4 = _o339.near_4;
+            V omega_4 = _o339.omega_4;
+            V around_4 = _o339.around_4;
+            V tilted_4 = _o339.tilted_4;
+            V pressed_4 = _o339.pressed_4;
+            V force_4 = _o339.force_4;
+            V cosine_5 = _o339.cosine_5;
+            V sine_5 = _o339.sine_5;
+            V climb_5 = _o339.climb_5;
+            V along_5 = _o339.along_5;
+            V turn_rate_5 = _o339.turn_rate_5;
+            V cos_5 = _o339.cos_5;
+            V sin_5 = _o339.sin_5;
+            const LANES(court_ring_round_5_out) _o340 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            V near_5 = _o341.near_5;
-            V omega_5 = _o341.omega_5;
-            V around_5 = _o341.around_5;
-            V tilted_5 = _o341.tilted_5;
-            V pressed_5 = _o341.pressed_5;
-            V force_5 = _o341.force_5;
-            V cosine_6 = _o341.cosine_6;
-            V sine_6 = _o341.sine_6;
-            V climb_6 = _o341.climb_6;
-            V along_6 = _o341.along_6;
-            V turn_rate_6 = _o341.turn_rate_6;
-            V cos_6 = _o341.cos_6;
-            V sin_6 = _o341.sin_6;
-            const LANES(court_ring_round_6_out) _o342 =
+            V near_5 = _o340.near_5;
+            V omega_5 = _o340.omega_5;
+            V around_5 = _o340.around_5;
+            V tilted_5 = _o340.tilted_5;
+            V pressed_5 = _o340.pressed_5;
+            V force_5 = _o340.force_5;
+            V cosine_6 = _o340.cosine_6;
+            V sine_6 = _o340.sine_6;
+            V climb_6 = _o340.climb_6;
+            V along_6 = _o340.along_6;
+            V turn_rate_6 = _o340.turn_rate_6;
+            V cos_6 = _o340.cos_6;
+            V sin_6 = _o340.sin_6;
+            const LANES(court_ring_round_6_out) _o341 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            V near_6 = _o342.near_6;
-            V omega_6 = _o342.omega_6;
-            V around_6 = _o342.around_6;
-            V tilted_6 = _o342.tilted_6;
-            V pressed_6 = _o342.pressed_6;
-            V force_6 = _o342.force_6;
-            V cosine_7 = _o342.cosine_7;
-            V sine_7 = _o342.sine_7;
-            V climb_7 = _o342.climb_7;
-            V along_7 = _o342.along_7;
-            V turn_rate_7 = _o342.turn_rate_7;
-            V cos_7 = _o342.cos_7;
-            V sin_7 = _o342.sin_7;
-            const LANES(court_ring_round_7_out) _o343 =
+            V near_6 = _o341.near_6;
+            V omega_6 = _o341.omega_6;
+            V around_6 = _o341.around_6;
+            V tilted_6 = _o341.tilted_6;
+            V pressed_6 = _o341.pressed_6;
+            V force_6 = _o341.force_6;
+            V cosine_7 = _o341.cosine_7;
+            V sine_7 = _o341.sine_7;
+            V climb_7 = _o341.climb_7;
+            V along_7 = _o341.along_7;
+            V turn_rate_7 = _o341.turn_rate_7;
+            V cos_7 = _o341.cos_7;
+            V sin_7 = _o341.sin_7;
+            const LANES(court_ring_round_7_out) _o342 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            V near_7 = _o343.near_7;
-            V omega_7 = _o343.omega_7;
-            V around_7 = _o343.around_7;
-            V tilted_7 = _o343.tilted_7;
-            V pressed_7 = _o343.pressed_7;
-            V force_7 = _o343.force_7;
-            V cosine_8 = _o343.cosine_8;
-            V sine_8 = _o343.sine_8;
-            V climb_8 = _o343.climb_8;
-            V along_8 = _o343.along_8;
-            V turn_rate_8 = _o343.turn_rate_8;
-            V cos_8 = _o343.cos_8;
-            V sin_8 = _o343.sin_8;
-            const LANES(court_ring_round_8_out) _o344 =
+            V near_7 = _o342.near_7;
+            V omega_7 = _o342.omega_7;
+            V around_7 = _o342.around_7;
+            V tilted_7 = _o342.tilted_7;
+            V pressed_7 = _o342.pressed_7;
+            V force_7 = _o342.force_7;
+            V cosine_8 = _o342.cosine_8;
+            V sine_8 = _o342.sine_8;
+            V climb_8 = _o342.climb_8;
+            V along_8 = _o342.along_8;
+            V turn_rate_8 = _o342.turn_rate_8;
+            V cos_8 = _o342.cos_8;
+            V sin_8 = _o342.sin_8;
+            const LANES(court_ring_round_8_out) _o343 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            V near_8 = _o344.near_8;
-            V omega_8 = _o344.omega_8;
-            V around_8 = _o344.around_8;
-            V tilted_8 = _o344.tilted_8;
-            V pressed_8 = _o344.pressed_8;
-            V force_8 = _o344.force_8;
-            V cosine_9 = _o344.cosine_9;
-            V sine_9 = _o344.sine_9;
-            V climb_9 = _o344.climb_9;
-            V along_9 = _o344.along_9;
-            V turn_rate_9 = _o344.turn_rate_9;
-            V cos_9 = _o344.cos_9;
-            V sin_9 = _o344.sin_9;
-            const LANES(court_ring_round_9_out) _o345 =
+            V near_8 = _o343.near_8;
+            V omega_8 = _o343.omega_8;
+            V around_8 = _o343.around_8;
+            V tilted_8 = _o343.tilted_8;
+            V pressed_8 = _o343.pressed_8;
+            V force_8 = _o343.force_8;
+            V cosine_9 = _o343.cosine_9;
+            V sine_9 = _o343.sine_9;
+            V climb_9 = _o343.climb_9;
+            V along_9 = _o343.along_9;
+            V turn_rate_9 = _o343.turn_rate_9;
+            V cos_9 = _o343.cos_9;
+            V sin_9 = _o343.sin_9;
+            const LANES(court_ring_round_9_out) _o344 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_9 = _o345.near_9;
-            V omega_9 = _o345.omega_9;
-            V around_9 = _o345.around_9;
-            V tilted_9 = _o345.tilted_9;
-            V pressed_9 = _o345.pressed_9;
-            V force_9 = _o345.force_9;
-            V cosine_10 = _o345.cosine_10;
-            V sine_10 = _o345.sine_10;
-            V climb_10 = _o345.climb_10;
-            V along_10 = _o345.along_10;
-            V turn_rate_10 = _o345.turn_rate_10;
-            V cos_10 = _o345.cos_10;
-            V sin_10 = _o345.sin_10;
-            const LANES(court_ring_round_10_out) _o346 =
+            V near_9 = _o344.near_9;
+            V omega_9 = _o344.omega_9;
+            V around_9 = _o344.around_9;
+            V tilted_9 = _o344.tilted_9;
+            V pressed_9 = _o344.pressed_9;
+            V force_9 = _o344.force_9;
+            V cosine_10 = _o344.cosine_10;
+            V sine_10 = _o344.sine_10;
+            V climb_10 = _o344.climb_10;
+            V along_10 = _o344.along_10;
+            V turn_rate_10 = _o344.turn_rate_10;
+            V cos_10 = _o344.cos_10;
+            V sin_10 = _o344.sin_10;
+            const LANES(court_ring_round_10_out) _o345 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V near_10 = _o346.near_10;
-            V omega_10 = _o346.omega_10;
-            V around_10 = _o346.around_10;
-            V tilted_10 = _o346.tilted_10;
-            V pressed_10 = _o346.pressed_10;
-            V force_10 = _o346.force_10;
-            V cosine_11 = _o346.cosine_11;
-            V sine_11 = _o346.sine_11;
-            V climb_11 = _o346.climb_11;
-            V along_11 = _o346.along_11;
-            V turn_rate_11 = _o346.turn_rate_11;
-            V cos_11 = _o346.cos_11;
-            V sin_11 = _o346.sin_11;
-            const LANES(court_ring_round_11_out) _o347 =
+            V near_10 = _o345.near_10;
+            V omega_10 = _o345.omega_10;
+            V around_10 = _o345.around_10;
+            V tilted_10 = _o345.tilted_10;
+            V pressed_10 = _o345.pressed_10;
+            V force_10 = _o345.force_10;
+            V cosine_11 = _o345.cosine_11;
+            V sine_11 = _o345.sine_11;
+            V climb_11 = _o345.climb_11;
+            V along_11 = _o345.along_11;
+            V turn_rate_11 = _o345.turn_rate_11;
+            V cos_11 = _o345.cos_11;
+            V sin_11 = _o345.sin_11;
+            const LANES(court_ring_round_11_out) _o346 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            V force_11 = _o347.force_11;
-            V cosine_12 = _o347.cosine_12;
-            V sine_12 = _o347.sine_12;
-            V climb_12 = _o347.climb_12;
-            V along_12 = _o347.along_12;
-            V turn_rate_12 = _o347.turn_rate_12;
-            V cos_12 = _o347.cos_12;
-            V sin_12 = _o347.sin_12;
-            const LANES(court_ring_round_pace_out) _o348 =
+            V force_11 = _o346.force_11;
+            V cosine_12 = _o346.cosine_12;
+            V sine_12 = _o346.sine_12;
+            V climb_12 = _o346.climb_12;
+            V along_12 = _o346.along_12;
+            V turn_rate_12 = _o346.turn_rate_12;
+            V cos_12 = _o346.cos_12;
+            V sin_12 = _o346.sin_12;
+            const LANES(court_ring_round_pace_out) _o347 =
                 LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, p_gravity, omega_0, p_ring_radius, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, p_wire_radius);
-            V stride = _o348.stride;
-            V strongest = _o348.strongest;
-            V fastest = _o348.fastest;
-            V sway = _o348.sway;
-            V force = _o348.force;
-            V force_rate = _o348.force_rate;
-            V force_bend = _o348.force_bend;
-            V brace = _o348.brace;
-            V vx_1 = _o348.vx_1;
-            V vy_1 = _o348.vy_1;
-            V vz_1 = _o348.vz_1;
-            const LANES(court_ring_round_pulled_out) _o349 =
+            V stride = _o347.stride;
+            V strongest = _o347.strongest;
+            V fastest = _o347.fastest;
+            V sway = _o347.sway;
+            V force = _o347.force;
+            V force_rate = _o347.force_rate;
+            V force_bend = _o347.force_bend;
+            V brace = _o347.brace;
+            V vx_1 = _o347.vx_1;
+            V vy_1 = _o347.vy_1;
+            V vz_1 = _o347.vz_1;
+            const LANES(court_ring_round_pulled_out) _o348 =
                 LANES(court_ring_round_pulled)(climb_0, climb_1, cosine_0, cosine_1, p_gravity, omega_0, omega_1, turn_rate_0, turn_rate_1);
-            V drag = _o349.drag;
-            V drag_rate = _o349.drag_rate;
-            const LANES(court_ring_impact_strained_out) _o350 =
+            V drag = _o348.drag;
+            V drag_rate = _o348.drag_rate;
+            const LANES(court_ring_impact_strained_out) _o349 =
                 LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, p_ring_friction);
-            V strain = _o350.strain;
-            V strain_rate = _o350.strain_rate;
-            const LANES(court_losing_out) _o351 =
+            V strain = _o349.strain;
+            V strain_rate = _o349.strain_rate;
+            const LANES(court_losing_out) _o350 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o351.loses;
-            const M _m352 = lanes_both(active, loses);
-            if (lanes_any(_m352)) {
-                const LANES(court_lost_grip_out) _o353 =
+            M loses = _o350.loses;
+            const M _m351 = lanes_both(active, loses);
+            if (lanes_any(_m351)) {
+                const LANES(court_lost_grip_out) _o352 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m352, _o353.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m351, _o352.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o354 =
+            const LANES(court_tightened_out) _o353 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o354.taut;
-            taut_rate = _o354.taut_rate;
-            taut_clock = _o354.taut_clock;
-            const LANES(court_leaving_force_out) _o355 =
+            taut = _o353.taut;
+            taut_rate = _o353.taut_rate;
+            taut_clock = _o353.taut_clock;
+            const LANES(court_leaving_force_out) _o354 =
                 LANES(court_leaving_force)(p_ball_radius, brace, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
-            stride = _o355.stride;
-            which = _o355.which;
-            M rests = _o355.rests;
-            doubt = _o355.doubt;
-            const LANES(court_backboard_beside_out) _o356 =
+            stride = _o354.stride;
+            which = _o354.which;
+            M rests = _o354.rests;
+            doubt = _o354.doubt;
+            const LANES(court_backboard_beside_out) _o355 =
                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            V gap = _o356.gap;
-            V nearing = _o356.nearing;
-            V dent = _o356.dent;
-            const LANES(court_beside_body_out) _o357 =
+            V gap = _o355.gap;
+            V nearing = _o355.nearing;
+            V dent = _o355.dent;
+            const LANES(court_beside_body_out) _o356 =
                 LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o357.stride;
-            which = _o357.which;
-            doubt = _o357.doubt;
-            late = _o357.late;
-            const LANES(court_bridge_beside_out) _o358 =
+            stride = _o356.stride;
+            which = _o356.which;
+            doubt = _o356.doubt;
+            late = _o356.late;
+            const LANES(court_bridge_beside_out) _o357 =
                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o358.gap;
-            nearing = _o358.nearing;
-            dent = _o358.dent;
-            const LANES(court_beside_body_out) _o359 =
+            gap = _o357.gap;
+            nearing = _o357.nearing;
+            dent = _o357.dent;
+            const LANES(court_beside_body_out) _o358 =
                 LANES(court_beside_body)(p_ball_radius, dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z);
-            stride = _o359.stride;
-            which = _o359.which;
-            doubt = _o359.doubt;
-            late = _o359.late;
-            const LANES(court_end_beside_out) _o360 =
+            stride = _o358.stride;
+            which = _o358.which;
+            doubt = _o358.doubt;
+            late = _o358.late;
+            const LANES(court_end_beside_out) _o359 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            gap = _o360.gap;
-            nearing = _o360.nearing;
-            dent = _o360.dent;
-            const LANES(court_beside_gate_out) _o361 =
+            gap = _o359.gap;
+            nearing = _o359.nearing;
+            dent = _o359.dent;
+            const LANES(court_beside_gate_out) _o360 =
                 LANES(court_beside_gate)(p_ball_radius, dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z);
+            stride = _o360.stride;
+            which = _o360.which;
+            doubt = _o360.doubt;
+            late = _o360.late;
+            const LANES(court_beside_time_out) _o361 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
             stride = _o361.stride;
             which = _o361.which;
-            doubt = _o361.doubt;
-            late = _o361.late;
-            const LANES(court_beside_time_out) _o362 =
-                LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o362.stride;
-            which = _o362.which;
-            const LANES(court_apart_out) _o363 =
+            const LANES(court_apart_out) _o362 =
                 LANES(court_apart)(p_ball_radius, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz);
-            V apart = _o363.apart;
-            const LANES(court_neighbour_out) _o364 =
+            V apart = _o362.apart;
+            const LANES(court_neighbour_out) _o363 =
                 LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o364.far_x;
-            V far_y = _o364.far_y;
-            V far_z = _o364.far_z;
-            V far_vx = _o364.far_vx;
-            V far_vy = _o364.far_vy;
-            V far_vz = _o364.far_vz;
-            V far_wx = _o364.far_wx;
-            V far_wy = _o364.far_wy;
-            V far_wz = _o364.far_wz;
-            const LANES(court_passing_from_out) _o365 =
+            V far_x = _o363.far_x;
+            V far_y = _o363.far_y;
+            V far_z = _o363.far_z;
+            V far_vx = _o363.far_vx;
+            V far_vy = _o363.far_vy;
+            V far_vz = _o363.far_vz;
+            V far_wx = _o363.far_wx;
+            V far_wy = _o363.far_wy;
+            V far_wz = _o363.far_wz;
+            const LANES(court_passing_from_out) _o364 =
                 LANES(court_passing_from)(z);
-            M over = _o365.over;
-            const LANES(court_alone_out) _o366 =
+            M over = _o364.over;
+            const LANES(court_alone_out) _o365 =
                 LANES(court_alone)();
-            V berth = _o366.nearest;
-            const LANES(court_leaps_out) _o367 =
+            V berth = _o365.nearest;
+            const LANES(court_leaps_out) _o366 =
                 LANES(court_leaps)(stride);
-            V forth = _o367.forth;
-            V back = _o367.back;
-            const LANES(court_backboard_around_out) _o368 =
+            V forth = _o366.forth;
+            V back = _o366.back;
+            const LANES(court_backboard_around_out) _o367 =
                 LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o368.gap;
-            nearing = _o368.nearing;
-            const LANES(court_cleared_out) _o369 =
+            gap = _o367.gap;
+            nearing = _o367.nearing;
+            const LANES(court_cleared_out) _o368 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o369.berth;
-            const LANES(court_bridge_around_out) _o370 =
+            berth = _o368.berth;
+            const LANES(court_bridge_around_out) _o369 =
                 LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o370.gap;
-            nearing = _o370.nearing;
-            const LANES(court_cleared_out) _o371 =
+            gap = _o369.gap;
+            nearing = _o369.nearing;
+            const LANES(court_cleared_out) _o370 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o371.berth;
-            const LANES(court_end_around_out) _o372 =
+            berth = _o370.berth;
+            const LANES(court_end_around_out) _o371 =
                 LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o372.gap;
-            nearing = _o372.nearing;
-            const LANES(court_cleared_out) _o373 =
+            gap = _o371.gap;
+            nearing = _o371.nearing;
+            const LANES(court_cleared_out) _o372 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o373.berth;
-            const LANES(court_ring_round_moved_out) _o374 =
+            berth = _o372.berth;
+            const LANES(court_ring_round_moved_out) _o373 =
                 LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            x = _o374.x;
-            y = _o374.y;
-            z = _o374.z;
-            vx = _o374.vx;
-            vy = _o374.vy;
-            vz = _o374.vz;
-            wx = _o374.wx;
-            wy = _o374.wy;
-            wz = _o374.wz;
-            V climb = _o374.climb;
-            const LANES(court_passing_in_contact_out) _o375 =
+            x = _o373.x;
+            y = _o373.y;
+            z = _o373.z;
+            vx = _o373.vx;
+            vy = _o373.vy;
+            vz = _o373.vz;
+            wx = _o373.wx;
+            wy = _o373.wy;
+            wz = _o373.wz;
+            V climb = _o373.climb;
+            const LANES(court_passing_in_contact_out) _o374 =
                 LANES(court_passing_in_contact)(over, p_ring_radius, through, x, y, z);
-            through = _o375.through;
-            const LANES(court_backboard_around_out) _o376 =
+            through = _o374.through;
+            const LANES(court_backboard_around_out) _o375 =
                 LANES(court_backboard_around)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-            gap = _o376.gap;
-            nearing = _o376.nearing;
-            const LANES(court_cleared_out) _o377 =
+            gap = _o375.gap;
+            nearing = _o375.nearing;
+            const LANES(court_cleared_out) _o376 =
                 LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o377.berth;
-            const LANES(court_bridge_around_out) _o378 =
+            berth = _o376.berth;
+            const LANES(court_bridge_around_out) _o377 =
                 LANES(court_bridge_around)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            gap = _o378.gap;
-            nearing = _o378.nearing;
-            const LANES(court_cleared_out) _o379 =
+            gap = _o377.gap;
+            nearing = _o377.nearing;
+            const LANES(court_cleared_out) _o378 =
                 LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o379.berth;
-            const LANES(court_end_around_out) _o380 =
+            berth = _o378.berth;
+            const LANES(court_end_around_out) _o379 =
                 LANES(court_end_around)(p_end_depth, vz, z);
-            gap = _o380.gap;
-            nearing = _o380.nearing;
-            const LANES(court_cleared_out) _o381 =
+            gap = _o379.gap;
+            nearing = _o379.nearing;
+            const LANES(court_cleared_out) _o380 =
                 LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o381.berth;
-            const LANES(court_ring_swung_out) _o382 =
+            berth = _o380.berth;
+            const LANES(court_ring_swung_out) _o381 =
                 LANES(court_ring_swung)(p_ball_radius, berth, circled, climb, climb_0, doubt, fastest, force, force_bend, force_rate, p_gravity, position_error, stride, sway, velocity_error, which, p_wire_radius);
-            circled = _o382.circled;
-            M endless = _o382.endless;
-            doubt = _o382.doubt;
-            const LANES(court_for_ever_out) _o383 =
+            circled = _o381.circled;
+            M endless = _o381.endless;
+            doubt = _o381.doubt;
+            const LANES(court_for_ever_out) _o382 =
                 LANES(court_for_ever)(endless, which);
-            which = _o383.which;
-            const LANES(court_ring_round_start_out) _o384 =
+            which = _o382.which;
+            const LANES(court_ring_round_start_out) _o383 =
                 LANES(court_ring_round_start)(p_ball_radius, p_ring_radius, far_vx, far_vy, far_vz, p_wire_radius, far_wx, far_wy, far_wz, far_x, far_y, far_z);
-            cosine_0 = _o384.cosine_0;
-            sine_0 = _o384.sine_0;
-            climb_0 = _o384.climb_0;
-            along_0 = _o384.along_0;
-            turn_rate_0 = _o384.turn_rate_0;
-            cos_0 = _o384.cos_0;
-            sin_0 = _o384.sin_0;
-            near_0 = _o384.near_0;
-            const LANES(court_ring_round_0_out) _o385 =
+            cosine_0 = _o383.cosine_0;
+            sine_0 = _o383.sine_0;
+            climb_0 = _o383.climb_0;
+            along_0 = _o383.along_0;
+            turn_rate_0 = _o383.turn_rate_0;
+            cos_0 = _o383.cos_0;
+            sin_0 = _o383.sin_0;
+            near_0 = _o383.near_0;
+            const LANES(court_ring_round_0_out) _o384 =
                 LANES(court_ring_round_0)(along_0, p_ball_radius, climb_0, cos_0, cosine_0, p_gravity, near_0, p_ring_radius, sin_0, sine_0, turn_rate_0, p_wire_radius);
-            omega_0 = _o385.omega_0;
-            around_0 = _o385.around_0;
-            tilted_0 = _o385.tilted_0;
-            pressed_0 = _o385.pressed_0;
-            cosine_1 = _o385.cosine_1;
-            sine_1 = _o385.sine_1;
-            climb_1 = _o385.climb_1;
-            along_1 = _o385.along_1;
-            turn_rate_1 = _o385.turn_rate_1;
-            cos_1 = _o385.cos_1;
-            sin_1 = _o385.sin_1;
-            const LANES(court_ring_round_1_out) _o386 =
+            omega_0 = _o384.omega_0;
+            around_0 = _o384.around_0;
+            tilted_0 = _o384.tilted_0;
+            pressed_0 = _o384.pressed_0;
+            cosine_1 = _o384.cosine_1;
+            sine_1 = _o384.sine_1;
+            climb_1 = _o384.climb_1;
+            along_1 = _o384.along_1;
+            turn_rate_1 = _o384.turn_rate_1;
+            cos_1 = _o384.cos_1;
+            sin_1 = _o384.sin_1;
+            const LANES(court_ring_round_1_out) _o385 =
                 LANES(court_ring_round_1)(along_0, along_1, around_0, p_ball_radius, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, p_gravity, near_0, omega_0, pressed_0, p_ring_radius, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, p_wire_radius);
-            near_1 = _o386.near_1;
-            omega_1 = _o386.omega_1;
-            around_1 = _o386.around_1;
-            tilted_1 = _o386.tilted_1;
-            pressed_1 = _o386.pressed_1;
-            cosine_2 = _o386.cosine_2;
-            sine_2 = _o386.sine_2;
-            climb_2 = _o386.climb_2;
-            along_2 = _o386.along_2;
-            turn_rate_2 = _o386.turn_rate_2;
-            cos_2 = _o386.cos_2;
-            sin_2 = _o386.sin_2;
-            const LANES(court_ring_round_2_out) _o387 =
+            near_1 = _o385.near_1;
+            omega_1 = _o385.omega_1;
+            around_1 = _o385.around_1;
+            tilted_1 = _o385.tilted_1;
+            pressed_1 = _o385.pressed_1;
+            cosine_2 = _o385.cosine_2;
+            sine_2 = _o385.sine_2;
+            climb_2 = _o385.climb_2;
+            along_2 = _o385.along_2;
+            turn_rate_2 = _o385.turn_rate_2;
+            cos_2 = _o385.cos_2;
+            sin_2 = _o385.sin_2;
+            const LANES(court_ring_round_2_out) _o386 =
                 LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, p_ball_radius, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, p_gravity, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, p_ring_radius, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, p_wire_radius);
-            near_2 = _o387.near_2;
-            omega_2 = _o387.omega_2;
-            around_2 = _o387.around_2;
-            tilted_2 = _o387.tilted_2;
-            pressed_2 = _o387.pressed_2;
-            cosine_3 = _o387.cosine_3;
-            sine_3 = _o387.sine_3;
-            climb_3 = _o387.climb_3;
-            along_3 = _o387.along_3;
-            turn_rate_3 = _o387.turn_rate_3;
-            cos_3 = _o387.cos_3;
-            sin_3 = _o387.sin_3;
-            const LANES(court_ring_round_3_out) _o388 =
+            near_2 = _o386.near_2;
+            omega_2 = _o386.omega_2;
+            around_2 = _o386.around_2;
+            tilted_2 = _o386.tilted_2;
+            pressed_2 = _o386.pressed_2;
+            cosine_3 = _o386.cosine_3;
+            sine_3 = _o386.sine_3;
+            climb_3 = _o386.climb_3;
+            along_3 = _o386.along_3;
+            turn_rate_3 = _o386.turn_rate_3;
+            cos_3 = _o386.cos_3;
+            sin_3 = _o386.sin_3;
+            const LANES(court_ring_round_3_out) _o387 =
                 LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, p_ball_radius, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, p_gravity, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, p_wire_radius);
-            near_3 = _o388.near_3;
-            omega_3 = _o388.omega_3;
-            around_3 = _o388.around_3;
-            tilted_3 = _o388.tilted_3;
-            pressed_3 = _o388.pressed_3;
-            cosine_4 = _o388.cosine_4;
-            sine_4 = _o388.sine_4;
-            climb_4 = _o388.climb_4;
-            along_4 = _o388.along_4;
-            turn_rate_4 = _o388.turn_rate_4;
-            cos_4 = _o388.cos_4;
-            sin_4 = _o388.sin_4;
-            const LANES(court_ring_round_4_out) _o389 =
+            near_3 = _o387.near_3;
+            omega_3 = _o387.omega_3;
+            around_3 = _o387.around_3;
+            tilted_3 = _o387.tilted_3;
+            pressed_3 = _o387.pressed_3;
+            cosine_4 = _o387.cosine_4;
+            sine_4 = _o387.sine_4;
+            climb_4 = _o387.climb_4;
+            along_4 = _o387.along_4;
+            turn_rate_4 = _o387.turn_rate_4;
+            cos_4 = _o387.cos_4;
+            sin_4 = _o387.sin_4;
+            const LANES(court_ring_round_4_out) _o388 =
                 LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, p_gravity, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, p_wire_radius);
-            near_4 = _o389.near_4;
-            omega_4 = _o389.omega_4;
-            around_4 = _o389.around_4;
-            tilted_4 = _o389.tilted_4;
-            pressed_4 = _o389.pressed_4;
-            cosine_5 = _o389.cosine_5;
-            sine_5 = _o389.sine_5;
-            climb_5 = _o389.climb_5;
-            along_5 = _o389.along_5;
-            turn_rate_5 = _o389.turn_rate_5;
-            cos_5 = _o389.cos_5;
-            sin_5 = _o389.sin_5;
-            const LANES(court_ring_round_5_out) _o390 =
+            near_4 = _o388.near_4;
+            omega_4 = _o388.omega_4;
+            around_4 = _o388.around_4;
+            tilted_4 = _o388.tilted_4;
+            pressed_4 = _o388.pressed_4;
+            cosine_5 = _o388.cosine_5;
+            sine_5 = _o388.sine_5;
+            climb_5 = _o388.climb_5;
+            along_5 = _o388.along_5;
+            turn_rate_5 = _o388.turn_rate_5;
+            cos_5 = _o388.cos_5;
+            sin_5 = _o388.sin_5;
+            const LANES(court_ring_round_5_out) _o389 =
                 LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, p_gravity, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, p_wire_radius);
-            near_5 = _o390.near_5;
-            omega_5 = _o390.omega_5;
-            around_5 = _o390.around_5;
-            tilted_5 = _o390.tilted_5;
-            pressed_5 = _o390.pressed_5;
-            cosine_6 = _o390.cosine_6;
-            sine_6 = _o390.sine_6;
-            climb_6 = _o390.climb_6;
-            along_6 = _o390.along_6;
-            turn_rate_6 = _o390.turn_rate_6;
-            cos_6 = _o390.cos_6;
-            sin_6 = _o390.sin_6;
-            const LANES(court_ring_round_6_out) _o391 =
+            near_5 = _o389.near_5;
+            omega_5 = _o389.omega_5;
+            around_5 = _o389.around_5;
+            tilted_5 = _o389.tilted_5;
+            pressed_5 = _o389.pressed_5;
+            cosine_6 = _o389.cosine_6;
+            sine_6 = _o389.sine_6;
+            climb_6 = _o389.climb_6;
+            along_6 = _o389.along_6;
+            turn_rate_6 = _o389.turn_rate_6;
+            cos_6 = _o389.cos_6;
+            sin_6 = _o389.sin_6;
+            const LANES(court_ring_round_6_out) _o390 =
                 LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, p_wire_radius);
-            near_6 = _o391.near_6;
-            omega_6 = _o391.omega_6;
-            around_6 = _o391.around_6;
-            tilted_6 = _o391.tilted_6;
-            pressed_6 = _o391.pressed_6;
-            cosine_7 = _o391.cosine_7;
-            sine_7 = _o391.sine_7;
-            climb_7 = _o391.climb_7;
-            along_7 = _o391.along_7;
-            turn_rate_7 = _o391.turn_rate_7;
-            cos_7 = _o391.cos_7;
-            sin_7 = _o391.sin_7;
-            const LANES(court_ring_round_7_out) _o392 =
+            near_6 = _o390.near_6;
+            omega_6 = _o390.omega_6;
+            around_6 = _o390.around_6;
+            tilted_6 = _o390.tilted_6;
+            pressed_6 = _o390.pressed_6;
+            cosine_7 = _o390.cosine_7;
+            sine_7 = _o390.sine_7;
+            climb_7 = _o390.climb_7;
+            along_7 = _o390.along_7;
+            turn_rate_7 = _o390.turn_rate_7;
+            cos_7 = _o390.cos_7;
+            sin_7 = _o390.sin_7;
+            const LANES(court_ring_round_7_out) _o391 =
                 LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, p_wire_radius);
-            near_7 = _o392.near_7;
-            omega_7 = _o392.omega_7;
-            around_7 = _o392.around_7;
-            tilted_7 = _o392.tilted_7;
-            pressed_7 = _o392.pressed_7;
-            cosine_8 = _o392.cosine_8;
-            sine_8 = _o392.sine_8;
-            climb_8 = _o392.climb_8;
-            along_8 = _o392.along_8;
-            turn_rate_8 = _o392.turn_rate_8;
-            cos_8 = _o392.cos_8;
-            sin_8 = _o392.sin_8;
-            const LANES(court_ring_round_8_out) _o393 =
+            near_7 = _o391.near_7;
+            omega_7 = _o391.omega_7;
+            around_7 = _o391.around_7;
+            tilted_7 = _o391.tilted_7;
+            pressed_7 = _o391.pressed_7;
+            cosine_8 = _o391.cosine_8;
+            sine_8 = _o391.sine_8;
+            climb_8 = _o391.climb_8;
+            along_8 = _o391.along_8;
+            turn_rate_8 = _o391.turn_rate_8;
+            cos_8 = _o391.cos_8;
+            sin_8 = _o391.sin_8;
+            const LANES(court_ring_round_8_out) _o392 =
                 LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, p_wire_radius);
-            near_8 = _o393.near_8;
-            omega_8 = _o393.omega_8;
-            around_8 = _o393.around_8;
-            tilted_8 = _o393.tilted_8;
-            pressed_8 = _o393.pressed_8;
-            cosine_9 = _o393.cosine_9;
-            sine_9 = _o393.sine_9;
-            climb_9 = _o393.climb_9;
-            along_9 = _o393.along_9;
-            turn_rate_9 = _o393.turn_rate_9;
-            cos_9 = _o393.cos_9;
-            sin_9 = _o393.sin_9;
-            const LANES(court_ring_round_9_out) _o394 =
+            near_8 = _o392.near_8;
+            omega_8 = _o392.omega_8;
+            around_8 = _o392.around_8;
+            tilted_8 = _o392.tilted_8;
+            pressed_8 = _o392.pressed_8;
+            cosine_9 = _o392.cosine_9;
+            sine_9 = _o392.sine_9;
+            climb_9 = _o392.climb_9;
+            along_9 = _o392.along_9;
+            turn_rate_9 = _o392.turn_rate_9;
+            cos_9 = _o392.cos_9;
+            sin_9 = _o392.sin_9;
+            const LANES(court_ring_round_9_out) _o393 =
                 LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, p_ball_radius, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, p_ring_radius, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            near_9 = _o394.near_9;
-            omega_9 = _o394.omega_9;
-            around_9 = _o394.around_9;
-            tilted_9 = _o394.tilted_9;
-            pressed_9 = _o394.pressed_9;
-            cosine_10 = _o394.cosine_10;
-            sine_10 = _o394.sine_10;
-            climb_10 = _o394.climb_10;
-            along_10 = _o394.along_10;
-            turn_rate_10 = _o394.turn_rate_10;
-            cos_10 = _o394.cos_10;
-            sin_10 = _o394.sin_10;
-            const LANES(court_ring_round_10_out) _o395 =
+            near_9 = _o393.near_9;
+            omega_9 = _o393.omega_9;
+            around_9 = _o393.around_9;
+            tilted_9 = _o393.tilted_9;
+            pressed_9 = _o393.pressed_9;
+            cosine_10 = _o393.cosine_10;
+            sine_10 = _o393.sine_10;
+            climb_10 = _o393.climb_10;
+            along_10 = _o393.along_10;
+            turn_rate_10 = _o393.turn_rate_10;
+            cos_10 = _o393.cos_10;
+            sin_10 = _o393.sin_10;
+            const LANES(court_ring_round_10_out) _o394 =
                 LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            near_10 = _o395.near_10;
-            omega_10 = _o395.omega_10;
-            around_10 = _o395.around_10;
-            tilted_10 = _o395.tilted_10;
-            pressed_10 = _o395.pressed_10;
-            cosine_11 = _o395.cosine_11;
-            sine_11 = _o395.sine_11;
-            climb_11 = _o395.climb_11;
-            along_11 = _o395.along_11;
-            turn_rate_11 = _o395.turn_rate_11;
-            cos_11 = _o395.cos_11;
-            sin_11 = _o395.sin_11;
-            const LANES(court_ring_round_11_out) _o396 =
+            near_10 = _o394.near_10;
+            omega_10 = _o394.omega_10;
+            around_10 = _o394.around_10;
+            tilted_10 = _o394.tilted_10;
+            pressed_10 = _o394.pressed_10;
+            cosine_11 = _o394.cosine_11;
+            sine_11 = _o394.sine_11;
+            climb_11 = _o394.climb_11;
+            along_11 = _o394.along_11;
+            turn_rate_11 = _o394.turn_rate_11;
+            cos_11 = _o394.cos_11;
+            sin_11 = _o394.sin_11;
+            const LANES(court_ring_round_11_out) _o395 =
                 LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_gravity, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            cosine_12 = _o396.cosine_12;
-            sine_12 = _o396.sine_12;
-            climb_12 = _o396.climb_12;
-            along_12 = _o396.along_12;
-            turn_rate_12 = _o396.turn_rate_12;
-            cos_12 = _o396.cos_12;
-            sin_12 = _o396.sin_12;
-            const LANES(court_ring_round_moved_out) _o397 =
+            cosine_12 = _o395.cosine_12;
+            sine_12 = _o395.sine_12;
+            climb_12 = _o395.climb_12;
+            along_12 = _o395.along_12;
+            turn_rate_12 = _o395.turn_rate_12;
+            cos_12 = _o395.cos_12;
+            sin_12 = _o395.sin_12;
+            const LANES(court_ring_round_moved_out) _o396 =
                 LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, p_ball_radius, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, p_ring_radius, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, p_wire_radius);
-            far_x = _o397.x;
-            far_y = _o397.y;
-            far_z = _o397.z;
-            far_vx = _o397.vx;
-            far_vy = _o397.vy;
-            far_vz = _o397.vz;
-            far_wx = _o397.wx;
-            far_wy = _o397.wy;
-            far_wz = _o397.wz;
-            const LANES(court_compared_out) _o398 =
+            far_x = _o396.x;
+            far_y = _o396.y;
+            far_z = _o396.z;
+            far_vx = _o396.vx;
+            far_vy = _o396.vy;
+            far_vz = _o396.vz;
+            far_wx = _o396.wx;
+            far_wy = _o396.wy;
+            far_wz = _o396.wz;
+            const LANES(court_compared_out) _o397 =
                 LANES(court_compared)(apart, p_ball_radius, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z);
-            dx = _o398.dx;
-            dy = _o398.dy;
-            dz = _o398.dz;
-            dvx = _o398.dvx;
-            dvy = _o398.dvy;
-            dvz = _o398.dvz;
-            dwx = _o398.dwx;
-            dwy = _o398.dwy;
-            dwz = _o398.dwz;
-            const LANES(court_rolled_on_out) _o399 =
+            dx = _o397.dx;
+            dy = _o397.dy;
+            dz = _o397.dz;
+            dvx = _o397.dvx;
+            dvy = _o397.dvy;
+            dvz = _o397.dvz;
+            dwx = _o397.dwx;
+            dwy = _o397.dwy;
+            dwz = _o397.dwz;
+            const LANES(court_rolled_on_out) _o398 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o399.clock;
-            circling = _o399.rolling;
+            clock = _o398.clock;
+            circling = _o398.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -8759,9 +8755,9 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o400 =
+        const LANES(court_rejoined_out) _o399 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o400.rolling;
+        rolling = _o399.rolling;
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
         const M packed = lanes_both(rows, leaves);
         if (lanes_any(packed)) {
@@ -8871,243 +8867,243 @@ static void LANES(court_bounded_slow)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->slow_x + i);
         V y = lanes_load(lists->slow_y + i);
         V z = lanes_load(lists->slow_z + i);
-        const LANES(court_ring_normal_out) _o545 =
+        const LANES(court_ring_normal_out) _o544 =
             LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-        V nx = _o545.nx;
-        V ny = _o545.ny;
-        V nz = _o545.nz;
-        const LANES(court_here_out) _o546 =
+        V nx = _o544.nx;
+        V ny = _o544.ny;
+        V nz = _o544.nz;
+        const LANES(court_here_out) _o545 =
             LANES(court_here)(K(1.0), which);
-        M here = _o546.here;
-        const M _m547 = lanes_both(rows, here);
+        M here = _o545.here;
+        const M _m546 = lanes_both(rows, here);
         {
-            const LANES(court_backboard_normal_out) _o548 =
+            const LANES(court_backboard_normal_out) _o547 =
                 LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-            nx = lanes_select(_m547, _o548.nx, nx);
-            ny = lanes_select(_m547, _o548.ny, ny);
-            nz = lanes_select(_m547, _o548.nz, nz);
+            nx = lanes_select(_m546, _o547.nx, nx);
+            ny = lanes_select(_m546, _o547.ny, ny);
+            nz = lanes_select(_m546, _o547.nz, nz);
         }
-        const LANES(court_here_out) _o549 =
+        const LANES(court_here_out) _o548 =
             LANES(court_here)(K(2.0), which);
-        here = _o549.here;
-        const M _m550 = lanes_both(rows, here);
+        here = _o548.here;
+        const M _m549 = lanes_both(rows, here);
         {
-            const LANES(court_bridge_normal_out) _o551 =
+            const LANES(court_bridge_normal_out) _o550 =
                 LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-            nx = lanes_select(_m550, _o551.nx, nx);
-            ny = lanes_select(_m550, _o551.ny, ny);
-            nz = lanes_select(_m550, _o551.nz, nz);
+            nx = lanes_select(_m549, _o550.nx, nx);
+            ny = lanes_select(_m549, _o550.ny, ny);
+            nz = lanes_select(_m549, _o550.nz, nz);
         }
-        const LANES(court_nearly_out) _o552 =
+        const LANES(court_nearly_out) _o551 =
             LANES(court_nearly)(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
-        M nearly = _o552.nearly;
-        const LANES(court_gripped_out) _o553 =
+        M nearly = _o551.nearly;
+        const LANES(court_gripped_out) _o552 =
             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-        V rolled_x = _o553.rolled_x;
-        V rolled_y = _o553.rolled_y;
-        V rolled_z = _o553.rolled_z;
-        V slip = _o553.slip;
-        V bounce = _o553.bounce;
-        const LANES(court_here_out) _o554 =
+        V rolled_x = _o552.rolled_x;
+        V rolled_y = _o552.rolled_y;
+        V rolled_z = _o552.rolled_z;
+        V slip = _o552.slip;
+        V bounce = _o552.bounce;
+        const LANES(court_here_out) _o553 =
             LANES(court_here)(K(0.0), which);
-        here = _o554.here;
-        const M _m555 = lanes_both(rows, here);
-        if (lanes_any(_m555)) {
-            const LANES(court_ring_turning_out) _o556 =
+        here = _o553.here;
+        const M _m554 = lanes_both(rows, here);
+        if (lanes_any(_m554)) {
+            const LANES(court_ring_turning_out) _o555 =
                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-            V turning_x = _o556.turning_x;
-            V turning_y = _o556.turning_y;
-            V turning_z = _o556.turning_z;
-            const LANES(court_pressed_on_out) _o557 =
+            V turning_x = _o555.turning_x;
+            V turning_y = _o555.turning_y;
+            V turning_z = _o555.turning_z;
+            const LANES(court_pressed_on_out) _o556 =
                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-            V press = _o557.press;
-            V weight = _o557.weight;
-            V drag = _o557.drag;
-            V thrust_x = _o557.thrust_x;
-            V thrust_y = _o557.thrust_y;
-            V thrust_z = _o557.thrust_z;
-            const LANES(court_alone_out) _o558 =
+            V press = _o556.press;
+            V weight = _o556.weight;
+            V drag = _o556.drag;
+            V thrust_x = _o556.thrust_x;
+            V thrust_y = _o556.thrust_y;
+            V thrust_z = _o556.thrust_z;
+            const LANES(court_alone_out) _o557 =
                 LANES(court_alone)();
-            V nearest = _o558.nearest;
-            V wedge = _o558.wedge;
-            const LANES(court_backboard_closing_out) _o559 =
+            V nearest = _o557.nearest;
+            V wedge = _o557.wedge;
+            const LANES(court_backboard_closing_out) _o558 =
                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-            V gap = _o559.gap;
-            V nearing = _o559.nearing;
-            V swerve = _o559.swerve;
-            V facing = _o559.facing;
-            const LANES(court_neared_body_out) _o560 =
+            V gap = _o558.gap;
+            V nearing = _o558.nearing;
+            V swerve = _o558.swerve;
+            V facing = _o558.facing;
+            const LANES(court_neared_body_out) _o559 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o560.nearest;
-            wedge = _o560.wedge;
-            const LANES(court_bridge_closing_out) _o561 =
+            nearest = _o559.nearest;
+            wedge = _o559.wedge;
+            const LANES(court_bridge_closing_out) _o560 =
                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-            gap = _o561.gap;
-            nearing = _o561.nearing;
-            swerve = _o561.swerve;
-            facing = _o561.facing;
-            const LANES(court_neared_body_out) _o562 =
+            gap = _o560.gap;
+            nearing = _o560.nearing;
+            swerve = _o560.swerve;
+            facing = _o560.facing;
+            const LANES(court_neared_body_out) _o561 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o562.nearest;
-            wedge = _o562.wedge;
-            const LANES(court_end_beside_out) _o563 =
+            nearest = _o561.nearest;
+            wedge = _o561.wedge;
+            const LANES(court_end_beside_out) _o562 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            gap = _o563.gap;
-            const LANES(court_neared_out) _o564 =
+            gap = _o562.gap;
+            const LANES(court_neared_out) _o563 =
                 LANES(court_neared)(gap, nearest);
-            nearest = _o564.nearest;
-            const LANES(court_ring_parting_out) _o565 =
+            nearest = _o563.nearest;
+            const LANES(court_ring_parting_out) _o564 =
                 LANES(court_ring_parting)(p_gravity, p_ring_radius, vx, vy, vz, x, y, z);
-            V lift = _o565.lift;
-            const LANES(court_ring_impact_settling_out) _o566 =
+            V lift = _o564.lift;
+            const LANES(court_ring_impact_settling_out) _o565 =
                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-            M settles = _o566.settles;
-            M lodges = _o566.lodges;
-            M slides = _o566.slides;
-            M parts = _o566.parts;
-            assured = lanes_select(_m555, _o566.assured, assured);
-            M unsure = _o566.unsure;
-            const LANES(court_settled_out) _o567 =
+            M settles = _o565.settles;
+            M lodges = _o565.lodges;
+            M slides = _o565.slides;
+            M parts = _o565.parts;
+            assured = lanes_select(_m554, _o565.assured, assured);
+            M unsure = _o565.unsure;
+            const LANES(court_settled_out) _o566 =
                 LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-            mode = lanes_select(_m555, _o567.mode, mode);
-            held = lanes_select(_m555, _o567.held, held);
-            outcome = lanes_select(_m555, _o567.outcome, outcome);
-            slip_left = lanes_select(_m555, _o567.slip_left, slip_left);
-            uncertain = lanes_select(_m555, _o567.uncertain, uncertain);
+            mode = lanes_select(_m554, _o566.mode, mode);
+            held = lanes_select(_m554, _o566.held, held);
+            outcome = lanes_select(_m554, _o566.outcome, outcome);
+            slip_left = lanes_select(_m554, _o566.slip_left, slip_left);
+            uncertain = lanes_select(_m554, _o566.uncertain, uncertain);
         }
-        const LANES(court_here_out) _o568 =
+        const LANES(court_here_out) _o567 =
             LANES(court_here)(K(1.0), which);
-        here = _o568.here;
-        const M _m569 = lanes_both(rows, here);
-        if (lanes_any(_m569)) {
-            const LANES(court_backboard_turning_out) _o570 =
+        here = _o567.here;
+        const M _m568 = lanes_both(rows, here);
+        if (lanes_any(_m568)) {
+            const LANES(court_backboard_turning_out) _o569 =
                 LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-            V turning_x = _o570.turning_x;
-            V turning_y = _o570.turning_y;
-            V turning_z = _o570.turning_z;
-            const LANES(court_pressed_on_out) _o571 =
+            V turning_x = _o569.turning_x;
+            V turning_y = _o569.turning_y;
+            V turning_z = _o569.turning_z;
+            const LANES(court_pressed_on_out) _o570 =
                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-            V press = _o571.press;
-            V weight = _o571.weight;
-            V drag = _o571.drag;
-            V thrust_x = _o571.thrust_x;
-            V thrust_y = _o571.thrust_y;
-            V thrust_z = _o571.thrust_z;
-            const LANES(court_alone_out) _o572 =
+            V press = _o570.press;
+            V weight = _o570.weight;
+            V drag = _o570.drag;
+            V thrust_x = _o570.thrust_x;
+            V thrust_y = _o570.thrust_y;
+            V thrust_z = _o570.thrust_z;
+            const LANES(court_alone_out) _o571 =
                 LANES(court_alone)();
-            V nearest = _o572.nearest;
-            V wedge = _o572.wedge;
-            const LANES(court_ring_closing_out) _o573 =
+            V nearest = _o571.nearest;
+            V wedge = _o571.wedge;
+            const LANES(court_ring_closing_out) _o572 =
                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-            V gap = _o573.gap;
-            V nearing = _o573.nearing;
-            V swerve = _o573.swerve;
-            V facing = _o573.facing;
-            const LANES(court_neared_body_out) _o574 =
+            V gap = _o572.gap;
+            V nearing = _o572.nearing;
+            V swerve = _o572.swerve;
+            V facing = _o572.facing;
+            const LANES(court_neared_body_out) _o573 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o574.nearest;
-            wedge = _o574.wedge;
-            const LANES(court_bridge_closing_out) _o575 =
+            nearest = _o573.nearest;
+            wedge = _o573.wedge;
+            const LANES(court_bridge_closing_out) _o574 =
                 LANES(court_bridge_closing)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-            gap = _o575.gap;
-            nearing = _o575.nearing;
-            swerve = _o575.swerve;
-            facing = _o575.facing;
-            const LANES(court_neared_body_out) _o576 =
+            gap = _o574.gap;
+            nearing = _o574.nearing;
+            swerve = _o574.swerve;
+            facing = _o574.facing;
+            const LANES(court_neared_body_out) _o575 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o576.nearest;
-            wedge = _o576.wedge;
-            const LANES(court_end_beside_out) _o577 =
+            nearest = _o575.nearest;
+            wedge = _o575.wedge;
+            const LANES(court_end_beside_out) _o576 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            gap = _o577.gap;
-            const LANES(court_neared_out) _o578 =
+            gap = _o576.gap;
+            const LANES(court_neared_out) _o577 =
                 LANES(court_neared)(gap, nearest);
-            nearest = _o578.nearest;
-            const LANES(court_backboard_parting_out) _o579 =
+            nearest = _o577.nearest;
+            const LANES(court_backboard_parting_out) _o578 =
                 LANES(court_backboard_parting)(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, vx, vy, vz, x, y, z);
-            V lift = _o579.lift;
-            const LANES(court_ring_impact_settling_out) _o580 =
+            V lift = _o578.lift;
+            const LANES(court_ring_impact_settling_out) _o579 =
                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-            M settles = _o580.settles;
-            M lodges = _o580.lodges;
-            M slides = _o580.slides;
-            M parts = _o580.parts;
-            assured = lanes_select(_m569, _o580.assured, assured);
-            M unsure = _o580.unsure;
-            const LANES(court_settled_out) _o581 =
+            M settles = _o579.settles;
+            M lodges = _o579.lodges;
+            M slides = _o579.slides;
+            M parts = _o579.parts;
+            assured = lanes_select(_m568, _o579.assured, assured);
+            M unsure = _o579.unsure;
+            const LANES(court_settled_out) _o580 =
                 LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-            mode = lanes_select(_m569, _o581.mode, mode);
-            held = lanes_select(_m569, _o581.held, held);
-            outcome = lanes_select(_m569, _o581.outcome, outcome);
-            slip_left = lanes_select(_m569, _o581.slip_left, slip_left);
-            uncertain = lanes_select(_m569, _o581.uncertain, uncertain);
+            mode = lanes_select(_m568, _o580.mode, mode);
+            held = lanes_select(_m568, _o580.held, held);
+            outcome = lanes_select(_m568, _o580.outcome, outcome);
+            slip_left = lanes_select(_m568, _o580.slip_left, slip_left);
+            uncertain = lanes_select(_m568, _o580.uncertain, uncertain);
         }
-        const LANES(court_here_out) _o582 =
+        const LANES(court_here_out) _o581 =
             LANES(court_here)(K(2.0), which);
-        here = _o582.here;
-        const M _m583 = lanes_both(rows, here);
-        if (lanes_any(_m583)) {
-            const LANES(court_bridge_turning_out) _o584 =
+        here = _o581.here;
+        const M _m582 = lanes_both(rows, here);
+        if (lanes_any(_m582)) {
+            const LANES(court_bridge_turning_out) _o583 =
                 LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-            V turning_x = _o584.turning_x;
-            V turning_y = _o584.turning_y;
-            V turning_z = _o584.turning_z;
-            const LANES(court_pressed_on_out) _o585 =
+            V turning_x = _o583.turning_x;
+            V turning_y = _o583.turning_y;
+            V turning_z = _o583.turning_z;
+            const LANES(court_pressed_on_out) _o584 =
                 LANES(court_pressed_on)(p_ball_radius, p_gravity, nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz);
-            V press = _o585.press;
-            V weight = _o585.weight;
-            V drag = _o585.drag;
-            V thrust_x = _o585.thrust_x;
-            V thrust_y = _o585.thrust_y;
-            V thrust_z = _o585.thrust_z;
-            const LANES(court_alone_out) _o586 =
+            V press = _o584.press;
+            V weight = _o584.weight;
+            V drag = _o584.drag;
+            V thrust_x = _o584.thrust_x;
+            V thrust_y = _o584.thrust_y;
+            V thrust_z = _o584.thrust_z;
+            const LANES(court_alone_out) _o585 =
                 LANES(court_alone)();
-            V nearest = _o586.nearest;
-            V wedge = _o586.wedge;
-            const LANES(court_ring_closing_out) _o587 =
+            V nearest = _o585.nearest;
+            V wedge = _o585.wedge;
+            const LANES(court_ring_closing_out) _o586 =
                 LANES(court_ring_closing)(p_ball_radius, nx, ny, nz, p_ring_radius, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, p_wire_radius, x, y, z);
-            V gap = _o587.gap;
-            V nearing = _o587.nearing;
-            V swerve = _o587.swerve;
-            V facing = _o587.facing;
-            const LANES(court_neared_body_out) _o588 =
+            V gap = _o586.gap;
+            V nearing = _o586.nearing;
+            V swerve = _o586.swerve;
+            V facing = _o586.facing;
+            const LANES(court_neared_body_out) _o587 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o588.nearest;
-            wedge = _o588.wedge;
-            const LANES(court_backboard_closing_out) _o589 =
+            nearest = _o587.nearest;
+            wedge = _o587.wedge;
+            const LANES(court_backboard_closing_out) _o588 =
                 LANES(court_backboard_closing)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z);
-            gap = _o589.gap;
-            nearing = _o589.nearing;
-            swerve = _o589.swerve;
-            facing = _o589.facing;
-            const LANES(court_neared_body_out) _o590 =
+            gap = _o588.gap;
+            nearing = _o588.nearing;
+            swerve = _o588.swerve;
+            facing = _o588.facing;
+            const LANES(court_neared_body_out) _o589 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o590.nearest;
-            wedge = _o590.wedge;
-            const LANES(court_end_beside_out) _o591 =
+            nearest = _o589.nearest;
+            wedge = _o589.wedge;
+            const LANES(court_end_beside_out) _o590 =
                 LANES(court_end_beside)(p_end_depth, vz, z);
-            gap = _o591.gap;
-            const LANES(court_neared_out) _o592 =
+            gap = _o590.gap;
+            const LANES(court_neared_out) _o591 =
                 LANES(court_neared)(gap, nearest);
-            nearest = _o592.nearest;
-            const LANES(court_bridge_parting_out) _o593 =
+            nearest = _o591.nearest;
+            const LANES(court_bridge_parting_out) _o592 =
                 LANES(court_bridge_parting)(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-            V lift = _o593.lift;
-            const LANES(court_ring_impact_settling_out) _o594 =
+            V lift = _o592.lift;
+            const LANES(court_ring_impact_settling_out) _o593 =
                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, drag, lift, nearest, press, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz);
-            M settles = _o594.settles;
-            M lodges = _o594.lodges;
-            M slides = _o594.slides;
-            M parts = _o594.parts;
-            assured = lanes_select(_m583, _o594.assured, assured);
-            M unsure = _o594.unsure;
-            const LANES(court_settled_out) _o595 =
+            M settles = _o593.settles;
+            M lodges = _o593.lodges;
+            M slides = _o593.slides;
+            M parts = _o593.parts;
+            assured = lanes_select(_m582, _o593.assured, assured);
+            M unsure = _o593.unsure;
+            const LANES(court_settled_out) _o594 =
                 LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-            mode = lanes_select(_m583, _o595.mode, mode);
-            held = lanes_select(_m583, _o595.held, held);
-            outcome = lanes_select(_m583, _o595.outcome, outcome);
-            slip_left = lanes_select(_m583, _o595.slip_left, slip_left);
-            uncertain = lanes_select(_m583, _o595.uncertain, uncertain);
+            mode = lanes_select(_m582, _o594.mode, mode);
+            held = lanes_select(_m582, _o594.held, held);
+            outcome = lanes_select(_m582, _o594.outcome, outcome);
+            slip_left = lanes_select(_m582, _o594.slip_left, slip_left);
+            uncertain = lanes_select(_m582, _o594.uncertain, uncertain);
         }
         lanes_store(lists->slow_assured + i, assured);
         lanes_store(lists->slow_held + i, held);
@@ -9129,6 +9125,7 @@ static void LANES(court_bounded)(const court_job *job)
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
     size_t begun = 0, end = 0, shots = 0;
+    int streams = 0; /* whether the shots before ended all at once: then those to come will, too */
 
     lists->waiting = 0;
     if (job->shots == 0)
@@ -9242,7 +9239,7 @@ static void LANES(court_bounded)(const court_job *job)
         size_t open_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
-            LANES(court_ahead)(job, begun + i);
+            LANES(court_ahead)(job, begun + i, streams);
             V clock_error = lanes_load(lists->clock_error + i);
             V dvx = lanes_load(lists->dvx + i);
             V dvy = lanes_load(lists->dvy + i);
@@ -9303,11 +9300,12 @@ static void LANES(court_bounded)(const court_job *job)
             V apex = _o11.apex;
             V height = _o11.height;
             const LANES(court_meeting_plane_out) _o12 =
-                LANES(court_meeting_plane)(bend, rate, time);
+                LANES(court_meeting_plane)(apex, bend, rate, time);
             M arrives = _o12.arrives;
             V ceiling = _o12.ceiling;
+            V nearest = _o12.nearest;
             const LANES(court_end_margin_out) _o13 =
-                LANES(court_end_margin)(time, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
+                LANES(court_end_margin)(nearest, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
             V margin = _o13.margin;
             const LANES(court_crossing_out) _o14 =
                 LANES(court_crossing)(margin, K(0.0), rate, ceiling);
@@ -9316,36 +9314,33 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_timely_out) _o15 =
                 LANES(court_timely)(arrives, delay, late, time, when);
             M possible = _o15.possible;
-            const LANES(court_end_margin_out) _o16 =
-                LANES(court_end_margin)(apex, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
-            margin = _o16.margin;
-            const LANES(court_grazed_out) _o17 =
+            const LANES(court_grazed_out) _o16 =
                 LANES(court_grazed)(apex, doubt, height, margin);
-            doubt = _o17.doubt;
-            const M _m18 = lanes_both(rows, possible);
+            doubt = _o16.doubt;
+            const M _m17 = lanes_both(rows, possible);
             {
-                const LANES(court_crossed_out) _o19 =
+                const LANES(court_crossed_out) _o18 =
                     LANES(court_crossed)(arrives, clearance, doubt, time);
-                doubt = lanes_select(_m18, _o19.doubt, doubt);
-                const LANES(court_tied_out) _o20 =
+                doubt = lanes_select(_m17, _o18.doubt, doubt);
+                const LANES(court_tied_out) _o19 =
                     LANES(court_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m18, _o20.doubt, doubt);
-                late = lanes_select(_m18, _o20.late, late);
-                const LANES(court_sooner_out) _o21 =
+                doubt = lanes_select(_m17, _o19.doubt, doubt);
+                late = lanes_select(_m17, _o19.late, late);
+                const LANES(court_sooner_out) _o20 =
                     LANES(court_sooner)(arrives, K(3.0), time, when, which);
-                when = lanes_select(_m18, _o21.when, when);
-                which = lanes_select(_m18, _o21.which, which);
+                when = lanes_select(_m17, _o20.when, when);
+                which = lanes_select(_m17, _o20.which, which);
             }
-            const LANES(court_horizon_out) _o22 =
+            const LANES(court_horizon_out) _o21 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o22.horizon;
-            V pad = _o22.pad;
-            const LANES(court_ring_clear_out) _o23 =
+            V until = _o21.horizon;
+            V pad = _o21.pad;
+            const LANES(court_ring_clear_out) _o22 =
                 LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V clear = _o23.clear;
-            const LANES(court_opens_in_flight_out) _o24 =
+            V clear = _o22.clear;
+            const LANES(court_opens_in_flight_out) _o23 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o24.open;
+            M open = _o23.open;
             lanes_store(lists->began + i, began);
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->extent + i, extent);
@@ -9414,93 +9409,93 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_beginning_out) _o25 =
+            const LANES(court_beginning_out) _o24 =
                 LANES(court_beginning)();
-            V share = _o25.share;
-            V arrival = _o25.arrival;
-            M certain = _o25.certain;
-            const LANES(court_left_out) _o26 =
+            V share = _o24.share;
+            V arrival = _o24.arrival;
+            M certain = _o24.certain;
+            const LANES(court_left_out) _o25 =
                 LANES(court_left)(K(0.0), last);
-            V leaving = _o26.leaving;
-            const LANES(court_ring_opened_out) _o27 =
+            V leaving = _o25.leaving;
+            const LANES(court_ring_opened_out) _o26 =
                 LANES(court_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S onset = _o27.t;
-            S wide_end = _o27.end;
-            M searching = _o27.searching;
-            S wide_low1 = _o27.low1;
-            S wide_high1 = _o27.high1;
-            S wide_low2 = _o27.low2;
-            S wide_high2 = _o27.high2;
-            S lapsed = _o27.latest;
-            M sound = _o27.sound;
-            const LANES(court_opened_out) _o28 =
+            S onset = _o26.t;
+            S wide_end = _o26.end;
+            M searching = _o26.searching;
+            S wide_low1 = _o26.low1;
+            S wide_high1 = _o26.high1;
+            S wide_low2 = _o26.low2;
+            S wide_high2 = _o26.high2;
+            S lapsed = _o26.latest;
+            M sound = _o26.sound;
+            const LANES(court_opened_out) _o27 =
                 LANES(court_opened)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _o28.time;
-            V latest = _o28.latest;
-            const LANES(court_ring_started_out) _o29 =
+            V since = _o27.time;
+            V latest = _o27.latest;
+            const LANES(court_ring_started_out) _o28 =
                 LANES(court_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
-            V rho_start = _o29.rho_start;
-            V parting = _o29.parting;
-            V drift = _o29.drift;
-            const LANES(court_flight_out) _o30 =
+            V rho_start = _o28.rho_start;
+            V parting = _o28.parting;
+            V drift = _o28.drift;
+            const LANES(court_flight_out) _o29 =
                 LANES(court_flight)(since, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o30.x;
-            V near_y = _o30.y;
-            V near_z = _o30.z;
-            V near_vz = _o30.vz;
-            const LANES(court_ring_grain_out) _o31 =
+            V near_x = _o29.x;
+            V near_y = _o29.y;
+            V near_z = _o29.z;
+            V near_vz = _o29.vz;
+            const LANES(court_ring_grain_out) _o30 =
                 LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S short_share = _o31.share;
-            S short_t = _o31.t;
-            S short_end = _o31.end;
-            S short_x = _o31.x;
-            S short_y = _o31.y;
-            S short_z = _o31.z;
-            S short_vx = _o31.vx;
-            S short_vy = _o31.vy;
-            S short_vz = _o31.vz;
-            S short_steady = _o31.steady;
-            S short_swing = _o31.swing;
-            S short_rho_start = _o31.rho_start;
-            S short_ceiling = _o31.ceiling;
-            S short_flat = _o31.flat;
-            S short_tilt = _o31.tilt;
-            S short_jerk = _o31.jerk;
-            S short_grit = _o31.grit;
-            S short_parting = _o31.parting;
-            S short_drift = _o31.drift;
-            S short_rate_margin = _o31.rate_margin;
-            S short_low1 = _o31.low1;
-            S short_high1 = _o31.high1;
-            S short_low2 = _o31.low2;
-            S short_high2 = _o31.high2;
-            M fits = _o31.fits;
-            const LANES(court_coarse_out) _o32 =
+            S short_share = _o30.share;
+            S short_t = _o30.t;
+            S short_end = _o30.end;
+            S short_x = _o30.x;
+            S short_y = _o30.y;
+            S short_z = _o30.z;
+            S short_vx = _o30.vx;
+            S short_vy = _o30.vy;
+            S short_vz = _o30.vz;
+            S short_steady = _o30.steady;
+            S short_swing = _o30.swing;
+            S short_rho_start = _o30.rho_start;
+            S short_ceiling = _o30.ceiling;
+            S short_flat = _o30.flat;
+            S short_tilt = _o30.tilt;
+            S short_jerk = _o30.jerk;
+            S short_grit = _o30.grit;
+            S short_parting = _o30.parting;
+            S short_drift = _o30.drift;
+            S short_rate_margin = _o30.rate_margin;
+            S short_low1 = _o30.low1;
+            S short_high1 = _o30.high1;
+            S short_low2 = _o30.low2;
+            S short_high2 = _o30.high2;
+            M fits = _o30.fits;
+            const LANES(court_coarse_out) _o31 =
                 LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
-            M leaping = _o32.leaping;
-            searching = _o32.searching;
-            M served = _o32.served;
-            V ceiling = _o32.ceiling;
-            V flat = _o32.flat;
-            V tilt = _o32.tilt;
-            V allowing = _o32.allowing;
-            const LANES(court_allowance_out) _o33 =
+            M leaping = _o31.leaping;
+            searching = _o31.searching;
+            M served = _o31.served;
+            V ceiling = _o31.ceiling;
+            V flat = _o31.flat;
+            V tilt = _o31.tilt;
+            V allowing = _o31.allowing;
+            const LANES(court_allowance_out) _o32 =
                 LANES(court_allowance)(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V excess = _o33.excess;
-            const LANES(court_ring_lost_out) _o34 =
+            V excess = _o32.excess;
+            const LANES(court_ring_lost_out) _o33 =
                 LANES(court_ring_lost)(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V lost = _o34.lost;
-            const LANES(court_beyond_out) _o35 =
+            V lost = _o33.lost;
+            const LANES(court_beyond_out) _o34 =
                 LANES(court_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o35.doubt;
-            const M _m36 = lanes_both(rows, leaping);
-            if (lanes_any(_m36)) {
-                const LANES(court_ring_leap_out) _o37 =
+            doubt = _o34.doubt;
+            const M _m35 = lanes_both(rows, leaping);
+            if (lanes_any(_m35)) {
+                const LANES(court_ring_leap_out) _o36 =
                     LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = singles_select(singles_of(_m36), _o37.t, short_t);
-                short_end = singles_select(singles_of(_m36), _o37.end, short_end);
-                certain = lanes_choose(_m36, _o37.certain, certain);
-                leaping = lanes_choose(_m36, _o37.leaping, leaping);
+                short_t = singles_select(singles_of(_m35), _o36.t, short_t);
+                short_end = singles_select(singles_of(_m35), _o36.end, short_end);
+                certain = lanes_choose(_m35, _o36.certain, certain);
+                leaping = lanes_choose(_m35, _o36.leaping, leaping);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
@@ -9625,12 +9620,12 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(court_ring_leap_out) _o38 =
+                const LANES(court_ring_leap_out) _o37 =
                     LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o38.t;
-                short_end = _o38.end;
-                M certain = _o38.certain;
-                leaping = _o38.leaping;
+                short_t = _o37.t;
+                short_end = _o37.end;
+                M certain = _o37.certain;
+                leaping = _o37.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -9680,11 +9675,11 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_leapt_out) _o39 =
+            const LANES(court_leapt_out) _o38 =
                 LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o39.arrival;
-            V t = _o39.t;
-            searching = _o39.searching;
+            arrival = _o38.arrival;
+            V t = _o38.t;
+            searching = _o38.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -9742,33 +9737,33 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(court_ring_prepare_out) _o40 =
+            const LANES(court_ring_prepare_out) _o39 =
                 LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o40.steady;
-            V swing = _o40.swing;
-            V rho_start = _o40.rho_start;
-            V low0 = _o40.low0;
-            V high0 = _o40.high0;
-            V low1 = _o40.low1;
-            V high1 = _o40.high1;
-            V low2 = _o40.low2;
-            V high2 = _o40.high2;
-            V ceiling = _o40.ceiling;
-            V latest = _o40.latest;
-            const LANES(court_allowance_out) _o41 =
+            V steady = _o39.steady;
+            V swing = _o39.swing;
+            V rho_start = _o39.rho_start;
+            V low0 = _o39.low0;
+            V high0 = _o39.high0;
+            V low1 = _o39.low1;
+            V high1 = _o39.high1;
+            V low2 = _o39.low2;
+            V high2 = _o39.high2;
+            V ceiling = _o39.ceiling;
+            V latest = _o39.latest;
+            const LANES(court_allowance_out) _o40 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o41.position_level;
-            V velocity_level = _o41.velocity_level;
-            const LANES(court_ring_margins_out) _o42 =
+            V position_level = _o40.position_level;
+            V velocity_level = _o40.velocity_level;
+            const LANES(court_ring_margins_out) _o41 =
                 LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o42.margin;
-            V tilt = _o42.leaving_margin;
-            V rate_slack = _o42.rate_margin;
-            const LANES(court_ring_enter_out) _o43 =
+            V flat = _o41.margin;
+            V tilt = _o41.leaving_margin;
+            V rate_slack = _o41.rate_margin;
+            const LANES(court_ring_enter_out) _o42 =
                 LANES(court_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o43.t;
-            V end = _o43.end;
-            M searching = _o43.searching;
+            t = _o42.t;
+            V end = _o42.end;
+            M searching = _o42.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_latest + i, latest);
@@ -9910,56 +9905,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o44 =
+                const LANES(court_nearby_out) _o43 =
                     LANES(court_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o44.leaving;
-                V margin = _o44.margin;
-                const LANES(court_ring_advance_out) _o45 =
+                V leaving = _o43.leaving;
+                V margin = _o43.margin;
+                const LANES(court_ring_advance_out) _o44 =
                     LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o45.gap;
-                V rate = _o45.rate;
-                V bend = _o45.bend;
-                V step = _o45.step;
-                V next = _o45.next;
-                V clearance = _o45.clearance;
-                const LANES(court_struck_out) _o46 =
+                V gap = _o44.gap;
+                V rate = _o44.rate;
+                V bend = _o44.bend;
+                V step = _o44.step;
+                V next = _o44.next;
+                V clearance = _o44.clearance;
+                const LANES(court_struck_out) _o45 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o46.hit;
-                M sure = _o46.sure;
-                M vague = _o46.vague;
-                const M _m47 = lanes_both(active, vague);
-                if (lanes_any(_m47)) {
-                    const LANES(court_finer_out) _o48 =
+                M hit = _o45.hit;
+                M sure = _o45.sure;
+                M vague = _o45.vague;
+                const M _m46 = lanes_both(active, vague);
+                if (lanes_any(_m46)) {
+                    const LANES(court_finer_out) _o47 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m47, _o48.share, share);
-                    const LANES(court_allowance_out) _o49 =
+                    share = lanes_select(_m46, _o47.share, share);
+                    const LANES(court_allowance_out) _o48 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o49.position_level;
-                    V velocity_level = _o49.velocity_level;
-                    V excess = _o49.excess;
-                    const LANES(court_ring_margins_out) _o50 =
+                    V position_level = _o48.position_level;
+                    V velocity_level = _o48.velocity_level;
+                    V excess = _o48.excess;
+                    const LANES(court_ring_margins_out) _o49 =
                         LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m47, _o50.margin, flat);
-                    tilt = lanes_select(_m47, _o50.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m47, _o50.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o51 =
+                    flat = lanes_select(_m46, _o49.margin, flat);
+                    tilt = lanes_select(_m46, _o49.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m46, _o49.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o50 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m47, _o51.doubt, doubt);
+                    doubt = lanes_select(_m46, _o50.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o52 =
+                const LANES(court_advanced_out) _o51 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o52.arrival;
-                certain = _o52.certain;
-                M exhausted = _o52.exhausted;
-                searching = _o52.searching;
-                t = _o52.t;
-                const M _m53 = lanes_both(active, exhausted);
+                arrival = _o51.arrival;
+                certain = _o51.certain;
+                M exhausted = _o51.exhausted;
+                searching = _o51.searching;
+                t = _o51.t;
+                const M _m52 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_ring_enter_out) _o54 =
+                    const LANES(court_ring_enter_out) _o53 =
                         LANES(court_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m53, _o54.t, t);
-                    end = lanes_select(_m53, _o54.end, end);
-                    searching = lanes_choose(_m53, _o54.searching, searching);
+                    t = lanes_select(_m52, _o53.t, t);
+                    end = lanes_select(_m52, _o53.end, end);
+                    searching = lanes_choose(_m52, _o53.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -10001,9 +9996,9 @@ static void LANES(court_bounded)(const court_job *job)
             V doubt = lanes_load(lists->open_searching_doubt + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching_searching + i));
             V t = lanes_load(lists->open_searching_t + i);
-            const LANES(court_questioned_out) _o55 =
+            const LANES(court_questioned_out) _o54 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o55.doubt;
+            doubt = _o54.doubt;
             lanes_store(lists->open_searching_doubt + i, doubt);
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
@@ -10039,37 +10034,37 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o56 =
+            const LANES(court_found_out) _o55 =
                 LANES(court_found)(arrival);
-            M arrives = _o56.arrives;
-            M refining = _o56.refining;
-            V rate = _o56.rate;
-            const LANES(court_nearby_out) _o57 =
+            M arrives = _o55.arrives;
+            M refining = _o55.refining;
+            V rate = _o55.rate;
+            const LANES(court_nearby_out) _o56 =
                 LANES(court_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o57.leaving;
-            const M _m58 = lanes_both(rows, refining);
-            if (lanes_any(_m58)) {
-                const LANES(court_ring_refine_out) _o59 =
+            V leaving = _o56.leaving;
+            const M _m57 = lanes_both(rows, refining);
+            if (lanes_any(_m57)) {
+                const LANES(court_ring_refine_out) _o58 =
                     LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o59.time;
-                V gap = _o59.gap;
-                rate = lanes_select(_m58, _o59.rate, rate);
-                const LANES(court_polished_out) _o60 =
+                V refined = _o58.time;
+                V gap = _o58.gap;
+                rate = lanes_select(_m57, _o58.rate, rate);
+                const LANES(court_polished_out) _o59 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m58, _o60.arrival, arrival);
-                refining = lanes_choose(_m58, _o60.refining, refining);
+                arrival = lanes_select(_m57, _o59.arrival, arrival);
+                refining = lanes_choose(_m57, _o59.refining, refining);
             }
-            const M _m61 = lanes_both(rows, refining);
-            if (lanes_any(_m61)) {
-                const LANES(court_ring_refine_out) _o62 =
+            const M _m60 = lanes_both(rows, refining);
+            if (lanes_any(_m60)) {
+                const LANES(court_ring_refine_out) _o61 =
                     LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o62.time;
-                V gap = _o62.gap;
-                rate = lanes_select(_m61, _o62.rate, rate);
-                const LANES(court_polished_out) _o63 =
+                V refined = _o61.time;
+                V gap = _o61.gap;
+                rate = lanes_select(_m60, _o61.rate, rate);
+                const LANES(court_polished_out) _o62 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m61, _o63.arrival, arrival);
-                refining = lanes_choose(_m61, _o63.refining, refining);
+                arrival = lanes_select(_m60, _o62.arrival, arrival);
+                refining = lanes_choose(_m60, _o62.refining, refining);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -10149,15 +10144,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_ring_refine_out) _o64 =
+                const LANES(court_ring_refine_out) _o63 =
                     LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o64.time;
-                V gap = _o64.gap;
-                V rate = _o64.rate;
-                const LANES(court_polished_out) _o65 =
+                V refined = _o63.time;
+                V gap = _o63.gap;
+                V rate = _o63.rate;
+                const LANES(court_polished_out) _o64 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o65.arrival;
-                refining = _o65.refining;
+                arrival = _o64.arrival;
+                refining = _o64.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -10199,33 +10194,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_ring_margins_out) _o66 =
+            const LANES(court_ring_margins_out) _o65 =
                 LANES(court_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o66.margin;
-            V tilt = _o66.leaving_margin;
-            V rate_margin = _o66.rate_margin;
-            const LANES(court_own_margin_out) _o67 =
+            V flat = _o65.margin;
+            V tilt = _o65.leaving_margin;
+            V rate_margin = _o65.rate_margin;
+            const LANES(court_own_margin_out) _o66 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o67.margin;
-            const LANES(court_crossing_out) _o68 =
+            V margin = _o66.margin;
+            const LANES(court_crossing_out) _o67 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o68.clearance;
-            V delay = _o68.delay;
-            const LANES(court_landed_out) _o69 =
+            V clearance = _o67.clearance;
+            V delay = _o67.delay;
+            const LANES(court_landed_out) _o68 =
                 LANES(court_landed)(arrival);
-            V time = _o69.time;
-            const LANES(court_landed_surely_out) _o70 =
+            V time = _o68.time;
+            const LANES(court_landed_surely_out) _o69 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o70.delay;
-            doubt = _o70.doubt;
-            const LANES(court_tied_out) _o71 =
+            delay = _o69.delay;
+            doubt = _o69.doubt;
+            const LANES(court_tied_out) _o70 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o71.doubt;
-            late = _o71.late;
-            const LANES(court_sooner_out) _o72 =
+            doubt = _o70.doubt;
+            late = _o70.late;
+            const LANES(court_sooner_out) _o71 =
                 LANES(court_sooner)(arrives, K(0.0), time, when, which);
-            when = _o72.when;
-            which = _o72.which;
+            when = _o71.when;
+            which = _o71.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -10266,30 +10261,30 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o73 =
+            const LANES(court_horizon_out) _o72 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o73.horizon;
-            V pad = _o73.pad;
-            const LANES(court_halved_out) _o74 =
+            V until = _o72.horizon;
+            V pad = _o72.pad;
+            const LANES(court_halved_out) _o73 =
                 LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, p_gravity);
-            V middle_x = _o74.middle_x;
-            V reach_x = _o74.reach_x;
-            V later_middle_x = _o74.later_middle_x;
-            V later_reach_x = _o74.later_reach_x;
-            V middle_y = _o74.middle_y;
-            V reach_y = _o74.reach_y;
-            V later_middle_y = _o74.later_middle_y;
-            V later_reach_y = _o74.later_reach_y;
-            V middle_z = _o74.middle_z;
-            V reach_z = _o74.reach_z;
-            V later_middle_z = _o74.later_middle_z;
-            V later_reach_z = _o74.later_reach_z;
-            const LANES(court_backboard_near_out) _o75 =
+            V middle_x = _o73.middle_x;
+            V reach_x = _o73.reach_x;
+            V later_middle_x = _o73.later_middle_x;
+            V later_reach_x = _o73.later_reach_x;
+            V middle_y = _o73.middle_y;
+            V reach_y = _o73.reach_y;
+            V later_middle_y = _o73.later_middle_y;
+            V later_reach_y = _o73.later_reach_y;
+            V middle_z = _o73.middle_z;
+            V reach_z = _o73.reach_z;
+            V later_middle_z = _o73.later_middle_z;
+            V later_reach_z = _o73.later_reach_z;
+            const LANES(court_backboard_near_out) _o74 =
                 LANES(court_backboard_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-            M reachable = _o75.near;
-            const LANES(court_reachable_in_flight_out) _o76 =
+            M reachable = _o74.near;
+            const LANES(court_reachable_in_flight_out) _o75 =
                 LANES(court_reachable_in_flight)(kept, reachable);
-            reachable = _o76.reachable;
+            reachable = _o75.reachable;
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
                 lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -10350,94 +10345,94 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_horizon_out) _o77 =
+            const LANES(court_horizon_out) _o76 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o77.horizon;
-            V pad = _o77.pad;
-            const LANES(court_backboard_prepare_out) _o78 =
+            V until = _o76.horizon;
+            V pad = _o76.pad;
+            const LANES(court_backboard_prepare_out) _o77 =
                 LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V low0 = _o78.low0;
-            V high0 = _o78.high0;
-            V low1 = _o78.low1;
-            V high1 = _o78.high1;
-            V ceiling = _o78.ceiling;
-            V latest = _o78.latest;
-            V lost = _o78.lost;
-            const LANES(court_beginning_out) _o79 =
+            V low0 = _o77.low0;
+            V high0 = _o77.high0;
+            V low1 = _o77.low1;
+            V high1 = _o77.high1;
+            V ceiling = _o77.ceiling;
+            V latest = _o77.latest;
+            V lost = _o77.lost;
+            const LANES(court_beginning_out) _o78 =
                 LANES(court_beginning)();
-            V share = _o79.share;
-            V arrival = _o79.arrival;
-            M certain = _o79.certain;
-            const LANES(court_allowance_out) _o80 =
+            V share = _o78.share;
+            V arrival = _o78.arrival;
+            M certain = _o78.certain;
+            const LANES(court_allowance_out) _o79 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o80.position_level;
-            V velocity_level = _o80.velocity_level;
-            V excess = _o80.excess;
-            const LANES(court_backboard_margins_out) _o81 =
+            V position_level = _o79.position_level;
+            V velocity_level = _o79.velocity_level;
+            V excess = _o79.excess;
+            const LANES(court_backboard_margins_out) _o80 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V flat = _o81.margin;
-            V tilt = _o81.leaving_margin;
-            V rate_slack = _o81.rate_margin;
-            const LANES(court_backboard_enter_out) _o82 =
+            V flat = _o80.margin;
+            V tilt = _o80.leaving_margin;
+            V rate_slack = _o80.rate_margin;
+            const LANES(court_backboard_enter_out) _o81 =
                 LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o82.t;
-            V end = _o82.end;
-            M searching = _o82.searching;
-            const LANES(court_beyond_windows_out) _o83 =
+            V t = _o81.t;
+            V end = _o81.end;
+            M searching = _o81.searching;
+            const LANES(court_beyond_windows_out) _o82 =
                 LANES(court_beyond_windows)(doubt, excess, late, lost, pad, searching);
-            doubt = _o83.doubt;
-            const M _m84 = lanes_both(rows, searching);
-            if (lanes_any(_m84)) {
-                const LANES(court_nearby_out) _o85 =
+            doubt = _o82.doubt;
+            const M _m83 = lanes_both(rows, searching);
+            if (lanes_any(_m83)) {
+                const LANES(court_nearby_out) _o84 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o85.leaving;
-                V margin = _o85.margin;
-                const LANES(court_backboard_advance_out) _o86 =
+                V leaving = _o84.leaving;
+                V margin = _o84.margin;
+                const LANES(court_backboard_advance_out) _o85 =
                     LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V gap = _o86.gap;
-                V rate = _o86.rate;
-                V bend = _o86.bend;
-                V step = _o86.step;
-                V next = _o86.next;
-                V clearance = _o86.clearance;
-                const LANES(court_struck_or_still_out) _o87 =
+                V gap = _o85.gap;
+                V rate = _o85.rate;
+                V bend = _o85.bend;
+                V step = _o85.step;
+                V next = _o85.next;
+                V clearance = _o85.clearance;
+                const LANES(court_struck_or_still_out) _o86 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o87.hit;
-                M sure = _o87.sure;
-                M vague = _o87.vague;
-                const M _m88 = lanes_both(_m84, vague);
-                if (lanes_any(_m88)) {
-                    const LANES(court_finer_out) _o89 =
+                M hit = _o86.hit;
+                M sure = _o86.sure;
+                M vague = _o86.vague;
+                const M _m87 = lanes_both(_m83, vague);
+                if (lanes_any(_m87)) {
+                    const LANES(court_finer_out) _o88 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m88, _o89.share, share);
-                    const LANES(court_allowance_out) _o90 =
+                    share = lanes_select(_m87, _o88.share, share);
+                    const LANES(court_allowance_out) _o89 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o90.position_level;
-                    V velocity_level = _o90.velocity_level;
-                    V excess = _o90.excess;
-                    const LANES(court_backboard_margins_out) _o91 =
+                    V position_level = _o89.position_level;
+                    V velocity_level = _o89.velocity_level;
+                    V excess = _o89.excess;
+                    const LANES(court_backboard_margins_out) _o90 =
                         LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = lanes_select(_m88, _o91.margin, flat);
-                    tilt = lanes_select(_m88, _o91.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m88, _o91.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o92 =
+                    flat = lanes_select(_m87, _o90.margin, flat);
+                    tilt = lanes_select(_m87, _o90.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m87, _o90.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o91 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m88, _o92.doubt, doubt);
+                    doubt = lanes_select(_m87, _o91.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o93 =
+                const LANES(court_advanced_out) _o92 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = lanes_select(_m84, _o93.arrival, arrival);
-                certain = lanes_choose(_m84, _o93.certain, certain);
-                M exhausted = _o93.exhausted;
-                searching = lanes_choose(_m84, _o93.searching, searching);
-                t = lanes_select(_m84, _o93.t, t);
-                const M _m94 = lanes_both(_m84, exhausted);
+                arrival = lanes_select(_m83, _o92.arrival, arrival);
+                certain = lanes_choose(_m83, _o92.certain, certain);
+                M exhausted = _o92.exhausted;
+                searching = lanes_choose(_m83, _o92.searching, searching);
+                t = lanes_select(_m83, _o92.t, t);
+                const M _m93 = lanes_both(_m83, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o95 =
+                    const LANES(court_backboard_enter_out) _o94 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m94, _o95.t, t);
-                    end = lanes_select(_m94, _o95.end, end);
-                    searching = lanes_choose(_m94, _o95.searching, searching);
+                    t = lanes_select(_m93, _o94.t, t);
+                    end = lanes_select(_m93, _o94.end, end);
+                    searching = lanes_choose(_m93, _o94.searching, searching);
                 }
             }
             lanes_store(lists->reachable_arrival + i, arrival);
@@ -10580,56 +10575,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o96 =
+                const LANES(court_nearby_out) _o95 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o96.leaving;
-                V margin = _o96.margin;
-                const LANES(court_backboard_advance_out) _o97 =
+                V leaving = _o95.leaving;
+                V margin = _o95.margin;
+                const LANES(court_backboard_advance_out) _o96 =
                     LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V gap = _o97.gap;
-                V rate = _o97.rate;
-                V bend = _o97.bend;
-                V step = _o97.step;
-                V next = _o97.next;
-                V clearance = _o97.clearance;
-                const LANES(court_struck_or_still_out) _o98 =
+                V gap = _o96.gap;
+                V rate = _o96.rate;
+                V bend = _o96.bend;
+                V step = _o96.step;
+                V next = _o96.next;
+                V clearance = _o96.clearance;
+                const LANES(court_struck_or_still_out) _o97 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o98.hit;
-                M sure = _o98.sure;
-                M vague = _o98.vague;
-                const M _m99 = lanes_both(active, vague);
-                if (lanes_any(_m99)) {
-                    const LANES(court_finer_out) _o100 =
+                M hit = _o97.hit;
+                M sure = _o97.sure;
+                M vague = _o97.vague;
+                const M _m98 = lanes_both(active, vague);
+                if (lanes_any(_m98)) {
+                    const LANES(court_finer_out) _o99 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m99, _o100.share, share);
-                    const LANES(court_allowance_out) _o101 =
+                    share = lanes_select(_m98, _o99.share, share);
+                    const LANES(court_allowance_out) _o100 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o101.position_level;
-                    V velocity_level = _o101.velocity_level;
-                    V excess = _o101.excess;
-                    const LANES(court_backboard_margins_out) _o102 =
+                    V position_level = _o100.position_level;
+                    V velocity_level = _o100.velocity_level;
+                    V excess = _o100.excess;
+                    const LANES(court_backboard_margins_out) _o101 =
                         LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = lanes_select(_m99, _o102.margin, flat);
-                    tilt = lanes_select(_m99, _o102.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m99, _o102.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o103 =
+                    flat = lanes_select(_m98, _o101.margin, flat);
+                    tilt = lanes_select(_m98, _o101.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m98, _o101.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o102 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m99, _o103.doubt, doubt);
+                    doubt = lanes_select(_m98, _o102.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o104 =
+                const LANES(court_advanced_out) _o103 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o104.arrival;
-                certain = _o104.certain;
-                M exhausted = _o104.exhausted;
-                searching = _o104.searching;
-                t = _o104.t;
-                const M _m105 = lanes_both(active, exhausted);
+                arrival = _o103.arrival;
+                certain = _o103.certain;
+                M exhausted = _o103.exhausted;
+                searching = _o103.searching;
+                t = _o103.t;
+                const M _m104 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o106 =
+                    const LANES(court_backboard_enter_out) _o105 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m105, _o106.t, t);
-                    end = lanes_select(_m105, _o106.end, end);
-                    searching = lanes_choose(_m105, _o106.searching, searching);
+                    t = lanes_select(_m104, _o105.t, t);
+                    end = lanes_select(_m104, _o105.end, end);
+                    searching = lanes_choose(_m104, _o105.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -10693,40 +10688,40 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_questioned_out) _o107 =
+            const LANES(court_questioned_out) _o106 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o107.doubt;
-            const LANES(court_found_out) _o108 =
+            doubt = _o106.doubt;
+            const LANES(court_found_out) _o107 =
                 LANES(court_found)(arrival);
-            M arrives = _o108.arrives;
-            M refining = _o108.refining;
-            V rate = _o108.rate;
-            const LANES(court_nearby_out) _o109 =
+            M arrives = _o107.arrives;
+            M refining = _o107.refining;
+            V rate = _o107.rate;
+            const LANES(court_nearby_out) _o108 =
                 LANES(court_nearby)(flat, K(1.0), last, arrival, tilt);
-            V leaving = _o109.leaving;
-            const M _m110 = lanes_both(rows, refining);
-            if (lanes_any(_m110)) {
-                const LANES(court_backboard_refine_out) _o111 =
+            V leaving = _o108.leaving;
+            const M _m109 = lanes_both(rows, refining);
+            if (lanes_any(_m109)) {
+                const LANES(court_backboard_refine_out) _o110 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V refined = _o111.time;
-                V gap = _o111.gap;
-                rate = lanes_select(_m110, _o111.rate, rate);
-                const LANES(court_polished_out) _o112 =
+                V refined = _o110.time;
+                V gap = _o110.gap;
+                rate = lanes_select(_m109, _o110.rate, rate);
+                const LANES(court_polished_out) _o111 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m110, _o112.arrival, arrival);
-                refining = lanes_choose(_m110, _o112.refining, refining);
+                arrival = lanes_select(_m109, _o111.arrival, arrival);
+                refining = lanes_choose(_m109, _o111.refining, refining);
             }
-            const M _m113 = lanes_both(rows, refining);
-            if (lanes_any(_m113)) {
-                const LANES(court_backboard_refine_out) _o114 =
+            const M _m112 = lanes_both(rows, refining);
+            if (lanes_any(_m112)) {
+                const LANES(court_backboard_refine_out) _o113 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V refined = _o114.time;
-                V gap = _o114.gap;
-                rate = lanes_select(_m113, _o114.rate, rate);
-                const LANES(court_polished_out) _o115 =
+                V refined = _o113.time;
+                V gap = _o113.gap;
+                rate = lanes_select(_m112, _o113.rate, rate);
+                const LANES(court_polished_out) _o114 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m113, _o115.arrival, arrival);
-                refining = lanes_choose(_m113, _o115.refining, refining);
+                arrival = lanes_select(_m112, _o114.arrival, arrival);
+                refining = lanes_choose(_m112, _o114.refining, refining);
             }
             lanes_store(lists->reachable_arrival + i, arrival);
             lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -10816,15 +10811,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_backboard_refine_out) _o116 =
+                const LANES(court_backboard_refine_out) _o115 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                V refined = _o116.time;
-                V gap = _o116.gap;
-                V rate = _o116.rate;
-                const LANES(court_polished_out) _o117 =
+                V refined = _o115.time;
+                V gap = _o115.gap;
+                V rate = _o115.rate;
+                const LANES(court_polished_out) _o116 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o117.arrival;
-                refining = _o117.refining;
+                arrival = _o116.arrival;
+                refining = _o116.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -10869,33 +10864,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->reachable_velocity_error + i);
             V when = lanes_load(lists->reachable_when + i);
             V which = lanes_load(lists->reachable_which + i);
-            const LANES(court_backboard_margins_out) _o118 =
+            const LANES(court_backboard_margins_out) _o117 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            V flat = _o118.margin;
-            V tilt = _o118.leaving_margin;
-            V rate_margin = _o118.rate_margin;
-            const LANES(court_own_margin_out) _o119 =
+            V flat = _o117.margin;
+            V tilt = _o117.leaving_margin;
+            V rate_margin = _o117.rate_margin;
+            const LANES(court_own_margin_out) _o118 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o119.margin;
-            const LANES(court_crossing_out) _o120 =
+            V margin = _o118.margin;
+            const LANES(court_crossing_out) _o119 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o120.clearance;
-            V delay = _o120.delay;
-            const LANES(court_landed_out) _o121 =
+            V clearance = _o119.clearance;
+            V delay = _o119.delay;
+            const LANES(court_landed_out) _o120 =
                 LANES(court_landed)(arrival);
-            V time = _o121.time;
-            const LANES(court_landed_surely_out) _o122 =
+            V time = _o120.time;
+            const LANES(court_landed_surely_out) _o121 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o122.delay;
-            doubt = _o122.doubt;
-            const LANES(court_tied_out) _o123 =
+            delay = _o121.delay;
+            doubt = _o121.doubt;
+            const LANES(court_tied_out) _o122 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o123.doubt;
-            late = _o123.late;
-            const LANES(court_sooner_out) _o124 =
+            doubt = _o122.doubt;
+            late = _o122.late;
+            const LANES(court_sooner_out) _o123 =
                 LANES(court_sooner)(arrives, K(1.0), time, when, which);
-            when = _o124.when;
-            which = _o124.which;
+            when = _o123.when;
+            which = _o123.which;
             lanes_store(lists->reachable_doubt + i, doubt);
             lanes_store(lists->reachable_late + i, late);
             lanes_store(lists->reachable_when + i, when);
@@ -10936,30 +10931,30 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o125 =
+            const LANES(court_horizon_out) _o124 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o125.horizon;
-            V pad = _o125.pad;
-            const LANES(court_halved_out) _o126 =
+            V until = _o124.horizon;
+            V pad = _o124.pad;
+            const LANES(court_halved_out) _o125 =
                 LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, p_gravity);
-            V middle_x = _o126.middle_x;
-            V reach_x = _o126.reach_x;
-            V later_middle_x = _o126.later_middle_x;
-            V later_reach_x = _o126.later_reach_x;
-            V middle_y = _o126.middle_y;
-            V reach_y = _o126.reach_y;
-            V later_middle_y = _o126.later_middle_y;
-            V later_reach_y = _o126.later_reach_y;
-            V middle_z = _o126.middle_z;
-            V reach_z = _o126.reach_z;
-            V later_middle_z = _o126.later_middle_z;
-            V later_reach_z = _o126.later_reach_z;
-            const LANES(court_bridge_near_out) _o127 =
+            V middle_x = _o125.middle_x;
+            V reach_x = _o125.reach_x;
+            V later_middle_x = _o125.later_middle_x;
+            V later_reach_x = _o125.later_reach_x;
+            V middle_y = _o125.middle_y;
+            V reach_y = _o125.reach_y;
+            V later_middle_y = _o125.later_middle_y;
+            V later_reach_y = _o125.later_reach_y;
+            V middle_z = _o125.middle_z;
+            V reach_z = _o125.reach_z;
+            V later_middle_z = _o125.later_middle_z;
+            V later_reach_z = _o125.later_reach_z;
+            const LANES(court_bridge_near_out) _o126 =
                 LANES(court_bridge_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-            M reachable = _o127.near;
-            const LANES(court_reachable_in_flight_out) _o128 =
+            M reachable = _o126.near;
+            const LANES(court_reachable_in_flight_out) _o127 =
                 LANES(court_reachable_in_flight)(kept, reachable);
-            reachable = _o128.reachable;
+            reachable = _o127.reachable;
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
                 lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -11020,94 +11015,94 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_horizon_out) _o129 =
+            const LANES(court_horizon_out) _o128 =
                 LANES(court_horizon)(when, speed, p_gravity);
-            V until = _o129.horizon;
-            V pad = _o129.pad;
-            const LANES(court_bridge_prepare_out) _o130 =
+            V until = _o128.horizon;
+            V pad = _o128.pad;
+            const LANES(court_bridge_prepare_out) _o129 =
                 LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V low0 = _o130.low0;
-            V high0 = _o130.high0;
-            V low1 = _o130.low1;
-            V high1 = _o130.high1;
-            V ceiling = _o130.ceiling;
-            V latest = _o130.latest;
-            V lost = _o130.lost;
-            const LANES(court_beginning_out) _o131 =
+            V low0 = _o129.low0;
+            V high0 = _o129.high0;
+            V low1 = _o129.low1;
+            V high1 = _o129.high1;
+            V ceiling = _o129.ceiling;
+            V latest = _o129.latest;
+            V lost = _o129.lost;
+            const LANES(court_beginning_out) _o130 =
                 LANES(court_beginning)();
-            V share = _o131.share;
-            V arrival = _o131.arrival;
-            M certain = _o131.certain;
-            const LANES(court_allowance_out) _o132 =
+            V share = _o130.share;
+            V arrival = _o130.arrival;
+            M certain = _o130.certain;
+            const LANES(court_allowance_out) _o131 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o132.position_level;
-            V velocity_level = _o132.velocity_level;
-            V excess = _o132.excess;
-            const LANES(court_bridge_margins_out) _o133 =
+            V position_level = _o131.position_level;
+            V velocity_level = _o131.velocity_level;
+            V excess = _o131.excess;
+            const LANES(court_bridge_margins_out) _o132 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o133.margin;
-            V tilt = _o133.leaving_margin;
-            V rate_slack = _o133.rate_margin;
-            const LANES(court_bridge_enter_out) _o134 =
+            V flat = _o132.margin;
+            V tilt = _o132.leaving_margin;
+            V rate_slack = _o132.rate_margin;
+            const LANES(court_bridge_enter_out) _o133 =
                 LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o134.t;
-            V end = _o134.end;
-            M searching = _o134.searching;
-            const LANES(court_beyond_windows_out) _o135 =
+            V t = _o133.t;
+            V end = _o133.end;
+            M searching = _o133.searching;
+            const LANES(court_beyond_windows_out) _o134 =
                 LANES(court_beyond_windows)(doubt, excess, late, lost, pad, searching);
-            doubt = _o135.doubt;
-            const M _m136 = lanes_both(rows, searching);
-            if (lanes_any(_m136)) {
-                const LANES(court_nearby_out) _o137 =
+            doubt = _o134.doubt;
+            const M _m135 = lanes_both(rows, searching);
+            if (lanes_any(_m135)) {
+                const LANES(court_nearby_out) _o136 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o137.leaving;
-                V margin = _o137.margin;
-                const LANES(court_bridge_advance_out) _o138 =
+                V leaving = _o136.leaving;
+                V margin = _o136.margin;
+                const LANES(court_bridge_advance_out) _o137 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o138.gap;
-                V rate = _o138.rate;
-                V bend = _o138.bend;
-                V step = _o138.step;
-                V next = _o138.next;
-                V clearance = _o138.clearance;
-                const LANES(court_struck_or_still_out) _o139 =
+                V gap = _o137.gap;
+                V rate = _o137.rate;
+                V bend = _o137.bend;
+                V step = _o137.step;
+                V next = _o137.next;
+                V clearance = _o137.clearance;
+                const LANES(court_struck_or_still_out) _o138 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o139.hit;
-                M sure = _o139.sure;
-                M vague = _o139.vague;
-                const M _m140 = lanes_both(_m136, vague);
-                if (lanes_any(_m140)) {
-                    const LANES(court_finer_out) _o141 =
+                M hit = _o138.hit;
+                M sure = _o138.sure;
+                M vague = _o138.vague;
+                const M _m139 = lanes_both(_m135, vague);
+                if (lanes_any(_m139)) {
+                    const LANES(court_finer_out) _o140 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m140, _o141.share, share);
-                    const LANES(court_allowance_out) _o142 =
+                    share = lanes_select(_m139, _o140.share, share);
+                    const LANES(court_allowance_out) _o141 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o142.position_level;
-                    V velocity_level = _o142.velocity_level;
-                    V excess = _o142.excess;
-                    const LANES(court_bridge_margins_out) _o143 =
+                    V position_level = _o141.position_level;
+                    V velocity_level = _o141.velocity_level;
+                    V excess = _o141.excess;
+                    const LANES(court_bridge_margins_out) _o142 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m140, _o143.margin, flat);
-                    tilt = lanes_select(_m140, _o143.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m140, _o143.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o144 =
+                    flat = lanes_select(_m139, _o142.margin, flat);
+                    tilt = lanes_select(_m139, _o142.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m139, _o142.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o143 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m140, _o144.doubt, doubt);
+                    doubt = lanes_select(_m139, _o143.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o145 =
+                const LANES(court_advanced_out) _o144 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = lanes_select(_m136, _o145.arrival, arrival);
-                certain = lanes_choose(_m136, _o145.certain, certain);
-                M exhausted = _o145.exhausted;
-                searching = lanes_choose(_m136, _o145.searching, searching);
-                t = lanes_select(_m136, _o145.t, t);
-                const M _m146 = lanes_both(_m136, exhausted);
+                arrival = lanes_select(_m135, _o144.arrival, arrival);
+                certain = lanes_choose(_m135, _o144.certain, certain);
+                M exhausted = _o144.exhausted;
+                searching = lanes_choose(_m135, _o144.searching, searching);
+                t = lanes_select(_m135, _o144.t, t);
+                const M _m145 = lanes_both(_m135, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o147 =
+                    const LANES(court_bridge_enter_out) _o146 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m146, _o147.t, t);
-                    end = lanes_select(_m146, _o147.end, end);
-                    searching = lanes_choose(_m146, _o147.searching, searching);
+                    t = lanes_select(_m145, _o146.t, t);
+                    end = lanes_select(_m145, _o146.end, end);
+                    searching = lanes_choose(_m145, _o146.searching, searching);
                 }
             }
             lanes_store(lists->reachable_arrival + i, arrival);
@@ -11250,56 +11245,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o148 =
+                const LANES(court_nearby_out) _o147 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o148.leaving;
-                V margin = _o148.margin;
-                const LANES(court_bridge_advance_out) _o149 =
+                V leaving = _o147.leaving;
+                V margin = _o147.margin;
+                const LANES(court_bridge_advance_out) _o148 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V gap = _o149.gap;
-                V rate = _o149.rate;
-                V bend = _o149.bend;
-                V step = _o149.step;
-                V next = _o149.next;
-                V clearance = _o149.clearance;
-                const LANES(court_struck_or_still_out) _o150 =
+                V gap = _o148.gap;
+                V rate = _o148.rate;
+                V bend = _o148.bend;
+                V step = _o148.step;
+                V next = _o148.next;
+                V clearance = _o148.clearance;
+                const LANES(court_struck_or_still_out) _o149 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o150.hit;
-                M sure = _o150.sure;
-                M vague = _o150.vague;
-                const M _m151 = lanes_both(active, vague);
-                if (lanes_any(_m151)) {
-                    const LANES(court_finer_out) _o152 =
+                M hit = _o149.hit;
+                M sure = _o149.sure;
+                M vague = _o149.vague;
+                const M _m150 = lanes_both(active, vague);
+                if (lanes_any(_m150)) {
+                    const LANES(court_finer_out) _o151 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m151, _o152.share, share);
-                    const LANES(court_allowance_out) _o153 =
+                    share = lanes_select(_m150, _o151.share, share);
+                    const LANES(court_allowance_out) _o152 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o153.position_level;
-                    V velocity_level = _o153.velocity_level;
-                    V excess = _o153.excess;
-                    const LANES(court_bridge_margins_out) _o154 =
+                    V position_level = _o152.position_level;
+                    V velocity_level = _o152.velocity_level;
+                    V excess = _o152.excess;
+                    const LANES(court_bridge_margins_out) _o153 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = lanes_select(_m151, _o154.margin, flat);
-                    tilt = lanes_select(_m151, _o154.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m151, _o154.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o155 =
+                    flat = lanes_select(_m150, _o153.margin, flat);
+                    tilt = lanes_select(_m150, _o153.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m150, _o153.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o154 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m151, _o155.doubt, doubt);
+                    doubt = lanes_select(_m150, _o154.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o156 =
+                const LANES(court_advanced_out) _o155 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o156.arrival;
-                certain = _o156.certain;
-                M exhausted = _o156.exhausted;
-                searching = _o156.searching;
-                t = _o156.t;
-                const M _m157 = lanes_both(active, exhausted);
+                arrival = _o155.arrival;
+                certain = _o155.certain;
+                M exhausted = _o155.exhausted;
+                searching = _o155.searching;
+                t = _o155.t;
+                const M _m156 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o158 =
+                    const LANES(court_bridge_enter_out) _o157 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m157, _o158.t, t);
-                    end = lanes_select(_m157, _o158.end, end);
-                    searching = lanes_choose(_m157, _o158.searching, searching);
+                    t = lanes_select(_m156, _o157.t, t);
+                    end = lanes_select(_m156, _o157.end, end);
+                    searching = lanes_choose(_m156, _o157.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -11363,40 +11358,40 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_questioned_out) _o159 =
+            const LANES(court_questioned_out) _o158 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o159.doubt;
-            const LANES(court_found_out) _o160 =
+            doubt = _o158.doubt;
+            const LANES(court_found_out) _o159 =
                 LANES(court_found)(arrival);
-            M arrives = _o160.arrives;
-            M refining = _o160.refining;
-            V rate = _o160.rate;
-            const LANES(court_nearby_out) _o161 =
+            M arrives = _o159.arrives;
+            M refining = _o159.refining;
+            V rate = _o159.rate;
+            const LANES(court_nearby_out) _o160 =
                 LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o161.leaving;
-            const M _m162 = lanes_both(rows, refining);
-            if (lanes_any(_m162)) {
-                const LANES(court_bridge_refine_out) _o163 =
+            V leaving = _o160.leaving;
+            const M _m161 = lanes_both(rows, refining);
+            if (lanes_any(_m161)) {
+                const LANES(court_bridge_refine_out) _o162 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o163.time;
-                V gap = _o163.gap;
-                rate = lanes_select(_m162, _o163.rate, rate);
-                const LANES(court_polished_out) _o164 =
+                V refined = _o162.time;
+                V gap = _o162.gap;
+                rate = lanes_select(_m161, _o162.rate, rate);
+                const LANES(court_polished_out) _o163 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m162, _o164.arrival, arrival);
-                refining = lanes_choose(_m162, _o164.refining, refining);
+                arrival = lanes_select(_m161, _o163.arrival, arrival);
+                refining = lanes_choose(_m161, _o163.refining, refining);
             }
-            const M _m165 = lanes_both(rows, refining);
-            if (lanes_any(_m165)) {
-                const LANES(court_bridge_refine_out) _o166 =
+            const M _m164 = lanes_both(rows, refining);
+            if (lanes_any(_m164)) {
+                const LANES(court_bridge_refine_out) _o165 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o166.time;
-                V gap = _o166.gap;
-                rate = lanes_select(_m165, _o166.rate, rate);
-                const LANES(court_polished_out) _o167 =
+                V refined = _o165.time;
+                V gap = _o165.gap;
+                rate = lanes_select(_m164, _o165.rate, rate);
+                const LANES(court_polished_out) _o166 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m165, _o167.arrival, arrival);
-                refining = lanes_choose(_m165, _o167.refining, refining);
+                arrival = lanes_select(_m164, _o166.arrival, arrival);
+                refining = lanes_choose(_m164, _o166.refining, refining);
             }
             lanes_store(lists->reachable_arrival + i, arrival);
             lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -11486,15 +11481,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_bridge_refine_out) _o168 =
+                const LANES(court_bridge_refine_out) _o167 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                V refined = _o168.time;
-                V gap = _o168.gap;
-                V rate = _o168.rate;
-                const LANES(court_polished_out) _o169 =
+                V refined = _o167.time;
+                V gap = _o167.gap;
+                V rate = _o167.rate;
+                const LANES(court_polished_out) _o168 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o169.arrival;
-                refining = _o169.refining;
+                arrival = _o168.arrival;
+                refining = _o168.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -11539,33 +11534,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->reachable_velocity_error + i);
             V when = lanes_load(lists->reachable_when + i);
             V which = lanes_load(lists->reachable_which + i);
-            const LANES(court_bridge_margins_out) _o170 =
+            const LANES(court_bridge_margins_out) _o169 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            V flat = _o170.margin;
-            V tilt = _o170.leaving_margin;
-            V rate_margin = _o170.rate_margin;
-            const LANES(court_own_margin_out) _o171 =
+            V flat = _o169.margin;
+            V tilt = _o169.leaving_margin;
+            V rate_margin = _o169.rate_margin;
+            const LANES(court_own_margin_out) _o170 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o171.margin;
-            const LANES(court_crossing_out) _o172 =
+            V margin = _o170.margin;
+            const LANES(court_crossing_out) _o171 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o172.clearance;
-            V delay = _o172.delay;
-            const LANES(court_landed_out) _o173 =
+            V clearance = _o171.clearance;
+            V delay = _o171.delay;
+            const LANES(court_landed_out) _o172 =
                 LANES(court_landed)(arrival);
-            V time = _o173.time;
-            const LANES(court_landed_surely_out) _o174 =
+            V time = _o172.time;
+            const LANES(court_landed_surely_out) _o173 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o174.delay;
-            doubt = _o174.doubt;
-            const LANES(court_tied_out) _o175 =
+            delay = _o173.delay;
+            doubt = _o173.doubt;
+            const LANES(court_tied_out) _o174 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o175.doubt;
-            late = _o175.late;
-            const LANES(court_sooner_out) _o176 =
+            doubt = _o174.doubt;
+            late = _o174.late;
+            const LANES(court_sooner_out) _o175 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o176.when;
-            which = _o176.which;
+            when = _o175.when;
+            which = _o175.which;
             lanes_store(lists->reachable_doubt + i, doubt);
             lanes_store(lists->reachable_late + i, late);
             lanes_store(lists->reachable_when + i, when);
@@ -11636,22 +11631,22 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m177 = lanes_both(rows, limited);
-            if (lanes_any(_m177)) {
-                const LANES(court_expiry_out) _o178 =
+            const M _m176 = lanes_both(rows, limited);
+            if (lanes_any(_m176)) {
+                const LANES(court_expiry_out) _o177 =
                     LANES(court_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o178.time;
-                V delay = _o178.delay;
-                M arrives = _o178.arrives;
-                doubt = lanes_select(_m177, _o178.doubt, doubt);
-                const LANES(court_tied_out) _o179 =
+                V time = _o177.time;
+                V delay = _o177.delay;
+                M arrives = _o177.arrives;
+                doubt = lanes_select(_m176, _o177.doubt, doubt);
+                const LANES(court_tied_out) _o178 =
                     LANES(court_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m177, _o179.doubt, doubt);
-                late = lanes_select(_m177, _o179.late, late);
-                const LANES(court_sooner_out) _o180 =
+                doubt = lanes_select(_m176, _o178.doubt, doubt);
+                late = lanes_select(_m176, _o178.late, late);
+                const LANES(court_sooner_out) _o179 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m177, _o180.when, when);
-                which = lanes_select(_m177, _o180.which, which);
+                when = lanes_select(_m176, _o179.when, when);
+                which = lanes_select(_m176, _o179.which, which);
             }
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->late + i, late);
@@ -11835,90 +11830,90 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o461 =
+            const LANES(court_departed_out) _o460 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o461.moves;
-            M ends = _o461.ends;
-            M touches = _o461.touches;
-            V reached = _o461.reached;
-            M edge = _o461.edge;
-            const LANES(court_body_of_out) _o462 =
+            M moves = _o460.moves;
+            M ends = _o460.ends;
+            M touches = _o460.touches;
+            V reached = _o460.reached;
+            M edge = _o460.edge;
+            const LANES(court_body_of_out) _o461 =
                 LANES(court_body_of)(which);
-            V body = _o462.body;
-            const M _m463 = lanes_both(rows, moves);
-            if (lanes_any(_m463)) {
-                const LANES(court_passing_doubt_out) _o464 =
+            V body = _o461.body;
+            const M _m462 = lanes_both(rows, moves);
+            if (lanes_any(_m462)) {
+                const LANES(court_passing_doubt_out) _o463 =
                     LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                M unsure = _o464.unsure;
-                const LANES(court_undecided_out) _o465 =
+                M unsure = _o463.unsure;
+                const LANES(court_undecided_out) _o464 =
                     LANES(court_undecided)(uncertain, unsure);
-                uncertain = lanes_select(_m463, _o465.uncertain, uncertain);
-                const LANES(court_passing_out) _o466 =
+                uncertain = lanes_select(_m462, _o464.uncertain, uncertain);
+                const LANES(court_passing_out) _o465 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-                through = lanes_select(_m463, _o466.through, through);
-                const LANES(court_flight_out) _o467 =
+                through = lanes_select(_m462, _o465.through, through);
+                const LANES(court_flight_out) _o466 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m463, _o467.x, x);
-                y = lanes_select(_m463, _o467.y, y);
-                z = lanes_select(_m463, _o467.z, z);
-                vx = lanes_select(_m463, _o467.vx, vx);
-                vy = lanes_select(_m463, _o467.vy, vy);
-                vz = lanes_select(_m463, _o467.vz, vz);
-                const LANES(court_ticked_out) _o468 =
+                x = lanes_select(_m462, _o466.x, x);
+                y = lanes_select(_m462, _o466.y, y);
+                z = lanes_select(_m462, _o466.z, z);
+                vx = lanes_select(_m462, _o466.vx, vx);
+                vy = lanes_select(_m462, _o466.vy, vy);
+                vz = lanes_select(_m462, _o466.vz, vz);
+                const LANES(court_ticked_out) _o467 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m463, _o468.clock, clock);
+                clock = lanes_select(_m462, _o467.clock, clock);
             }
-            const M _m469 = lanes_both(rows, limited);
-            if (lanes_any(_m469)) {
-                const LANES(court_expired_out) _o470 =
+            const M _m468 = lanes_both(rows, limited);
+            if (lanes_any(_m468)) {
+                const LANES(court_expired_out) _o469 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m469, _o470.clock, clock);
-                body = lanes_select(_m469, _o470.body, body);
-                reached = lanes_select(_m469, _o470.reached, reached);
-                ends = lanes_choose(_m469, _o470.ends, ends);
+                clock = lanes_select(_m468, _o469.clock, clock);
+                body = lanes_select(_m468, _o469.body, body);
+                reached = lanes_select(_m468, _o469.reached, reached);
+                ends = lanes_choose(_m468, _o469.ends, ends);
             }
-            const LANES(court_unhopped_out) _o471 =
+            const LANES(court_unhopped_out) _o470 =
                 LANES(court_unhopped)();
-            M hopped = _o471.hopped;
-            const M _m472 = lanes_both(rows, kept);
-            if (lanes_any(_m472)) {
-                const LANES(court_kept_on_out) _o473 =
+            M hopped = _o470.hopped;
+            const M _m471 = lanes_both(rows, kept);
+            if (lanes_any(_m471)) {
+                const LANES(court_kept_on_out) _o472 =
                     LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m472, _o473.body, body);
-                reached = lanes_select(_m472, _o473.reached, reached);
-                doubt = lanes_select(_m472, _o473.doubt, doubt);
-                ends = lanes_choose(_m472, _o473.ends, ends);
-                hopped = lanes_choose(_m472, _o473.hopped, hopped);
-                last = lanes_select(_m472, _o473.last, last);
-                mode = lanes_select(_m472, _o473.mode, mode);
-                held = lanes_select(_m472, _o473.held, held);
-                rolls = lanes_select(_m472, _o473.rolls, rolls);
+                body = lanes_select(_m471, _o472.body, body);
+                reached = lanes_select(_m471, _o472.reached, reached);
+                doubt = lanes_select(_m471, _o472.doubt, doubt);
+                ends = lanes_choose(_m471, _o472.ends, ends);
+                hopped = lanes_choose(_m471, _o472.hopped, hopped);
+                last = lanes_select(_m471, _o472.last, last);
+                mode = lanes_select(_m471, _o472.mode, mode);
+                held = lanes_select(_m471, _o472.held, held);
+                rolls = lanes_select(_m471, _o472.rolls, rolls);
             }
-            const LANES(court_displacement_out) _o474 =
+            const LANES(court_displacement_out) _o473 =
                 LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-            V slack = _o474.margin;
-            const LANES(court_here_out) _o475 =
+            V slack = _o473.margin;
+            const LANES(court_here_out) _o474 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o475.here;
-            const M _m476 = lanes_both(rows, here);
+            M here = _o474.here;
+            const M _m475 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o477 =
+                const LANES(court_end_bounds_out) _o476 =
                     LANES(court_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o477.g0;
-                const LANES(court_end_reached_out) _o478 =
+                V g0 = _o476.g0;
+                const LANES(court_end_reached_out) _o477 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m476, _o478.reached, reached);
-                const LANES(court_end_edge_out) _o479 =
+                reached = lanes_select(_m475, _o477.reached, reached);
+                const LANES(court_end_edge_out) _o478 =
                     LANES(court_end_edge)(g0, slack, through);
-                edge = lanes_choose(_m476, _o479.edge, edge);
+                edge = lanes_choose(_m475, _o478.edge, edge);
             }
-            const LANES(court_doubted_in_contact_out) _o480 =
+            const LANES(court_doubted_in_contact_out) _o479 =
                 LANES(court_doubted_in_contact)(assured, doubt, edge, last, late, uncertain, when, which);
-            uncertain = _o480.uncertain;
-            const LANES(court_accounted_out) _o481 =
+            uncertain = _o479.uncertain;
+            const LANES(court_accounted_out) _o480 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o481.contacts;
-            V outcome = _o481.outcome;
+            contacts = _o480.contacts;
+            V outcome = _o480.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -11931,260 +11926,260 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o482 =
+            const LANES(court_meeting_out) _o481 =
                 LANES(court_meeting)(claims, ends, touches);
-            M meeting = _o482.meeting;
-            const LANES(court_unslowed_out) _o483 =
+            M meeting = _o481.meeting;
+            const LANES(court_unslowed_out) _o482 =
                 LANES(court_unslowed)();
-            M slow = _o483.slow;
-            const M _m484 = lanes_both(rows, meeting);
-            if (lanes_any(_m484)) {
-                const LANES(court_end_normal_out) _o485 =
+            M slow = _o482.slow;
+            const M _m483 = lanes_both(rows, meeting);
+            if (lanes_any(_m483)) {
+                const LANES(court_end_normal_out) _o484 =
                     LANES(court_end_normal)();
-                V nx = _o485.nx;
-                V ny = _o485.ny;
-                V nz = _o485.nz;
-                const LANES(court_here_out) _o486 =
+                V nx = _o484.nx;
+                V ny = _o484.ny;
+                V nz = _o484.nz;
+                const LANES(court_here_out) _o485 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o486.here;
-                const M _m487 = lanes_both(_m484, here);
+                M here = _o485.here;
+                const M _m486 = lanes_both(_m483, here);
                 {
-                    const LANES(court_ring_normal_out) _o488 =
+                    const LANES(court_ring_normal_out) _o487 =
                         LANES(court_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m487, _o488.nx, nx);
-                    ny = lanes_select(_m487, _o488.ny, ny);
-                    nz = lanes_select(_m487, _o488.nz, nz);
-                    const LANES(court_counted_out) _o489 =
+                    nx = lanes_select(_m486, _o487.nx, nx);
+                    ny = lanes_select(_m486, _o487.ny, ny);
+                    nz = lanes_select(_m486, _o487.nz, nz);
+                    const LANES(court_counted_out) _o488 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m487, _o489.count, count_0);
+                    count_0 = lanes_select(_m486, _o488.count, count_0);
                 }
-                const LANES(court_here_out) _o490 =
+                const LANES(court_here_out) _o489 =
                     LANES(court_here)(K(1.0), which);
-                here = _o490.here;
-                const M _m491 = lanes_both(_m484, here);
+                here = _o489.here;
+                const M _m490 = lanes_both(_m483, here);
                 {
-                    const LANES(court_backboard_normal_out) _o492 =
+                    const LANES(court_backboard_normal_out) _o491 =
                         LANES(court_backboard_normal)(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = lanes_select(_m491, _o492.nx, nx);
-                    ny = lanes_select(_m491, _o492.ny, ny);
-                    nz = lanes_select(_m491, _o492.nz, nz);
-                    const LANES(court_counted_out) _o493 =
+                    nx = lanes_select(_m490, _o491.nx, nx);
+                    ny = lanes_select(_m490, _o491.ny, ny);
+                    nz = lanes_select(_m490, _o491.nz, nz);
+                    const LANES(court_counted_out) _o492 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m491, _o493.count, count_1);
+                    count_1 = lanes_select(_m490, _o492.count, count_1);
                 }
-                const LANES(court_here_out) _o494 =
+                const LANES(court_here_out) _o493 =
                     LANES(court_here)(K(2.0), which);
-                here = _o494.here;
-                const M _m495 = lanes_both(_m484, here);
+                here = _o493.here;
+                const M _m494 = lanes_both(_m483, here);
                 {
-                    const LANES(court_bridge_normal_out) _o496 =
+                    const LANES(court_bridge_normal_out) _o495 =
                         LANES(court_bridge_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = lanes_select(_m495, _o496.nx, nx);
-                    ny = lanes_select(_m495, _o496.ny, ny);
-                    nz = lanes_select(_m495, _o496.nz, nz);
-                    const LANES(court_counted_out) _o497 =
+                    nx = lanes_select(_m494, _o495.nx, nx);
+                    ny = lanes_select(_m494, _o495.ny, ny);
+                    nz = lanes_select(_m494, _o495.nz, nz);
+                    const LANES(court_counted_out) _o496 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m495, _o497.count, count_2);
+                    count_2 = lanes_select(_m494, _o496.count, count_2);
                 }
-                const LANES(court_elsewhere_out) _o498 =
+                const LANES(court_elsewhere_out) _o497 =
                     LANES(court_elsewhere)();
-                V curving = _o498.curving;
-                const LANES(court_anew_out) _o499 =
+                V curving = _o497.curving;
+                const LANES(court_anew_out) _o498 =
                     LANES(court_anew)();
-                V left_nx = _o499.left_nx;
-                V left_ny = _o499.left_ny;
-                V left_nz = _o499.left_nz;
-                const LANES(court_again_out) _o500 =
+                V left_nx = _o498.left_nx;
+                V left_ny = _o498.left_ny;
+                V left_nz = _o498.left_nz;
+                const LANES(court_again_out) _o499 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o500.again;
-                const M _m501 = lanes_both(_m484, again);
-                if (lanes_any(_m501)) {
-                    const LANES(court_ring_curvature_out) _o502 =
+                M again = _o499.again;
+                const M _m500 = lanes_both(_m483, again);
+                if (lanes_any(_m500)) {
+                    const LANES(court_ring_curvature_out) _o501 =
                         LANES(court_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = lanes_select(_m501, _o502.curvature, curving);
-                    const LANES(court_started_out) _o503 =
+                    curving = lanes_select(_m500, _o501.curvature, curving);
+                    const LANES(court_started_out) _o502 =
                         LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
-                    V from_x = _o503.from_x;
-                    V from_y = _o503.from_y;
-                    V from_z = _o503.from_z;
-                    const LANES(court_ring_normal_out) _o504 =
+                    V from_x = _o502.from_x;
+                    V from_y = _o502.from_y;
+                    V from_z = _o502.from_z;
+                    const LANES(court_ring_normal_out) _o503 =
                         LANES(court_ring_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    left_nx = lanes_select(_m501, _o504.nx, left_nx);
-                    left_ny = lanes_select(_m501, _o504.ny, left_ny);
-                    left_nz = lanes_select(_m501, _o504.nz, left_nz);
+                    left_nx = lanes_select(_m500, _o503.nx, left_nx);
+                    left_ny = lanes_select(_m500, _o503.ny, left_ny);
+                    left_nz = lanes_select(_m500, _o503.nz, left_nz);
                 }
-                const LANES(court_again_out) _o505 =
+                const LANES(court_again_out) _o504 =
                     LANES(court_again)(K(1.0), last, which);
-                again = _o505.again;
-                const M _m506 = lanes_both(_m484, again);
-                if (lanes_any(_m506)) {
-                    const LANES(court_backboard_curvature_out) _o507 =
+                again = _o504.again;
+                const M _m505 = lanes_both(_m483, again);
+                if (lanes_any(_m505)) {
+                    const LANES(court_backboard_curvature_out) _o506 =
                         LANES(court_backboard_curvature)(p_ball_radius);
-                    curving = lanes_select(_m506, _o507.curvature, curving);
-                    const LANES(court_started_out) _o508 =
+                    curving = lanes_select(_m505, _o506.curvature, curving);
+                    const LANES(court_started_out) _o507 =
                         LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
-                    V from_x = _o508.from_x;
-                    V from_y = _o508.from_y;
-                    V from_z = _o508.from_z;
-                    const LANES(court_backboard_normal_out) _o509 =
+                    V from_x = _o507.from_x;
+                    V from_y = _o507.from_y;
+                    V from_z = _o507.from_z;
+                    const LANES(court_backboard_normal_out) _o508 =
                         LANES(court_backboard_normal)(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    left_nx = lanes_select(_m506, _o509.nx, left_nx);
-                    left_ny = lanes_select(_m506, _o509.ny, left_ny);
-                    left_nz = lanes_select(_m506, _o509.nz, left_nz);
+                    left_nx = lanes_select(_m505, _o508.nx, left_nx);
+                    left_ny = lanes_select(_m505, _o508.ny, left_ny);
+                    left_nz = lanes_select(_m505, _o508.nz, left_nz);
                 }
-                const LANES(court_again_out) _o510 =
+                const LANES(court_again_out) _o509 =
                     LANES(court_again)(K(2.0), last, which);
-                again = _o510.again;
-                const M _m511 = lanes_both(_m484, again);
-                if (lanes_any(_m511)) {
-                    const LANES(court_bridge_curvature_out) _o512 =
+                again = _o509.again;
+                const M _m510 = lanes_both(_m483, again);
+                if (lanes_any(_m510)) {
+                    const LANES(court_bridge_curvature_out) _o511 =
                         LANES(court_bridge_curvature)(p_ball_radius);
-                    curving = lanes_select(_m511, _o512.curvature, curving);
-                    const LANES(court_started_out) _o513 =
+                    curving = lanes_select(_m510, _o511.curvature, curving);
+                    const LANES(court_started_out) _o512 =
                         LANES(court_started)(p_gravity, when, vx, vy, vz, x, y, z);
-                    V from_x = _o513.from_x;
-                    V from_y = _o513.from_y;
-                    V from_z = _o513.from_z;
-                    const LANES(court_bridge_normal_out) _o514 =
+                    V from_x = _o512.from_x;
+                    V from_y = _o512.from_y;
+                    V from_z = _o512.from_z;
+                    const LANES(court_bridge_normal_out) _o513 =
                         LANES(court_bridge_normal)(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    left_nx = lanes_select(_m511, _o514.nx, left_nx);
-                    left_ny = lanes_select(_m511, _o514.ny, left_ny);
-                    left_nz = lanes_select(_m511, _o514.nz, left_nz);
+                    left_nx = lanes_select(_m510, _o513.nx, left_nx);
+                    left_ny = lanes_select(_m510, _o513.ny, left_ny);
+                    left_nz = lanes_select(_m510, _o513.nz, left_nz);
                 }
-                const LANES(court_carry_flight_out) _o515 =
+                const LANES(court_carry_flight_out) _o514 =
                     LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
-                dx = lanes_select(_m484, _o515.dx, dx);
-                dy = lanes_select(_m484, _o515.dy, dy);
-                dz = lanes_select(_m484, _o515.dz, dz);
-                V lifting = _o515.lifting;
-                dvx = lanes_select(_m484, _o515.dvx, dvx);
-                dvy = lanes_select(_m484, _o515.dvy, dvy);
-                dvz = lanes_select(_m484, _o515.dvz, dvz);
-                V delay = _o515.delay;
-                V shift = _o515.shift;
-                const LANES(court_delayed_out) _o516 =
-                    LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m484, _o516.clock_error, clock_error);
-                const M _m517 = lanes_both(_m484, ends);
+                dx = lanes_select(_m483, _o514.dx, dx);
+                dy = lanes_select(_m483, _o514.dy, dy);
+                dz = lanes_select(_m483, _o514.dz, dz);
+                V lifting = _o514.lifting;
+                dvx = lanes_select(_m483, _o514.dvx, dvx);
+                dvy = lanes_select(_m483, _o514.dvy, dvy);
+                dvz = lanes_select(_m483, _o514.dvz, dvz);
+                V belated = _o514.delay;
+                V shift = _o514.shift;
+                const LANES(court_delayed_out) _o515 =
+                    LANES(court_delayed)(clock_error, belated);
+                clock_error = lanes_select(_m483, _o515.clock_error, clock_error);
+                const M _m516 = lanes_both(_m483, ends);
                 {
-                    const LANES(court_floored_out) _o518 =
+                    const LANES(court_floored_out) _o517 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m517, _o518.dx, dx);
-                    dy = lanes_select(_m517, _o518.dy, dy);
-                    dz = lanes_select(_m517, _o518.dz, dz);
+                    dx = lanes_select(_m516, _o517.dx, dx);
+                    dy = lanes_select(_m516, _o517.dy, dy);
+                    dz = lanes_select(_m516, _o517.dz, dz);
                 }
-                const LANES(court_unturned_out) _o519 =
+                const LANES(court_unturned_out) _o518 =
                     LANES(court_unturned)();
-                V dnx = _o519.dnx;
-                V dny = _o519.dny;
-                V dnz = _o519.dnz;
-                V turn = _o519.turn;
-                const LANES(court_here_out) _o520 =
+                V dnx = _o518.dnx;
+                V dny = _o518.dny;
+                V dnz = _o518.dnz;
+                V turn = _o518.turn;
+                const LANES(court_here_out) _o519 =
                     LANES(court_here)(K(0.0), which);
-                here = _o520.here;
-                const M _m521 = lanes_both(_m484, here);
-                if (lanes_any(_m521)) {
-                    const LANES(court_ring_carry_normal_out) _o522 =
+                here = _o519.here;
+                const M _m520 = lanes_both(_m483, here);
+                if (lanes_any(_m520)) {
+                    const LANES(court_ring_carry_normal_out) _o521 =
                         LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m521, _o522.dnx, dnx);
-                    dny = lanes_select(_m521, _o522.dny, dny);
-                    dnz = lanes_select(_m521, _o522.dnz, dnz);
-                    turn = lanes_select(_m521, _o522.turn, turn);
+                    dnx = lanes_select(_m520, _o521.dnx, dnx);
+                    dny = lanes_select(_m520, _o521.dny, dny);
+                    dnz = lanes_select(_m520, _o521.dnz, dnz);
+                    turn = lanes_select(_m520, _o521.turn, turn);
                 }
-                const LANES(court_here_out) _o523 =
+                const LANES(court_here_out) _o522 =
                     LANES(court_here)(K(1.0), which);
-                here = _o523.here;
-                const M _m524 = lanes_both(_m484, here);
+                here = _o522.here;
+                const M _m523 = lanes_both(_m483, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o525 =
+                    const LANES(court_backboard_carry_normal_out) _o524 =
                         LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = lanes_select(_m524, _o525.dnx, dnx);
-                    dny = lanes_select(_m524, _o525.dny, dny);
-                    dnz = lanes_select(_m524, _o525.dnz, dnz);
-                    turn = lanes_select(_m524, _o525.turn, turn);
+                    dnx = lanes_select(_m523, _o524.dnx, dnx);
+                    dny = lanes_select(_m523, _o524.dny, dny);
+                    dnz = lanes_select(_m523, _o524.dnz, dnz);
+                    turn = lanes_select(_m523, _o524.turn, turn);
                 }
-                const LANES(court_here_out) _o526 =
+                const LANES(court_here_out) _o525 =
                     LANES(court_here)(K(2.0), which);
-                here = _o526.here;
-                const M _m527 = lanes_both(_m484, here);
+                here = _o525.here;
+                const M _m526 = lanes_both(_m483, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o528 =
+                    const LANES(court_bridge_carry_normal_out) _o527 =
                         LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = lanes_select(_m527, _o528.dnx, dnx);
-                    dny = lanes_select(_m527, _o528.dny, dny);
-                    dnz = lanes_select(_m527, _o528.dnz, dnz);
-                    turn = lanes_select(_m527, _o528.turn, turn);
+                    dnx = lanes_select(_m526, _o527.dnx, dnx);
+                    dny = lanes_select(_m526, _o527.dny, dny);
+                    dnz = lanes_select(_m526, _o527.dnz, dnz);
+                    turn = lanes_select(_m526, _o527.turn, turn);
                 }
-                const LANES(court_untaken_out) _o529 =
+                const LANES(court_untaken_out) _o528 =
                     LANES(court_untaken)();
-                M struck_0 = _o529.mine;
-                const LANES(court_ring_impact_taken_out) _o530 =
+                M struck_0 = _o528.mine;
+                const LANES(court_ring_impact_taken_out) _o529 =
                     LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
-                V its_0_ring_impact = _o530.its_0;
-                V its_1_ring_impact = _o530.its_1;
+                V its_0_ring_impact = _o529.its_0;
+                V its_1_ring_impact = _o529.its_1;
                 {
-                    const double *const _t532[][2] = {
+                    const double *const _t531[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t533[][1] = {
+                    static const double _t532[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k531 = 0; _k531 < 3; _k531++) {
-                        const V own_1 = lanes_load(_t532[_k531][0] + (i & varying));
-                        const V own_2 = lanes_load(_t532[_k531][1] + (i & varying));
-                        const V own_index = K(_t533[_k531][0]);
-                        const LANES(court_here_out) _o534 =
+                    for (size_t _k530 = 0; _k530 < 3; _k530++) {
+                        const V own_1 = lanes_load(_t531[_k530][0] + (i & varying));
+                        const V own_2 = lanes_load(_t531[_k530][1] + (i & varying));
+                        const V own_index = K(_t532[_k530][0]);
+                        const LANES(court_here_out) _o533 =
                             LANES(court_here)(own_index, which);
-                        M here = _o534.here;
-                        const M _m535 = lanes_both(_m484, here);
-                        if (lanes_any(_m535)) {
-                            const LANES(court_ring_impact_taken_out) _o536 =
+                        M here = _o533.here;
+                        const M _m534 = lanes_both(_m483, here);
+                        if (lanes_any(_m534)) {
+                            const LANES(court_ring_impact_taken_out) _o535 =
                                 LANES(court_ring_impact_taken)(own_2, own_1);
-                            struck_0 = lanes_choose(_m535, _o536.mine, struck_0);
-                            its_0_ring_impact = lanes_select(_m535, _o536.its_0, its_0_ring_impact);
-                            its_1_ring_impact = lanes_select(_m535, _o536.its_1, its_1_ring_impact);
+                            struck_0 = lanes_choose(_m534, _o535.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m534, _o535.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m534, _o535.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m537 = lanes_both(_m484, struck_0);
-                if (lanes_any(_m537)) {
-                    const LANES(court_ring_impact_doubt_out) _o538 =
+                const M _m536 = lanes_both(_m483, struck_0);
+                if (lanes_any(_m536)) {
+                    const LANES(court_ring_impact_doubt_out) _o537 =
                         LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    M unsure = _o538.unsure;
-                    const LANES(court_undecided_out) _o539 =
+                    M unsure = _o537.unsure;
+                    const LANES(court_undecided_out) _o538 =
                         LANES(court_undecided)(uncertain, unsure);
-                    uncertain = lanes_select(_m537, _o539.uncertain, uncertain);
-                    const LANES(court_carry_ring_impact_out) _o540 =
+                    uncertain = lanes_select(_m536, _o538.uncertain, uncertain);
+                    const LANES(court_carry_ring_impact_out) _o539 =
                         LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    dvx = lanes_select(_m537, _o540.dvx, dvx);
-                    dvy = lanes_select(_m537, _o540.dvy, dvy);
-                    dvz = lanes_select(_m537, _o540.dvz, dvz);
-                    dwx = lanes_select(_m537, _o540.dwx, dwx);
-                    dwy = lanes_select(_m537, _o540.dwy, dwy);
-                    dwz = lanes_select(_m537, _o540.dwz, dwz);
-                    const LANES(court_ring_impact_out) _o541 =
+                    dvx = lanes_select(_m536, _o539.dvx, dvx);
+                    dvy = lanes_select(_m536, _o539.dvy, dvy);
+                    dvz = lanes_select(_m536, _o539.dvz, dvz);
+                    dwx = lanes_select(_m536, _o539.dwx, dwx);
+                    dwy = lanes_select(_m536, _o539.dwy, dwy);
+                    dwz = lanes_select(_m536, _o539.dwz, dwz);
+                    const LANES(court_ring_impact_out) _o540 =
                         LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m537, _o541.vx, vx);
-                    vy = lanes_select(_m537, _o541.vy, vy);
-                    vz = lanes_select(_m537, _o541.vz, vz);
-                    wx = lanes_select(_m537, _o541.wx, wx);
-                    wy = lanes_select(_m537, _o541.wy, wy);
-                    wz = lanes_select(_m537, _o541.wz, wz);
+                    vx = lanes_select(_m536, _o540.vx, vx);
+                    vy = lanes_select(_m536, _o540.vy, vy);
+                    vz = lanes_select(_m536, _o540.vz, vz);
+                    wx = lanes_select(_m536, _o540.wx, wx);
+                    wy = lanes_select(_m536, _o540.wy, wy);
+                    wz = lanes_select(_m536, _o540.wz, wz);
                 }
-                const M _m542 = lanes_both(_m484, touches);
+                const M _m541 = lanes_both(_m483, touches);
                 {
-                    const LANES(court_touched_out) _o543 =
+                    const LANES(court_touched_out) _o542 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m542, _o543.first, first);
-                    last = lanes_select(_m542, _o543.last, last);
-                    const LANES(court_slowed_out) _o544 =
+                    first = lanes_select(_m541, _o542.first, first);
+                    last = lanes_select(_m541, _o542.last, last);
+                    const LANES(court_slowed_out) _o543 =
                         LANES(court_slowed)(p_ball_radius, p_gravity, nx, ny, nz, position_error, vx, vy, vz);
-                    slow = lanes_choose(_m542, _o544.slow, slow);
-                    assured = lanes_select(_m542, _o544.assured, assured);
+                    slow = lanes_choose(_m541, _o543.slow, slow);
+                    assured = lanes_select(_m541, _o543.assured, assured);
                 }
             }
             lanes_store(lists->assured + i, assured);
@@ -12309,10 +12304,6 @@ static void LANES(court_bounded)(const court_job *job)
             M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
             V outcome = lanes_load(lists->outcome + i);
             const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
-            V position_claim = lanes_load(lists->position_claim + i);
-            V spin_claim = lanes_load(lists->spin_claim + i);
-            V time_claim = lanes_load(lists->time_claim + i);
-            V velocity_claim = lanes_load(lists->velocity_claim + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
             V vz = lanes_load(lists->vz + i);
@@ -12321,48 +12312,52 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m596 = lanes_both(rows, limited);
-            if (lanes_any(_m596)) {
-                const LANES(court_timed_out) _o597 =
+            const M _m595 = lanes_both(rows, limited);
+            if (lanes_any(_m595)) {
+                const LANES(court_timed_out) _o596 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o597.timed;
-                const M _m598 = lanes_both(_m596, timed);
-                if (lanes_any(_m598)) {
-                    const LANES(court_carry_time_out) _o599 =
+                M timed = _o596.timed;
+                const M _m597 = lanes_both(_m595, timed);
+                if (lanes_any(_m597)) {
+                    const LANES(court_carry_time_out) _o598 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m598, _o599.dx, dx);
-                    dy = lanes_select(_m598, _o599.dy, dy);
-                    dz = lanes_select(_m598, _o599.dz, dz);
-                    dvx = lanes_select(_m598, _o599.dvx, dvx);
-                    dvy = lanes_select(_m598, _o599.dvy, dvy);
-                    dvz = lanes_select(_m598, _o599.dvz, dvz);
-                    clock_error = lanes_select(_m598, _o599.clock_error, clock_error);
+                    dx = lanes_select(_m597, _o598.dx, dx);
+                    dy = lanes_select(_m597, _o598.dy, dy);
+                    dz = lanes_select(_m597, _o598.dz, dz);
+                    dvx = lanes_select(_m597, _o598.dvx, dvx);
+                    dvy = lanes_select(_m597, _o598.dvy, dvy);
+                    dvz = lanes_select(_m597, _o598.dvz, dvz);
+                    clock_error = lanes_select(_m597, _o598.clock_error, clock_error);
                 }
+                lanes_store(lists->clock_error + i, clock_error);
+                lanes_store(lists->dvx + i, dvx);
+                lanes_store(lists->dvy + i, dvy);
+                lanes_store(lists->dvz + i, dvz);
             }
-            const M _m600 = lanes_both(rows, hopped);
-            if (lanes_any(_m600)) {
-                const LANES(court_carry_hop_out) _o601 =
+            const M _m599 = lanes_both(rows, hopped);
+            if (lanes_any(_m599)) {
+                const LANES(court_carry_hop_out) _o600 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m600, _o601.dx, dx);
-                dy = lanes_select(_m600, _o601.dy, dy);
-                dz = lanes_select(_m600, _o601.dz, dz);
+                dx = lanes_select(_m599, _o600.dx, dx);
+                dy = lanes_select(_m599, _o600.dy, dy);
+                dz = lanes_select(_m599, _o600.dz, dz);
             }
-            const LANES(court_closing_out) _o602 =
+            const LANES(court_closing_out) _o601 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o602.closed;
-            const M _m603 = lanes_both(rows, closed);
-            {
-                const LANES(court_claimed_errors_out) _o604 =
+            M closed = _o601.closed;
+            V position_claim = _o601.position_claim;
+            V velocity_claim = _o601.velocity_claim;
+            V spin_claim = _o601.spin_claim;
+            V time_claim = _o601.time_claim;
+            const M _m602 = lanes_both(rows, closed);
+            if (lanes_any(_m602)) {
+                const LANES(court_claimed_errors_out) _o603 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m603, _o604.position_error, position_claim);
-                velocity_claim = lanes_select(_m603, _o604.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m603, _o604.spin_error, spin_claim);
-                time_claim = lanes_select(_m603, _o604.time_error, time_claim);
+                position_claim = lanes_select(_m602, _o603.position_error, position_claim);
+                velocity_claim = lanes_select(_m602, _o603.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m602, _o603.spin_error, spin_claim);
+                time_claim = lanes_select(_m602, _o603.time_error, time_claim);
             }
-            lanes_store(lists->clock_error + i, clock_error);
-            lanes_store(lists->dvx + i, dvx);
-            lanes_store(lists->dvy + i, dvy);
-            lanes_store(lists->dvz + i, dvz);
             lanes_store(lists->dx + i, dx);
             lanes_store(lists->dy + i, dy);
             lanes_store(lists->dz + i, dz);
@@ -12409,8 +12404,10 @@ static void LANES(court_bounded)(const court_job *job)
         if (following && !lanes_any(going)) {
             LANES(court_bounded_finish_all)(lists, shots, job);
             shots = 0;
+            streams = 1;
             continue;
         }
+        streams = 0;
         shots = LANES(court_bounded_leave)(lists, 0, shots, job);
     }
 }
@@ -12451,6 +12448,7 @@ static void LANES(court_run)(const court_job *job)
 #undef lanes_store
 #undef lanes_gather
 #undef lanes_columns
+#undef lanes_rows
 #undef lanes_bits
 #undef lanes_of
 #undef lanes_many

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 17608efa79d077d6,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 8eaab50db1d45604,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -118,7 +118,7 @@ LANES(court_displacement)(V delay, V horizon, V extent, V speed, V position_erro
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 158 operations: 33 additions, 2 subtractions, 40 multiplications, 3 divisions, 8 negations, 17 absolute values, 23 comparisons, 32 selections. */
+   derivative of Eq. 3 and of the contact time, with roundings. 165 operations: 36 additions, 2 subtractions, 43 multiplications, 2 divisions, 10 negations, 17 absolute values, 23 comparisons, 32 selections. */
 typedef struct {
     V dx;
     V dy;
@@ -148,25 +148,25 @@ LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz
     const V _s11 = lanes_add(K(1.0), lanes_mul(curving, lanes_add(lanes_add(_s8, _s9), _s10)));
     const V _s12 = lanes_mul(K(2.0), t);
     const V _s13 = lanes_mul(_s12, _s0);
-    const V _s14 = lanes_mul(K(1.1102230246251565e-16), lanes_add(_s13, _s8));
+    const V _s14 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(1.1102230246251565e-16), lanes_add(_s13, _s8)));
     const M _s15 = lanes_less(curving, K(INFINITY));
     const V _s16 = lanes_select(_s15, lanes_mul(K(4.440892098500626e-16), lanes_mul(_s13, _s11)), _s14);
     const M _s17 = lanes_less(_s7, K(0.0));
     const V _s18 = lanes_add(dy, lanes_mul(dvy, t));
     const V _s19 = lanes_mul(_s12, _s1);
-    const V _s20 = lanes_mul(K(1.1102230246251565e-16), lanes_add(_s19, _s9));
+    const V _s20 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(1.1102230246251565e-16), lanes_add(_s19, _s9)));
     const V _s21 = lanes_select(_s15, lanes_mul(K(4.440892098500626e-16), lanes_mul(_s19, _s11)), _s20);
     const M _s22 = lanes_less(_s18, K(0.0));
     const V _s23 = lanes_add(dz, lanes_mul(dvz, t));
     const V _s24 = lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s12, _s3));
-    const V _s25 = lanes_mul(K(1.1102230246251565e-16), lanes_add(_s24, _s10));
+    const V _s25 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(1.1102230246251565e-16), lanes_add(_s24, _s10)));
     const V _s26 = lanes_select(_s15, lanes_mul(K(4.440892098500626e-16), lanes_mul(_s24, _s11)), _s25);
     const M _s27 = lanes_less(_s23, K(0.0));
     const V _s28 = lanes_add(lanes_add(lanes_mul(nx, lanes_add(_s7, lanes_select(_s17, lanes_neg(_s16), _s16))), lanes_mul(ny, lanes_add(_s18, lanes_select(_s22, lanes_neg(_s21), _s21)))), lanes_mul(nz, lanes_add(_s23, lanes_select(_s27, lanes_neg(_s26), _s26))));
-    const V _s29 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s30 = lanes_neg(lanes_div(lanes_sub(_s28, lanes_add(lanes_add(lanes_mul(dx, left_nx), lanes_mul(dy, left_ny)), lanes_mul(dz, left_nz))), _s29));
+    const V _s29 = lanes_div(K(1.0), lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz)));
+    const V _s30 = lanes_neg(lanes_mul(lanes_sub(_s28, lanes_add(lanes_add(lanes_mul(dx, left_nx), lanes_mul(dy, left_ny)), lanes_mul(dz, left_nz))), _s29));
     const V _s31 = lanes_add(lanes_mul(vx, _s30), lanes_add(_s7, lanes_select(_s17, lanes_neg(_s14), _s14)));
-    const V _s32 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
+    const V _s32 = lanes_abs(_s31);
     const V _s33 = lanes_abs(dx);
     const V _s34 = lanes_abs(dy);
     const V _s35 = lanes_max(_s33, _s34);
@@ -180,19 +180,24 @@ LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz
     const V _s43 = lanes_max(_s16, _s21);
     const V _s44 = lanes_max(_s14, _s20);
     const V _s45 = lanes_add(lanes_add(_s42, lanes_max(_s44, _s25)), _s37);
-    const V _s46 = lanes_add(lanes_mul(lanes_div(_s4, lanes_abs(_s29)), lanes_add(lanes_mul(_s37, _s6), lanes_add(_s42, lanes_max(_s43, _s26)))), _s45);
-    const V _s47 = lanes_div(_s46, _s32);
-    const V _s48 = lanes_neg(_s47);
-    const M _s49 = lanes_less(_s6, K(0.25));
-    const V _s50 = lanes_add(lanes_mul(vy, _s30), lanes_add(_s18, lanes_select(_s22, lanes_neg(_s20), _s20)));
-    const V _s51 = lanes_add(lanes_mul(vz, _s30), lanes_add(_s23, lanes_select(_s27, lanes_neg(_s25), _s25)));
-    const V _s52 = lanes_abs(_s30);
-    const V _s53 = lanes_mul(K(0.0625), late);
-    return (LANES(court_carry_flight_out)){ lanes_select(_s49, _s31, lanes_select(lanes_less(lanes_abs(_s31), _s47), lanes_select(lanes_less(_s31, K(0.0)), _s48, _s47), _s31)), lanes_select(_s49, _s50, lanes_select(lanes_less(lanes_abs(_s50), _s47), lanes_select(lanes_less(_s50, K(0.0)), _s48, _s47), _s50)), lanes_select(_s49, _s51, lanes_select(lanes_less(lanes_abs(_s51), _s47), lanes_select(lanes_less(_s51, K(0.0)), _s48, _s47), _s51)), lanes_select(_s49, K(8.0), _s32), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s30)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s52, _s53)), lanes_select(_s49, _s45, _s46) };
+    const V _s46 = lanes_add(lanes_mul(lanes_mul(lanes_abs(_s29), _s4), lanes_add(lanes_mul(_s37, _s6), lanes_add(_s42, lanes_max(_s43, _s26)))), _s45);
+    const V _s47 = lanes_div(K(1.0), lanes_add(K(8.0), lanes_mul(K(8.0), contacts)));
+    const V _s48 = lanes_mul(_s46, _s47);
+    const V _s49 = lanes_max(_s32, _s48);
+    const M _s50 = lanes_less(_s6, K(0.25));
+    const V _s51 = lanes_add(lanes_mul(vy, _s30), lanes_add(_s18, lanes_select(_s22, lanes_neg(_s20), _s20)));
+    const V _s52 = lanes_abs(_s51);
+    const V _s53 = lanes_max(_s52, _s48);
+    const V _s54 = lanes_add(lanes_mul(vz, _s30), lanes_add(_s23, lanes_select(_s27, lanes_neg(_s25), _s25)));
+    const V _s55 = lanes_abs(_s54);
+    const V _s56 = lanes_max(_s55, _s48);
+    const V _s57 = lanes_abs(_s30);
+    const V _s58 = lanes_mul(K(0.0625), late);
+    return (LANES(court_carry_flight_out)){ lanes_select(_s50, _s31, lanes_select(lanes_less(_s31, K(0.0)), lanes_neg(_s49), _s49)), lanes_select(_s50, _s51, lanes_select(lanes_less(_s51, K(0.0)), lanes_neg(_s53), _s53)), lanes_select(_s50, _s54, lanes_select(lanes_less(_s54, K(0.0)), lanes_neg(_s56), _s56)), lanes_select(_s50, K(0.125), _s47), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s30)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s57, _s58)), lanes_select(_s50, _s45, _s46) };
 }
 
 /* Errors of a state at the time limit, from those at the start of the flight.
-   derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections. */
+   derivative of Eq. 3, with roundings. 65 operations: 20 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V dx;
     V dy;
@@ -213,12 +218,12 @@ LANES(court_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_e
     const V _s4 = lanes_max(_s2, _s3);
     const V _s5 = lanes_abs(dvz);
     const V _s6 = lanes_mul(K(2.0), t);
-    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s0), lanes_abs(x)));
+    const V _s7 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s0), lanes_abs(x))));
     const V _s8 = lanes_abs(vy);
-    const V _s9 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s8), lanes_abs(y)));
+    const V _s9 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s8), lanes_abs(y))));
     const V _s10 = lanes_max(_s7, _s9);
     const V _s11 = lanes_abs(vz);
-    const V _s12 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s6, _s11)), lanes_abs(z)));
+    const V _s12 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s6, _s11)), lanes_abs(z))));
     const V _s13 = lanes_abs(dx);
     const V _s14 = lanes_abs(dy);
     const V _s15 = lanes_max(_s13, _s14);
@@ -540,18 +545,19 @@ LANES(court_left)(V index, V last)
     return (LANES(court_left_out)){ lanes_select(lanes_equal(last, index), K(1.0), K(0.0)) };
 }
 
-/* Whether a plane's only arrival is one, and the size of the bend there.
-   Table 1. 12 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction. */
+/* Whether a plane's only arrival is one, the bend's size; when the ball is nearest.
+   Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection. */
 typedef struct {
     M arrives;
     V ceiling;
+    V nearest;
 } LANES(court_meeting_plane_out);
 
 LANES_INLINE LANES(court_meeting_plane_out)
-LANES(court_meeting_plane)(V bend, V rate, V time)
+LANES(court_meeting_plane)(V apex, V bend, V rate, V time)
 {
     const M _s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
-    return (LANES(court_meeting_plane_out)){ _s0, lanes_abs(bend) };
+    return (LANES(court_meeting_plane_out)){ _s0, lanes_abs(bend), lanes_select(_s0, time, apex) };
 }
 
 /* Whether an arrival may be the earliest, as far as their delays are bounded.
@@ -1005,47 +1011,6 @@ LANES(court_again)(V index, V last, V which)
     return (LANES(court_again_out)){ lanes_both(lanes_equal(which, index), lanes_equal(last, which)) };
 }
 
-/* The error of the event's time.
-   Table 1. 1 operation: 1 addition. */
-typedef struct {
-    V clock_error;
-} LANES(court_delayed_out);
-
-LANES_INLINE LANES(court_delayed_out)
-LANES(court_delayed)(V clock_error, V delay)
-{
-    return (LANES(court_delayed_out)){ lanes_add(clock_error, delay) };
-}
-
-/* Errors of the position at the end, not below what one flight can make.
-   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
-typedef struct {
-    V dx;
-    V dy;
-    V dz;
-} LANES(court_floored_out);
-
-LANES_INLINE LANES(court_floored_out)
-LANES(court_floored)(V dx, V dy, V dz, V shift)
-{
-    return (LANES(court_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
-}
-
-/* A normal without error.
-   Table 1. No operations. */
-typedef struct {
-    V dnx;
-    V dny;
-    V dnz;
-    V turn;
-} LANES(court_unturned_out);
-
-LANES_INLINE LANES(court_unturned_out)
-LANES(court_unturned)(void)
-{
-    return (LANES(court_unturned_out)){ K(0.0), K(0.0), K(0.0), K(0.0) };
-}
-
 /* The surfaces that were touched first and last.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
@@ -1069,18 +1034,6 @@ LANES_INLINE LANES(court_timed_out)
 LANES(court_timed)(V claims, V index, V which)
 {
     return (LANES(court_timed_out)){ lanes_both(lanes_equal(which, index), lanes_less(K(0.0), claims)) };
-}
-
-/* Where a shot has ended whose errors are asked for.
-   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
-typedef struct {
-    M closed;
-} LANES(court_closing_out);
-
-LANES_INLINE LANES(court_closing_out)
-LANES(court_closing)(V claims, V outcome)
-{
-    return (LANES(court_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)) };
 }
 
 /* 1 where a decision within a contact lies within its error.
@@ -1184,6 +1137,63 @@ LANES(court_accounted)(V contacts, V most_contacts, V reached, M touches)
 {
     const V _s0 = lanes_add(K(1.0), contacts);
     return (LANES(court_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), reached) };
+}
+
+/* The error of the event's time.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    V clock_error;
+} LANES(court_delayed_out);
+
+LANES_INLINE LANES(court_delayed_out)
+LANES(court_delayed)(V clock_error, V delay)
+{
+    return (LANES(court_delayed_out)){ lanes_add(clock_error, delay) };
+}
+
+/* Where a shot has ended whose errors are asked for; no other one claims any.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+typedef struct {
+    M closed;
+    V position_claim;
+    V velocity_claim;
+    V spin_claim;
+    V time_claim;
+} LANES(court_closing_out);
+
+LANES_INLINE LANES(court_closing_out)
+LANES(court_closing)(V claims, V outcome)
+{
+    return (LANES(court_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)), K(0.0), K(0.0), K(0.0), K(0.0) };
+}
+
+/* Errors of the position at the end, not below what one flight can make.
+   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
+typedef struct {
+    V dx;
+    V dy;
+    V dz;
+} LANES(court_floored_out);
+
+LANES_INLINE LANES(court_floored_out)
+LANES(court_floored)(V dx, V dy, V dz, V shift)
+{
+    return (LANES(court_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
+}
+
+/* A normal without error.
+   Table 1. No operations. */
+typedef struct {
+    V dnx;
+    V dny;
+    V dnz;
+    V turn;
+} LANES(court_unturned_out);
+
+LANES_INLINE LANES(court_unturned_out)
+LANES(court_unturned)(void)
+{
+    return (LANES(court_unturned_out)){ K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
 /* Which of the balls in contact are on the ring.
@@ -2723,7 +2733,7 @@ LANES(court_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
-   derivative of the contact with friction, with roundings. 315 operations: 41 additions, 56 subtractions, 126 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
+   derivative of the contact with friction, with roundings. 312 operations: 60 additions, 38 subtractions, 128 multiplications, 10 divisions, 1 square root, 13 negations, 18 absolute values, 19 comparisons, 25 selections. */
 typedef struct {
     V dvx;
     V dvy;
@@ -2737,8 +2747,8 @@ LANES_INLINE LANES(court_carry_ring_impact_out)
 LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V lifting, V p_ball_radius, V p_ring_restitution, V p_ring_friction, V p_tangential_restitution, V p_restitution_speed)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
-    const V _s2 = lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s0)), lanes_mul(nx, _s1));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dvx, nx)), lanes_add(lanes_mul(dny, vy), lanes_mul(dvy, ny))), lanes_add(lanes_mul(dnz, vz), lanes_mul(dvz, nz)));
+    const V _s2 = lanes_sub(dvx, lanes_add(lanes_mul(dnx, _s0), lanes_mul(nx, _s1)));
     const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
     const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
     const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
@@ -2750,11 +2760,11 @@ LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V
     const V _s11 = lanes_neg(lanes_mul(p_ring_friction, lanes_mul(_s10, _s0)));
     const V _s12 = lanes_neg(lanes_div(lanes_mul(p_ring_restitution, lanes_neg(lanes_div(_s1, p_restitution_speed))), lanes_mul(_s8, _s8)));
     const V _s13 = lanes_sqrt(_s6);
-    const V _s14 = lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1));
-    const V _s15 = lanes_sub(_s14, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))));
-    const V _s16 = lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1));
-    const V _s17 = lanes_sub(_s16, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))));
-    const V _s18 = lanes_sub(_s2, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))));
+    const V _s14 = lanes_sub(dvz, lanes_add(lanes_mul(dnz, _s0), lanes_mul(nz, _s1)));
+    const V _s15 = lanes_sub(_s14, lanes_mul(p_ball_radius, lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_add(lanes_mul(dnx, wy), lanes_mul(dwy, nx)))));
+    const V _s16 = lanes_sub(dvy, lanes_add(lanes_mul(dny, _s0), lanes_mul(ny, _s1)));
+    const V _s17 = lanes_sub(_s16, lanes_mul(p_ball_radius, lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_add(lanes_mul(dnz, wx), lanes_mul(dwx, nz)))));
+    const V _s18 = lanes_sub(_s2, lanes_mul(p_ball_radius, lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_add(lanes_mul(dny, wz), lanes_mul(dwz, ny)))));
     const V _s19 = lanes_div(lanes_mul(lanes_mul(K(0.5), _s11), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s15), lanes_mul(lanes_mul(K(2.0), _s5), _s17)), lanes_mul(lanes_mul(K(2.0), _s3), _s18))), lanes_mul(_s13, _s6));
     const V _s20 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_ring_friction, lanes_add(lanes_mul(_s10, _s1), lanes_mul(_s12, _s0)))), _s13), _s19);
     const M _s21 = lanes_at_most(lanes_mul(_s6, lanes_mul(_s7, _s7)), lanes_mul(_s11, _s11));
@@ -2762,44 +2772,49 @@ LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V
     const M _s23 = lanes_less(K(0.0), p_ring_friction);
     const V _s24 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, K(0.0), _s20), K(0.0)), K(0.0));
     const V _s25 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, _s7, lanes_div(_s11, _s13)), _s7), K(0.0));
-    const V _s26 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s2, lanes_mul(_s3, _s24)), lanes_mul(_s18, _s25)), lanes_mul(lanes_mul(dnx, _s9), _s0)), lanes_mul(lanes_mul(nx, _s9), _s1)), lanes_mul(lanes_mul(nx, _s12), _s0));
+    const V _s26 = lanes_sub(lanes_sub(_s2, lanes_add(lanes_mul(_s3, _s24), lanes_mul(_s18, _s25))), lanes_add(lanes_add(lanes_mul(lanes_mul(dnx, _s9), _s0), lanes_mul(lanes_mul(nx, _s9), _s1)), lanes_mul(lanes_mul(nx, _s12), _s0)));
     const V _s27 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
     const V _s28 = lanes_add(_s27, lanes_abs(vz));
-    const V _s29 = lanes_mul(K(2.220446049250313e-16), _s28);
-    const V _s30 = lanes_neg(_s29);
-    const V _s31 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s30, _s29));
-    const V _s32 = lanes_abs(dwx);
-    const V _s33 = lanes_abs(dwy);
-    const V _s34 = lanes_max(_s32, _s33);
-    const V _s35 = lanes_abs(dwz);
-    const V _s36 = lanes_abs(dvx);
-    const V _s37 = lanes_abs(dvy);
-    const V _s38 = lanes_max(_s36, _s37);
-    const V _s39 = lanes_abs(dvz);
-    const V _s40 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s34, _s35)), lanes_mul(turn, _s28)), lanes_max(_s38, _s39));
-    const V _s41 = lanes_div(_s40, lifting);
-    const V _s42 = lanes_neg(_s41);
-    const V _s43 = lanes_select(lanes_less(lanes_abs(_s31), _s41), lanes_select(lanes_less(_s31, K(0.0)), _s42, _s41), _s31);
-    const V _s44 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s16, lanes_mul(_s5, _s24)), lanes_mul(_s17, _s25)), lanes_mul(lanes_mul(dny, _s9), _s0)), lanes_mul(lanes_mul(ny, _s9), _s1)), lanes_mul(lanes_mul(ny, _s12), _s0));
-    const V _s45 = lanes_add(_s44, lanes_select(lanes_less(_s44, K(0.0)), _s30, _s29));
-    const V _s46 = lanes_select(lanes_less(lanes_abs(_s45), _s41), lanes_select(lanes_less(_s45, K(0.0)), _s42, _s41), _s45);
-    const V _s47 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s14, lanes_mul(_s4, _s24)), lanes_mul(_s15, _s25)), lanes_mul(lanes_mul(dnz, _s9), _s0)), lanes_mul(lanes_mul(nz, _s9), _s1)), lanes_mul(lanes_mul(nz, _s12), _s0));
-    const V _s48 = lanes_add(_s47, lanes_select(lanes_less(_s47, K(0.0)), _s30, _s29));
-    const V _s49 = lanes_select(lanes_less(lanes_abs(_s48), _s41), lanes_select(lanes_less(_s48, K(0.0)), _s42, _s41), _s48);
-    const V _s50 = lanes_add(lanes_add(lanes_mul(nx, lanes_sub(_s43, _s31)), lanes_mul(ny, lanes_sub(_s46, _s45))), lanes_mul(nz, lanes_sub(_s49, _s48)));
-    const V _s51 = lanes_div(lanes_mul(K(1.5), _s24), p_ball_radius);
-    const V _s52 = lanes_div(lanes_mul(K(1.5), _s25), p_ball_radius);
-    const V _s53 = lanes_add(lanes_add(dwx, lanes_mul(_s51, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s52, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s15)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s17))));
-    const V _s54 = lanes_div(_s29, p_ball_radius);
-    const V _s55 = lanes_neg(_s54);
-    const V _s56 = lanes_add(_s53, lanes_select(lanes_less(_s53, K(0.0)), _s55, _s54));
-    const V _s57 = lanes_div(_s40, lanes_mul(p_ball_radius, lifting));
-    const V _s58 = lanes_neg(_s57);
-    const V _s59 = lanes_add(lanes_add(dwy, lanes_mul(_s51, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s52, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s18)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s15))));
-    const V _s60 = lanes_add(_s59, lanes_select(lanes_less(_s59, K(0.0)), _s55, _s54));
-    const V _s61 = lanes_add(lanes_add(dwz, lanes_mul(_s51, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s52, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_mul(dny, _s3)), lanes_mul(ny, _s18))));
-    const V _s62 = lanes_add(_s61, lanes_select(lanes_less(_s61, K(0.0)), _s55, _s54));
-    return (LANES(court_carry_ring_impact_out)){ lanes_sub(_s43, lanes_mul(nx, _s50)), lanes_sub(_s46, lanes_mul(ny, _s50)), lanes_sub(_s49, lanes_mul(nz, _s50)), lanes_select(lanes_less(lanes_abs(_s56), _s57), lanes_select(lanes_less(_s56, K(0.0)), _s58, _s57), _s56), lanes_select(lanes_less(lanes_abs(_s60), _s57), lanes_select(lanes_less(_s60, K(0.0)), _s58, _s57), _s60), lanes_select(lanes_less(lanes_abs(_s62), _s57), lanes_select(lanes_less(_s62, K(0.0)), _s58, _s57), _s62) };
+    const V _s29 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(2.220446049250313e-16), _s28));
+    const V _s30 = lanes_add(lanes_abs(_s26), _s29);
+    const V _s31 = lanes_abs(dwx);
+    const V _s32 = lanes_abs(dwy);
+    const V _s33 = lanes_max(_s31, _s32);
+    const V _s34 = lanes_abs(dwz);
+    const V _s35 = lanes_abs(dvx);
+    const V _s36 = lanes_abs(dvy);
+    const V _s37 = lanes_max(_s35, _s36);
+    const V _s38 = lanes_abs(dvz);
+    const V _s39 = lanes_mul(lifting, lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s33, _s34)), lanes_mul(turn, _s28)), lanes_max(_s37, _s38)));
+    const V _s40 = lanes_max(_s30, _s39);
+    const M _s41 = lanes_less(_s26, K(0.0));
+    const V _s42 = lanes_sub(_s40, _s30);
+    const V _s43 = lanes_sub(lanes_sub(_s16, lanes_add(lanes_mul(_s5, _s24), lanes_mul(_s17, _s25))), lanes_add(lanes_add(lanes_mul(lanes_mul(dny, _s9), _s0), lanes_mul(lanes_mul(ny, _s9), _s1)), lanes_mul(lanes_mul(ny, _s12), _s0)));
+    const V _s44 = lanes_add(lanes_abs(_s43), _s29);
+    const V _s45 = lanes_max(_s44, _s39);
+    const V _s46 = lanes_sub(_s45, _s44);
+    const M _s47 = lanes_less(_s43, K(0.0));
+    const V _s48 = lanes_sub(lanes_sub(_s14, lanes_add(lanes_mul(_s4, _s24), lanes_mul(_s15, _s25))), lanes_add(lanes_add(lanes_mul(lanes_mul(dnz, _s9), _s0), lanes_mul(lanes_mul(nz, _s9), _s1)), lanes_mul(lanes_mul(nz, _s12), _s0)));
+    const V _s49 = lanes_add(lanes_abs(_s48), _s29);
+    const V _s50 = lanes_max(_s49, _s39);
+    const V _s51 = lanes_sub(_s50, _s49);
+    const M _s52 = lanes_less(_s48, K(0.0));
+    const V _s53 = lanes_add(lanes_add(lanes_mul(nx, lanes_select(_s41, lanes_neg(_s42), _s42)), lanes_mul(ny, lanes_select(_s47, lanes_neg(_s46), _s46))), lanes_mul(nz, lanes_select(_s52, lanes_neg(_s51), _s51)));
+    const V _s54 = lanes_div(lanes_mul(K(1.5), _s24), p_ball_radius);
+    const V _s55 = lanes_div(lanes_mul(K(1.5), _s25), p_ball_radius);
+    const V _s56 = lanes_add(dwx, lanes_add(lanes_mul(_s54, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5))), lanes_mul(_s55, lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s15)), lanes_add(lanes_mul(dnz, _s5), lanes_mul(nz, _s17))))));
+    const V _s57 = lanes_div(K(1.0), p_ball_radius);
+    const V _s58 = lanes_mul(_s57, _s29);
+    const V _s59 = lanes_add(lanes_abs(_s56), _s58);
+    const V _s60 = lanes_mul(_s57, _s39);
+    const V _s61 = lanes_max(_s59, _s60);
+    const V _s62 = lanes_add(dwy, lanes_add(lanes_mul(_s54, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4))), lanes_mul(_s55, lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s18)), lanes_add(lanes_mul(dnx, _s4), lanes_mul(nx, _s15))))));
+    const V _s63 = lanes_add(lanes_abs(_s62), _s58);
+    const V _s64 = lanes_max(_s63, _s60);
+    const V _s65 = lanes_add(dwz, lanes_add(lanes_mul(_s54, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3))), lanes_mul(_s55, lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_add(lanes_mul(dny, _s3), lanes_mul(ny, _s18))))));
+    const V _s66 = lanes_add(lanes_abs(_s65), _s58);
+    const V _s67 = lanes_max(_s66, _s60);
+    return (LANES(court_carry_ring_impact_out)){ lanes_sub(lanes_select(_s41, lanes_neg(_s40), _s40), lanes_mul(nx, _s53)), lanes_sub(lanes_select(_s47, lanes_neg(_s45), _s45), lanes_mul(ny, _s53)), lanes_sub(lanes_select(_s52, lanes_neg(_s50), _s50), lanes_mul(nz, _s53)), lanes_select(lanes_less(_s56, K(0.0)), lanes_neg(_s61), _s61), lanes_select(lanes_less(_s62, K(0.0)), lanes_neg(_s64), _s64), lanes_select(lanes_less(_s65, K(0.0)), lanes_neg(_s67), _s67) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -2834,7 +2849,7 @@ LANES(court_ring_curvature)(V p_ball_radius, V p_ring_radius, V p_wire_radius)
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
+   derivative of Table 2's normal. 34 operations: 6 additions, 3 subtractions, 18 multiplications, 3 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
 typedef struct {
     V dnx;
     V dny;
@@ -2851,8 +2866,8 @@ LANES(court_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V p_ball_rad
     const V _s3 = lanes_sub(_s2, p_ring_radius);
     const V _s4 = lanes_div(K(1.0), _s2);
     const V _s5 = lanes_mul(lanes_mul(_s1, _s3), _s4);
-    const V _s6 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s2);
-    const V _s7 = lanes_add(lanes_mul(lanes_mul(_s6, _s1), _s4), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s6, lanes_mul(_s4, _s4))), _s1), _s3));
+    const V _s6 = lanes_mul(lanes_add(lanes_mul(dx, x), lanes_mul(dy, y)), _s4);
+    const V _s7 = lanes_mul(_s1, lanes_add(lanes_mul(_s6, _s4), lanes_mul(lanes_neg(lanes_mul(_s6, lanes_mul(_s4, _s4))), _s3)));
     const V _s8 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
     return (LANES(court_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s5), lanes_mul(x, _s7)), lanes_add(lanes_mul(dy, _s5), lanes_mul(y, _s7)), lanes_mul(dz, _s1), lanes_mul(shift, lanes_div(K(1.0), lanes_min(_s8, _s0))) };
 }
@@ -3396,7 +3411,7 @@ LANES(court_ring_beside)(V p_ball_radius, V p_ring_radius, V vx, V vy, V vz, V p
 }
 
 /* The distance, its rate and its second derivative, of a ball that rolls on something else.
-   derivatives of Table 2's distance. 75 operations: 12 additions, 5 subtractions, 48 multiplications, 8 divisions, 2 square roots. */
+   derivatives of Table 2's distance. 73 operations: 14 additions, 3 subtractions, 50 multiplications, 2 divisions, 2 square roots, 2 negations. */
 typedef struct {
     V gap;
     V nearing;
@@ -3407,19 +3422,20 @@ typedef struct {
 LANES_INLINE LANES(court_ring_closing_out)
 LANES(court_ring_closing)(V p_ball_radius, V nx, V ny, V nz, V p_ring_radius, V rolled_x, V rolled_y, V rolled_z, V thrust_x, V thrust_y, V thrust_z, V p_wire_radius, V x, V y, V z)
 {
-    const V _s0 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
-    const V _s1 = lanes_sqrt(_s0);
-    const V _s2 = lanes_sub(_s1, p_ring_radius);
-    const V _s3 = lanes_add(lanes_mul(z, z), lanes_mul(_s2, _s2));
-    const V _s4 = lanes_sqrt(_s3);
-    const V _s5 = lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_x), x), lanes_mul(lanes_mul(K(2.0), rolled_y), y));
-    const V _s6 = lanes_div(lanes_mul(K(0.5), _s5), _s1);
-    const V _s7 = lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_z), z), lanes_mul(lanes_mul(K(2.0), _s6), _s2));
-    const V _s8 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(K(2.0), lanes_mul(rolled_x, rolled_x)), lanes_mul(lanes_mul(K(2.0), thrust_x), x)), lanes_add(lanes_mul(K(2.0), lanes_mul(rolled_y, rolled_y)), lanes_mul(lanes_mul(K(2.0), thrust_y), y)))), _s1);
-    const V _s9 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s2), lanes_sub(_s8, lanes_div(lanes_mul(K(0.25), lanes_mul(_s5, _s5)), lanes_mul(_s1, _s0)))), lanes_mul(K(2.0), lanes_mul(_s6, _s6)));
-    const V _s10 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(K(2.0), lanes_mul(rolled_z, rolled_z)), lanes_mul(lanes_mul(K(2.0), thrust_z), z)), _s9)), _s4);
-    const V _s11 = lanes_mul(K(2.0), lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), nx), x), lanes_mul(lanes_mul(K(2.0), ny), y))), _s1));
-    return (LANES(court_ring_closing_out)){ lanes_sub(lanes_sub(_s4, p_ball_radius), p_wire_radius), lanes_div(lanes_mul(K(0.5), _s7), _s4), lanes_sub(_s10, lanes_div(lanes_mul(K(0.25), lanes_mul(_s7, _s7)), lanes_mul(_s4, _s3))), lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), nz), z), lanes_mul(_s11, _s2))), _s4) };
+    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s1 = lanes_sub(_s0, p_ring_radius);
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1)));
+    const V _s3 = lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_x), x), lanes_mul(lanes_mul(K(2.0), rolled_y), y));
+    const V _s4 = lanes_div(K(1.0), _s0);
+    const V _s5 = lanes_mul(lanes_mul(K(0.5), _s3), _s4);
+    const V _s6 = lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_z), z), lanes_mul(lanes_mul(K(2.0), _s5), _s1));
+    const V _s7 = lanes_div(K(1.0), _s2);
+    const V _s8 = lanes_mul(lanes_mul(K(0.5), _s6), _s7);
+    const V _s9 = lanes_add(lanes_mul(lanes_neg(lanes_mul(_s5, lanes_mul(_s4, _s4))), _s3), lanes_mul(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(rolled_x, rolled_x), lanes_mul(thrust_x, x))), lanes_mul(K(2.0), lanes_add(lanes_mul(rolled_y, rolled_y), lanes_mul(thrust_y, y)))), _s4));
+    const V _s10 = lanes_mul(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(rolled_z, rolled_z), lanes_mul(thrust_z, z))), lanes_mul(K(2.0), lanes_add(lanes_mul(_s1, lanes_mul(K(0.5), _s9)), lanes_mul(_s5, _s5)))), _s7);
+    const V _s11 = lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_neg(lanes_mul(_s8, lanes_mul(_s7, _s7))), _s6), _s10));
+    const V _s12 = lanes_mul(K(2.0), lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), nx), x), lanes_mul(lanes_mul(K(2.0), ny), y))), _s4));
+    return (LANES(court_ring_closing_out)){ lanes_sub(lanes_sub(_s2, p_ball_radius), p_wire_radius), _s8, _s11, lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), nz), z), lanes_mul(_s12, _s1))), _s7) };
 }
 
 /* The distance.
@@ -3451,7 +3467,7 @@ LANES(court_ring_tube)(V p_ball_radius, V p_wire_radius)
 }
 
 /* The rate at which the normal turns.
-   derivative of Table 2's normal. 32 operations: 6 additions, 1 subtraction, 20 multiplications, 3 divisions, 1 square root, 1 negation. */
+   derivative of Table 2's normal. 28 operations: 6 additions, 1 subtraction, 17 multiplications, 2 divisions, 1 square root, 1 negation. */
 typedef struct {
     V turning_x;
     V turning_y;
@@ -3466,13 +3482,13 @@ LANES(court_ring_turning)(V p_ball_radius, V p_ring_radius, V rolled_x, V rolled
     const V _s2 = lanes_sub(_s1, p_ring_radius);
     const V _s3 = lanes_div(K(1.0), _s1);
     const V _s4 = lanes_mul(lanes_mul(_s0, _s2), _s3);
-    const V _s5 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_x), x), lanes_mul(lanes_mul(K(2.0), rolled_y), y))), _s1);
-    const V _s6 = lanes_add(lanes_mul(lanes_mul(_s5, _s0), _s3), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s5, lanes_mul(_s3, _s3))), _s0), _s2));
+    const V _s5 = lanes_mul(lanes_add(lanes_mul(rolled_x, x), lanes_mul(rolled_y, y)), _s3);
+    const V _s6 = lanes_mul(_s0, lanes_add(lanes_mul(_s5, _s3), lanes_mul(lanes_neg(lanes_mul(_s5, lanes_mul(_s3, _s3))), _s2)));
     return (LANES(court_ring_turning_out)){ lanes_add(lanes_mul(rolled_x, _s4), lanes_mul(x, _s6)), lanes_add(lanes_mul(rolled_y, _s4), lanes_mul(y, _s6)), lanes_mul(rolled_z, _s0) };
 }
 
 /* The second to the fourth derivative of the distance along a flight.
-   derivatives of Table 2's distance. 120 operations: 14 additions, 11 subtractions, 74 multiplications, 18 divisions, 2 square roots, 1 negation. */
+   derivatives of Table 2's distance. 148 operations: 41 additions, 2 subtractions, 94 multiplications, 2 divisions, 2 square roots, 7 negations. */
 typedef struct {
     V lift;
     V surge;
@@ -3482,32 +3498,44 @@ typedef struct {
 LANES_INLINE LANES(court_ring_parting_out)
 LANES(court_ring_parting)(V p_gravity, V p_ring_radius, V vx, V vy, V vz, V x, V y, V z)
 {
-    const V _s0 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
-    const V _s1 = lanes_sqrt(_s0);
-    const V _s2 = lanes_sub(_s1, p_ring_radius);
-    const V _s3 = lanes_add(lanes_mul(z, z), lanes_mul(_s2, _s2));
-    const V _s4 = lanes_sqrt(_s3);
-    const V _s5 = lanes_add(lanes_mul(K(2.0), lanes_mul(vx, vx)), lanes_mul(K(2.0), lanes_mul(vy, vy)));
-    const V _s6 = lanes_mul(_s1, _s0);
-    const V _s7 = lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y));
-    const V _s8 = lanes_mul(_s7, _s7);
-    const V _s9 = lanes_sub(lanes_div(lanes_mul(K(0.5), _s5), _s1), lanes_div(lanes_mul(K(0.25), _s8), _s6));
-    const V _s10 = lanes_mul(K(2.0), _s2);
-    const V _s11 = lanes_div(lanes_mul(K(0.5), _s7), _s1);
-    const V _s12 = lanes_add(lanes_sub(lanes_mul(K(2.0), lanes_mul(vz, vz)), lanes_mul(lanes_mul(K(2.0), p_gravity), z)), lanes_add(lanes_mul(_s10, _s9), lanes_mul(K(2.0), lanes_mul(_s11, _s11))));
-    const V _s13 = lanes_mul(_s4, _s3);
-    const V _s14 = lanes_add(lanes_mul(lanes_mul(K(2.0), vz), z), lanes_mul(lanes_mul(K(2.0), _s11), _s2));
-    const V _s15 = lanes_mul(_s14, _s14);
-    const V _s16 = lanes_mul(_s3, _s3);
-    const V _s17 = lanes_mul(_s4, _s16);
-    const V _s18 = lanes_mul(_s0, _s0);
-    const V _s19 = lanes_mul(_s1, _s18);
-    const V _s20 = lanes_sub(lanes_div(lanes_mul(K(0.375), lanes_mul(_s7, _s8)), _s19), lanes_div(lanes_mul(lanes_mul(K(0.75), _s5), _s7), _s6));
-    const V _s21 = lanes_add(lanes_neg(lanes_mul(lanes_mul(K(6.0), p_gravity), vz)), lanes_add(lanes_mul(lanes_mul(K(6.0), _s11), _s9), lanes_mul(_s10, _s20)));
-    const V _s22 = lanes_mul(_s10, lanes_sub(lanes_sub(lanes_div(lanes_mul(lanes_mul(K(2.25), _s5), _s8), _s19), lanes_div(lanes_mul(K(0.75), lanes_mul(_s5, _s5)), _s6)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s8, _s8)), lanes_mul(_s6, _s18))));
-    const V _s23 = lanes_mul(K(0.5), lanes_add(lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)), lanes_add(lanes_add(lanes_mul(lanes_mul(K(8.0), _s11), _s20), _s22), lanes_mul(K(6.0), lanes_mul(_s9, _s9)))));
-    const V _s24 = lanes_sub(lanes_sub(lanes_add(lanes_div(_s23, _s4), lanes_div(lanes_mul(lanes_mul(K(2.25), _s15), _s12), _s17)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s15, _s15)), lanes_mul(_s13, _s16))), lanes_div(lanes_mul(K(0.75), lanes_mul(_s12, _s12)), _s13));
-    return (LANES(court_ring_parting_out)){ lanes_sub(lanes_div(lanes_mul(K(0.5), _s12), _s4), lanes_div(lanes_mul(K(0.25), _s15), _s13)), lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.375), lanes_mul(_s14, _s15)), _s17), lanes_div(lanes_mul(K(0.5), _s21), _s4)), lanes_div(lanes_mul(lanes_mul(K(0.75), _s14), _s12), _s13)), lanes_sub(_s24, lanes_div(lanes_mul(_s21, _s14), _s13)) };
+    const V _s0 = lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y));
+    const V _s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s2 = lanes_div(K(1.0), _s1);
+    const V _s3 = lanes_mul(lanes_mul(K(0.5), _s0), _s2);
+    const V _s4 = lanes_sub(_s1, p_ring_radius);
+    const V _s5 = lanes_mul(K(2.0), _s3);
+    const V _s6 = lanes_add(lanes_mul(lanes_mul(K(2.0), vz), z), lanes_mul(_s5, _s4));
+    const V _s7 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s4, _s4))));
+    const V _s8 = lanes_mul(lanes_mul(K(0.5), _s6), _s7);
+    const V _s9 = lanes_mul(_s7, _s7);
+    const V _s10 = lanes_neg(lanes_mul(_s8, _s9));
+    const V _s11 = lanes_mul(_s2, _s2);
+    const V _s12 = lanes_neg(lanes_mul(_s3, _s11));
+    const V _s13 = lanes_add(lanes_mul(K(2.0), lanes_mul(vx, vx)), lanes_mul(K(2.0), lanes_mul(vy, vy)));
+    const V _s14 = lanes_mul(K(0.5), lanes_add(lanes_mul(_s12, _s0), lanes_mul(_s13, _s2)));
+    const V _s15 = lanes_add(lanes_mul(K(2.0), lanes_sub(lanes_mul(vz, vz), lanes_mul(p_gravity, z))), lanes_mul(K(2.0), lanes_add(lanes_mul(_s4, _s14), lanes_mul(_s3, _s3))));
+    const V _s16 = lanes_mul(K(0.5), lanes_add(lanes_mul(_s10, _s6), lanes_mul(_s15, _s7)));
+    const V _s17 = lanes_mul(_s10, _s15);
+    const V _s18 = lanes_mul(K(2.0), _s10);
+    const V _s19 = lanes_neg(lanes_add(lanes_mul(_s16, _s9), lanes_mul(lanes_mul(_s18, _s8), _s7)));
+    const V _s20 = lanes_mul(_s12, _s13);
+    const V _s21 = lanes_mul(K(2.0), _s12);
+    const V _s22 = lanes_neg(lanes_add(lanes_mul(_s14, _s11), lanes_mul(lanes_mul(_s21, _s3), _s2)));
+    const V _s23 = lanes_mul(K(0.5), lanes_add(_s20, lanes_add(_s20, lanes_mul(_s0, _s22))));
+    const V _s24 = lanes_add(lanes_mul(K(2.0), lanes_neg(lanes_mul(lanes_mul(K(3.0), p_gravity), vz))), lanes_mul(K(2.0), lanes_add(lanes_mul(_s5, _s14), lanes_add(lanes_mul(_s3, _s14), lanes_mul(_s4, _s23)))));
+    const V _s25 = lanes_mul(K(0.5), lanes_add(lanes_add(_s17, lanes_mul(_s6, _s19)), lanes_add(_s17, lanes_mul(_s24, _s7))));
+    const V _s26 = lanes_mul(_s10, _s24);
+    const V _s27 = lanes_mul(_s3, _s23);
+    const V _s28 = lanes_add(_s27, lanes_mul(_s14, _s14));
+    const V _s29 = lanes_mul(_s13, _s22);
+    const V _s30 = lanes_add(lanes_add(lanes_mul(_s23, _s11), lanes_mul(lanes_mul(_s21, _s14), _s2)), lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(lanes_mul(_s12, _s12), _s3), lanes_mul(lanes_mul(_s12, _s14), _s2)), lanes_mul(lanes_mul(_s3, _s22), _s2))));
+    const V _s31 = lanes_mul(K(0.5), lanes_add(_s29, lanes_add(_s29, lanes_add(lanes_mul(_s0, lanes_neg(_s30)), _s29))));
+    const V _s32 = lanes_add(lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))), lanes_mul(K(2.0), lanes_add(lanes_mul(K(2.0), _s28), lanes_add(lanes_add(_s27, lanes_mul(_s4, _s31)), _s28))));
+    const V _s33 = lanes_mul(_s15, _s19);
+    const V _s34 = lanes_add(_s26, _s33);
+    const V _s35 = lanes_add(lanes_add(lanes_mul(_s25, _s9), lanes_mul(lanes_mul(_s18, _s16), _s7)), lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(lanes_mul(_s10, _s10), _s8), lanes_mul(lanes_mul(_s10, _s16), _s7)), lanes_mul(lanes_mul(_s8, _s19), _s7))));
+    const V _s36 = lanes_mul(K(0.5), lanes_add(lanes_add(lanes_add(_s26, lanes_mul(_s32, _s7)), _s34), lanes_add(_s34, lanes_add(lanes_mul(_s6, lanes_neg(_s35)), _s33))));
+    return (LANES(court_ring_parting_out)){ _s16, _s25, _s36 };
 }
 
 /* The constant terms, in the ring's coordinates.
@@ -4601,7 +4629,7 @@ LANES(court_backboard_beside)(V p_ball_radius, V p_board_bottom, V p_board_dista
 }
 
 /* The distance, its rate and its second derivative, of a ball that rolls on something else.
-   derivatives of Table 2's distance. 117 operations: 15 additions, 17 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections. */
+   derivatives of Table 2's distance. 115 operations: 16 additions, 16 subtractions, 33 multiplications, 1 division, 1 square root, 12 negations, 12 comparisons, 24 selections. */
 typedef struct {
     V gap;
     V nearing;
@@ -4621,24 +4649,26 @@ LANES(court_backboard_closing)(V p_ball_radius, V p_board_bottom, V p_board_dist
     const V _s6 = lanes_sub(y, p_board_half_width);
     const V _s7 = lanes_neg(lanes_add(p_board_half_width, y));
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
-    const V _s9 = lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8));
-    const V _s10 = lanes_sqrt(_s9);
-    const M _s11 = lanes_less(_s0, K(0.0));
-    const M _s12 = lanes_less(_s1, K(0.0));
-    const V _s13 = lanes_sub(lanes_select(_s11, K(0.0), rolled_z), lanes_select(_s12, K(0.0), lanes_neg(rolled_z)));
-    const M _s14 = lanes_less(_s3, K(0.0));
-    const M _s15 = lanes_less(_s4, K(0.0));
-    const V _s16 = lanes_sub(lanes_select(_s14, K(0.0), rolled_x), lanes_select(_s15, K(0.0), lanes_neg(rolled_x)));
-    const M _s17 = lanes_less(_s6, K(0.0));
-    const M _s18 = lanes_less(_s7, K(0.0));
-    const V _s19 = lanes_sub(lanes_select(_s17, K(0.0), rolled_y), lanes_select(_s18, K(0.0), lanes_neg(rolled_y)));
-    const V _s20 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s13), _s2), lanes_mul(lanes_mul(K(2.0), _s16), _s5)), lanes_mul(lanes_mul(K(2.0), _s19), _s8));
-    const V _s21 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s11, K(0.0), thrust_z), lanes_select(_s12, K(0.0), lanes_neg(thrust_z)))), _s2), lanes_mul(K(2.0), lanes_mul(_s13, _s13)));
-    const V _s22 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s14, K(0.0), thrust_x), lanes_select(_s15, K(0.0), lanes_neg(thrust_x)))), _s5), lanes_mul(K(2.0), lanes_mul(_s16, _s16)));
-    const V _s23 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s17, K(0.0), thrust_y), lanes_select(_s18, K(0.0), lanes_neg(thrust_y)))), _s8), lanes_mul(K(2.0), lanes_mul(_s19, _s19)));
-    const V _s24 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s11, K(0.0), nz), lanes_select(_s12, K(0.0), lanes_neg(nz)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s14, K(0.0), nx), lanes_select(_s15, K(0.0), lanes_neg(nx)))), _s5));
-    const V _s25 = lanes_add(_s24, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s17, K(0.0), ny), lanes_select(_s18, K(0.0), lanes_neg(ny)))), _s8));
-    return (LANES(court_backboard_closing_out)){ lanes_sub(_s10, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s20), _s10), lanes_sub(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_add(_s21, _s22), _s23)), _s10), lanes_div(lanes_mul(K(0.25), lanes_mul(_s20, _s20)), lanes_mul(_s10, _s9))), lanes_div(lanes_mul(K(0.5), _s25), _s10) };
+    const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
+    const M _s10 = lanes_less(_s0, K(0.0));
+    const M _s11 = lanes_less(_s1, K(0.0));
+    const V _s12 = lanes_sub(lanes_select(_s10, K(0.0), rolled_z), lanes_select(_s11, K(0.0), lanes_neg(rolled_z)));
+    const M _s13 = lanes_less(_s3, K(0.0));
+    const M _s14 = lanes_less(_s4, K(0.0));
+    const V _s15 = lanes_sub(lanes_select(_s13, K(0.0), rolled_x), lanes_select(_s14, K(0.0), lanes_neg(rolled_x)));
+    const M _s16 = lanes_less(_s6, K(0.0));
+    const M _s17 = lanes_less(_s7, K(0.0));
+    const V _s18 = lanes_sub(lanes_select(_s16, K(0.0), rolled_y), lanes_select(_s17, K(0.0), lanes_neg(rolled_y)));
+    const V _s19 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s12), _s2), lanes_mul(lanes_mul(K(2.0), _s15), _s5)), lanes_mul(lanes_mul(K(2.0), _s18), _s8));
+    const V _s20 = lanes_div(K(1.0), _s9);
+    const V _s21 = lanes_mul(lanes_mul(K(0.5), _s19), _s20);
+    const V _s22 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s10, K(0.0), thrust_z), lanes_select(_s11, K(0.0), lanes_neg(thrust_z))), _s2), lanes_mul(_s12, _s12)));
+    const V _s23 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s13, K(0.0), thrust_x), lanes_select(_s14, K(0.0), lanes_neg(thrust_x))), _s5), lanes_mul(_s15, _s15)));
+    const V _s24 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s16, K(0.0), thrust_y), lanes_select(_s17, K(0.0), lanes_neg(thrust_y))), _s8), lanes_mul(_s18, _s18)));
+    const V _s25 = lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_neg(lanes_mul(_s21, lanes_mul(_s20, _s20))), _s19), lanes_mul(lanes_add(lanes_add(_s22, _s23), _s24), _s20)));
+    const V _s26 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s10, K(0.0), nz), lanes_select(_s11, K(0.0), lanes_neg(nz)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s13, K(0.0), nx), lanes_select(_s14, K(0.0), lanes_neg(nx)))), _s5));
+    const V _s27 = lanes_add(_s26, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s16, K(0.0), ny), lanes_select(_s17, K(0.0), lanes_neg(ny)))), _s8));
+    return (LANES(court_backboard_closing_out)){ lanes_sub(_s9, p_ball_radius), _s21, _s25, lanes_mul(lanes_mul(K(0.5), _s27), _s20) };
 }
 
 /* The distance.
@@ -4711,7 +4741,7 @@ LANES(court_backboard_turning)(V p_ball_radius, V p_board_bottom, V p_board_dist
 }
 
 /* The second to the fourth derivative of the distance along a flight.
-   derivatives of Table 2's distance. 112 operations: 13 additions, 15 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections. */
+   derivatives of Table 2's distance. 127 operations: 27 additions, 10 subtractions, 53 multiplications, 1 division, 1 square root, 9 negations, 12 comparisons, 14 selections. */
 typedef struct {
     V lift;
     V surge;
@@ -4725,28 +4755,36 @@ LANES(court_backboard_parting)(V p_board_bottom, V p_board_distance, V p_board_h
     const M _s1 = lanes_less(_s0, K(0.0));
     const V _s2 = lanes_sub(p_board_bottom, z);
     const M _s3 = lanes_less(_s2, K(0.0));
-    const V _s4 = lanes_sub(lanes_select(_s1, K(0.0), lanes_neg(p_gravity)), lanes_select(_s3, K(0.0), p_gravity));
+    const V _s4 = lanes_sub(lanes_select(_s1, K(0.0), vz), lanes_select(_s3, K(0.0), lanes_neg(vz)));
     const V _s5 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s2, K(0.0)));
-    const V _s6 = lanes_sub(lanes_select(_s1, K(0.0), vz), lanes_select(_s3, K(0.0), lanes_neg(vz)));
-    const V _s7 = lanes_add(p_board_distance, x);
-    const V _s8 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
-    const V _s9 = lanes_sub(lanes_select(lanes_less(_s7, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s8, K(0.0)), K(0.0), lanes_neg(vx)));
+    const V _s6 = lanes_add(p_board_distance, x);
+    const V _s7 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
+    const V _s8 = lanes_sub(lanes_select(lanes_less(_s6, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s7, K(0.0)), K(0.0), lanes_neg(vx)));
+    const V _s9 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
     const V _s10 = lanes_sub(y, p_board_half_width);
     const V _s11 = lanes_neg(lanes_add(p_board_half_width, y));
     const V _s12 = lanes_sub(lanes_select(lanes_less(_s10, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s11, K(0.0)), K(0.0), lanes_neg(vy)));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s5), lanes_mul(K(2.0), lanes_mul(_s6, _s6))), lanes_mul(K(2.0), lanes_mul(_s9, _s9))), lanes_mul(K(2.0), lanes_mul(_s12, _s12)));
-    const V _s14 = lanes_sub(lanes_max(_s7, K(0.0)), lanes_max(_s8, K(0.0)));
-    const V _s15 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
-    const V _s16 = lanes_add(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s14, _s14)), lanes_mul(_s15, _s15));
-    const V _s17 = lanes_sqrt(_s16);
-    const V _s18 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s6), _s5), lanes_mul(lanes_mul(K(2.0), _s9), _s14)), lanes_mul(lanes_mul(K(2.0), _s12), _s15));
-    const V _s19 = lanes_mul(_s18, _s18);
-    const V _s20 = lanes_mul(_s17, _s16);
-    const V _s21 = lanes_mul(lanes_mul(K(6.0), _s4), _s6);
-    const V _s22 = lanes_mul(_s16, _s16);
-    const V _s23 = lanes_mul(_s17, _s22);
-    const V _s24 = lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.5), lanes_mul(K(6.0), lanes_mul(_s4, _s4))), _s17), lanes_div(lanes_mul(lanes_mul(K(2.25), _s19), _s13), _s23)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s19, _s19)), lanes_mul(_s20, _s22)));
-    return (LANES(court_backboard_parting_out)){ lanes_sub(lanes_div(lanes_mul(K(0.5), _s13), _s17), lanes_div(lanes_mul(K(0.25), _s19), _s20)), lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.5), _s21), _s17), lanes_div(lanes_mul(K(0.375), lanes_mul(_s18, _s19)), _s23)), lanes_div(lanes_mul(lanes_mul(K(0.75), _s18), _s13), _s20)), lanes_sub(lanes_sub(_s24, lanes_div(lanes_mul(K(0.75), lanes_mul(_s13, _s13)), _s20)), lanes_div(lanes_mul(_s21, _s18), _s20)) };
+    const V _s13 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
+    const V _s14 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s5), lanes_mul(lanes_mul(K(2.0), _s8), _s9)), lanes_mul(lanes_mul(K(2.0), _s12), _s13));
+    const V _s15 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s9, _s9)), lanes_mul(_s13, _s13))));
+    const V _s16 = lanes_mul(lanes_mul(K(0.5), _s14), _s15);
+    const V _s17 = lanes_mul(_s15, _s15);
+    const V _s18 = lanes_neg(lanes_mul(_s16, _s17));
+    const V _s19 = lanes_sub(lanes_select(_s1, K(0.0), lanes_neg(p_gravity)), lanes_select(_s3, K(0.0), p_gravity));
+    const V _s20 = lanes_add(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(_s19, _s5), lanes_mul(_s4, _s4))), lanes_mul(K(2.0), lanes_mul(_s8, _s8))), lanes_mul(K(2.0), lanes_mul(_s12, _s12)));
+    const V _s21 = lanes_mul(K(0.5), lanes_add(lanes_mul(_s18, _s14), lanes_mul(_s20, _s15)));
+    const V _s22 = lanes_mul(_s18, _s20);
+    const V _s23 = lanes_mul(K(2.0), _s18);
+    const V _s24 = lanes_neg(lanes_add(lanes_mul(_s21, _s17), lanes_mul(lanes_mul(_s23, _s16), _s15)));
+    const V _s25 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(2.0), _s19), _s4), lanes_mul(_s19, _s4)));
+    const V _s26 = lanes_mul(K(0.5), lanes_add(lanes_add(_s22, lanes_mul(_s14, _s24)), lanes_add(_s22, lanes_mul(_s25, _s15))));
+    const V _s27 = lanes_mul(_s18, _s25);
+    const V _s28 = lanes_mul(_s20, _s24);
+    const V _s29 = lanes_add(_s27, _s28);
+    const V _s30 = lanes_add(_s29, lanes_add(_s27, lanes_mul(_s15, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(_s19, _s19))))));
+    const V _s31 = lanes_add(lanes_add(lanes_mul(_s26, _s17), lanes_mul(lanes_mul(_s23, _s21), _s15)), lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(lanes_mul(_s18, _s18), _s16), lanes_mul(lanes_mul(_s18, _s21), _s15)), lanes_mul(lanes_mul(_s16, _s24), _s15))));
+    const V _s32 = lanes_mul(K(0.5), lanes_add(_s30, lanes_add(_s29, lanes_add(lanes_mul(_s14, lanes_neg(_s31)), _s28))));
+    return (LANES(court_backboard_parting_out)){ _s21, _s26, _s32 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
@@ -4834,7 +4872,7 @@ LANES(court_backboard_seam5)(V p_ball_radius, V p_board_bottom, V p_board_top, V
 }
 
 /* A bound below the distance from all places at this height and distance from the axis.
-   Table 2. 57 operations: 6 additions, 6 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections. */
+   Table 2. 58 operations: 6 additions, 6 subtractions, 17 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections. */
 typedef struct {
     V gap;
     V nearing;
@@ -4856,7 +4894,7 @@ LANES(court_backboard_around)(V p_ball_radius, V p_board_bottom, V p_board_dista
     const V _s10 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s8, _s8))), _s9);
     const V _s11 = lanes_max(K(0.0), _s10);
     const V _s12 = lanes_sqrt(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s11, _s11)));
-    const V _s13 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s9));
+    const V _s13 = lanes_neg(lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), lanes_div(K(1.0), _s9)));
     const V _s14 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), _s11), lanes_select(lanes_less(K(0.0), _s10), _s13, K(0.0))));
     return (LANES(court_backboard_around_out)){ lanes_sub(_s12, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s14), _s12) };
 }
@@ -5209,7 +5247,7 @@ LANES(court_bridge_beside)(V p_ball_radius, V p_board_distance, V p_bridge_depth
 }
 
 /* The distance, its rate and its second derivative, of a ball that rolls on something else.
-   derivatives of Table 2's distance. 117 operations: 14 additions, 18 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections. */
+   derivatives of Table 2's distance. 115 operations: 15 additions, 17 subtractions, 33 multiplications, 1 division, 1 square root, 12 negations, 12 comparisons, 24 selections. */
 typedef struct {
     V gap;
     V nearing;
@@ -5229,24 +5267,26 @@ LANES(court_bridge_closing)(V p_ball_radius, V p_board_distance, V p_bridge_dept
     const V _s6 = lanes_sub(z, p_wire_radius);
     const V _s7 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
-    const V _s9 = lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8));
-    const V _s10 = lanes_sqrt(_s9);
-    const M _s11 = lanes_less(_s0, K(0.0));
-    const M _s12 = lanes_less(_s1, K(0.0));
-    const V _s13 = lanes_sub(lanes_select(_s11, K(0.0), rolled_x), lanes_select(_s12, K(0.0), lanes_neg(rolled_x)));
-    const M _s14 = lanes_less(_s3, K(0.0));
-    const M _s15 = lanes_less(_s4, K(0.0));
-    const V _s16 = lanes_sub(lanes_select(_s14, K(0.0), rolled_y), lanes_select(_s15, K(0.0), lanes_neg(rolled_y)));
-    const M _s17 = lanes_less(_s6, K(0.0));
-    const M _s18 = lanes_less(_s7, K(0.0));
-    const V _s19 = lanes_sub(lanes_select(_s17, K(0.0), rolled_z), lanes_select(_s18, K(0.0), lanes_neg(rolled_z)));
-    const V _s20 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s13), _s2), lanes_mul(lanes_mul(K(2.0), _s16), _s5)), lanes_mul(lanes_mul(K(2.0), _s19), _s8));
-    const V _s21 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s11, K(0.0), thrust_x), lanes_select(_s12, K(0.0), lanes_neg(thrust_x)))), _s2), lanes_mul(K(2.0), lanes_mul(_s13, _s13)));
-    const V _s22 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s14, K(0.0), thrust_y), lanes_select(_s15, K(0.0), lanes_neg(thrust_y)))), _s5), lanes_mul(K(2.0), lanes_mul(_s16, _s16)));
-    const V _s23 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s17, K(0.0), thrust_z), lanes_select(_s18, K(0.0), lanes_neg(thrust_z)))), _s8), lanes_mul(K(2.0), lanes_mul(_s19, _s19)));
-    const V _s24 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s11, K(0.0), nx), lanes_select(_s12, K(0.0), lanes_neg(nx)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s14, K(0.0), ny), lanes_select(_s15, K(0.0), lanes_neg(ny)))), _s5));
-    const V _s25 = lanes_add(_s24, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s17, K(0.0), nz), lanes_select(_s18, K(0.0), lanes_neg(nz)))), _s8));
-    return (LANES(court_bridge_closing_out)){ lanes_sub(_s10, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s20), _s10), lanes_sub(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_add(_s21, _s22), _s23)), _s10), lanes_div(lanes_mul(K(0.25), lanes_mul(_s20, _s20)), lanes_mul(_s10, _s9))), lanes_div(lanes_mul(K(0.5), _s25), _s10) };
+    const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
+    const M _s10 = lanes_less(_s0, K(0.0));
+    const M _s11 = lanes_less(_s1, K(0.0));
+    const V _s12 = lanes_sub(lanes_select(_s10, K(0.0), rolled_x), lanes_select(_s11, K(0.0), lanes_neg(rolled_x)));
+    const M _s13 = lanes_less(_s3, K(0.0));
+    const M _s14 = lanes_less(_s4, K(0.0));
+    const V _s15 = lanes_sub(lanes_select(_s13, K(0.0), rolled_y), lanes_select(_s14, K(0.0), lanes_neg(rolled_y)));
+    const M _s16 = lanes_less(_s6, K(0.0));
+    const M _s17 = lanes_less(_s7, K(0.0));
+    const V _s18 = lanes_sub(lanes_select(_s16, K(0.0), rolled_z), lanes_select(_s17, K(0.0), lanes_neg(rolled_z)));
+    const V _s19 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s12), _s2), lanes_mul(lanes_mul(K(2.0), _s15), _s5)), lanes_mul(lanes_mul(K(2.0), _s18), _s8));
+    const V _s20 = lanes_div(K(1.0), _s9);
+    const V _s21 = lanes_mul(lanes_mul(K(0.5), _s19), _s20);
+    const V _s22 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s10, K(0.0), thrust_x), lanes_select(_s11, K(0.0), lanes_neg(thrust_x))), _s2), lanes_mul(_s12, _s12)));
+    const V _s23 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s13, K(0.0), thrust_y), lanes_select(_s14, K(0.0), lanes_neg(thrust_y))), _s5), lanes_mul(_s15, _s15)));
+    const V _s24 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s16, K(0.0), thrust_z), lanes_select(_s17, K(0.0), lanes_neg(thrust_z))), _s8), lanes_mul(_s18, _s18)));
+    const V _s25 = lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_neg(lanes_mul(_s21, lanes_mul(_s20, _s20))), _s19), lanes_mul(lanes_add(lanes_add(_s22, _s23), _s24), _s20)));
+    const V _s26 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s10, K(0.0), nx), lanes_select(_s11, K(0.0), lanes_neg(nx)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s13, K(0.0), ny), lanes_select(_s14, K(0.0), lanes_neg(ny)))), _s5));
+    const V _s27 = lanes_add(_s26, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s16, K(0.0), nz), lanes_select(_s17, K(0.0), lanes_neg(nz)))), _s8));
+    return (LANES(court_bridge_closing_out)){ lanes_sub(_s9, p_ball_radius), _s21, _s25, lanes_mul(lanes_mul(K(0.5), _s27), _s20) };
 }
 
 /* The distance.
@@ -5320,7 +5360,7 @@ LANES(court_bridge_turning)(V p_ball_radius, V p_board_distance, V p_bridge_dept
 }
 
 /* The second to the fourth derivative of the distance along a flight.
-   derivatives of Table 2's distance. 112 operations: 12 additions, 16 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections. */
+   derivatives of Table 2's distance. 127 operations: 26 additions, 11 subtractions, 53 multiplications, 1 division, 1 square root, 9 negations, 12 comparisons, 14 selections. */
 typedef struct {
     V lift;
     V surge;
@@ -5330,32 +5370,40 @@ typedef struct {
 LANES_INLINE LANES(court_bridge_parting_out)
 LANES(court_bridge_parting)(V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V p_gravity, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V x, V y, V z)
 {
-    const V _s0 = lanes_sub(z, p_wire_radius);
-    const M _s1 = lanes_less(_s0, K(0.0));
-    const V _s2 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
-    const M _s3 = lanes_less(_s2, K(0.0));
-    const V _s4 = lanes_sub(lanes_select(_s1, K(0.0), lanes_neg(p_gravity)), lanes_select(_s3, K(0.0), p_gravity));
-    const V _s5 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s2, K(0.0)));
-    const V _s6 = lanes_sub(lanes_select(_s1, K(0.0), vz), lanes_select(_s3, K(0.0), lanes_neg(vz)));
-    const V _s7 = lanes_add(p_ring_radius, x);
-    const V _s8 = lanes_neg(lanes_add(p_board_distance, x));
-    const V _s9 = lanes_sub(lanes_select(lanes_less(_s7, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s8, K(0.0)), K(0.0), lanes_neg(vx)));
-    const V _s10 = lanes_sub(y, p_bridge_half_width);
-    const V _s11 = lanes_neg(lanes_add(p_bridge_half_width, y));
-    const V _s12 = lanes_sub(lanes_select(lanes_less(_s10, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s11, K(0.0)), K(0.0), lanes_neg(vy)));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s5), lanes_mul(K(2.0), lanes_mul(_s6, _s6))), lanes_mul(K(2.0), lanes_mul(_s9, _s9))), lanes_mul(K(2.0), lanes_mul(_s12, _s12)));
-    const V _s14 = lanes_sub(lanes_max(_s7, K(0.0)), lanes_max(_s8, K(0.0)));
-    const V _s15 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
-    const V _s16 = lanes_add(lanes_add(lanes_mul(_s14, _s14), lanes_mul(_s15, _s15)), lanes_mul(_s5, _s5));
-    const V _s17 = lanes_sqrt(_s16);
-    const V _s18 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s9), _s14), lanes_mul(lanes_mul(K(2.0), _s12), _s15)), lanes_mul(lanes_mul(K(2.0), _s6), _s5));
-    const V _s19 = lanes_mul(_s18, _s18);
-    const V _s20 = lanes_mul(_s17, _s16);
-    const V _s21 = lanes_mul(lanes_mul(K(6.0), _s4), _s6);
-    const V _s22 = lanes_mul(_s16, _s16);
-    const V _s23 = lanes_mul(_s17, _s22);
-    const V _s24 = lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.5), lanes_mul(K(6.0), lanes_mul(_s4, _s4))), _s17), lanes_div(lanes_mul(lanes_mul(K(2.25), _s19), _s13), _s23)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s19, _s19)), lanes_mul(_s20, _s22)));
-    return (LANES(court_bridge_parting_out)){ lanes_sub(lanes_div(lanes_mul(K(0.5), _s13), _s17), lanes_div(lanes_mul(K(0.25), _s19), _s20)), lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.5), _s21), _s17), lanes_div(lanes_mul(K(0.375), lanes_mul(_s18, _s19)), _s23)), lanes_div(lanes_mul(lanes_mul(K(0.75), _s18), _s13), _s20)), lanes_sub(lanes_sub(_s24, lanes_div(lanes_mul(K(0.75), lanes_mul(_s13, _s13)), _s20)), lanes_div(lanes_mul(_s21, _s18), _s20)) };
+    const V _s0 = lanes_add(p_ring_radius, x);
+    const V _s1 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s2 = lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vx)));
+    const V _s3 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s4 = lanes_sub(y, p_bridge_half_width);
+    const V _s5 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s6 = lanes_sub(lanes_select(lanes_less(_s4, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s5, K(0.0)), K(0.0), lanes_neg(vy)));
+    const V _s7 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
+    const V _s8 = lanes_sub(z, p_wire_radius);
+    const M _s9 = lanes_less(_s8, K(0.0));
+    const V _s10 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    const M _s11 = lanes_less(_s10, K(0.0));
+    const V _s12 = lanes_sub(lanes_select(_s9, K(0.0), vz), lanes_select(_s11, K(0.0), lanes_neg(vz)));
+    const V _s13 = lanes_sub(lanes_max(_s8, K(0.0)), lanes_max(_s10, K(0.0)));
+    const V _s14 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s2), _s3), lanes_mul(lanes_mul(K(2.0), _s6), _s7)), lanes_mul(lanes_mul(K(2.0), _s12), _s13));
+    const V _s15 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s7, _s7)), lanes_mul(_s13, _s13))));
+    const V _s16 = lanes_mul(lanes_mul(K(0.5), _s14), _s15);
+    const V _s17 = lanes_mul(_s15, _s15);
+    const V _s18 = lanes_neg(lanes_mul(_s16, _s17));
+    const V _s19 = lanes_sub(lanes_select(_s9, K(0.0), lanes_neg(p_gravity)), lanes_select(_s11, K(0.0), p_gravity));
+    const V _s20 = lanes_add(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(_s19, _s13), lanes_mul(_s12, _s12))), lanes_mul(K(2.0), lanes_mul(_s2, _s2))), lanes_mul(K(2.0), lanes_mul(_s6, _s6)));
+    const V _s21 = lanes_mul(K(0.5), lanes_add(lanes_mul(_s18, _s14), lanes_mul(_s20, _s15)));
+    const V _s22 = lanes_mul(_s18, _s20);
+    const V _s23 = lanes_mul(K(2.0), _s18);
+    const V _s24 = lanes_neg(lanes_add(lanes_mul(_s21, _s17), lanes_mul(lanes_mul(_s23, _s16), _s15)));
+    const V _s25 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(2.0), _s19), _s12), lanes_mul(_s19, _s12)));
+    const V _s26 = lanes_mul(K(0.5), lanes_add(lanes_add(_s22, lanes_mul(_s14, _s24)), lanes_add(_s22, lanes_mul(_s25, _s15))));
+    const V _s27 = lanes_mul(_s18, _s25);
+    const V _s28 = lanes_mul(_s20, _s24);
+    const V _s29 = lanes_add(_s27, _s28);
+    const V _s30 = lanes_add(_s29, lanes_add(_s27, lanes_mul(_s15, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(_s19, _s19))))));
+    const V _s31 = lanes_add(lanes_add(lanes_mul(_s26, _s17), lanes_mul(lanes_mul(_s23, _s21), _s15)), lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(lanes_mul(_s18, _s18), _s16), lanes_mul(lanes_mul(_s18, _s21), _s15)), lanes_mul(lanes_mul(_s16, _s24), _s15))));
+    const V _s32 = lanes_mul(K(0.5), lanes_add(_s30, lanes_add(_s29, lanes_add(lanes_mul(_s14, lanes_neg(_s31)), _s28))));
+    return (LANES(court_bridge_parting_out)){ _s21, _s26, _s32 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
@@ -5443,7 +5491,7 @@ LANES(court_bridge_seam5)(V p_ball_radius, V p_bridge_depth, V vz, V p_wire_radi
 }
 
 /* A bound below the distance from all places at this height and distance from the axis.
-   Table 2. 57 operations: 5 additions, 7 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections. */
+   Table 2. 58 operations: 5 additions, 7 subtractions, 17 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections. */
 typedef struct {
     V gap;
     V nearing;
@@ -5465,7 +5513,7 @@ LANES(court_bridge_around)(V p_ball_radius, V p_board_distance, V p_bridge_depth
     const V _s10 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s8, _s8))), _s9);
     const V _s11 = lanes_max(K(0.0), _s10);
     const V _s12 = lanes_sqrt(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s11, _s11)));
-    const V _s13 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s9));
+    const V _s13 = lanes_neg(lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), lanes_div(K(1.0), _s9)));
     const V _s14 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), _s11), lanes_select(lanes_less(K(0.0), _s10), _s13, K(0.0))));
     return (LANES(court_bridge_around_out)){ lanes_sub(_s12, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s14), _s12) };
 }

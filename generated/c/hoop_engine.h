@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation aa6452a71138efb3,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 7b799bc075893f3b,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -15,8 +15,8 @@ typedef double LANES(hoop_column)[LANES_SHOTS + LANES_WIDTH];
 typedef float LANES(hoop_singles)[LANES_SHOTS + LANES_WIDTH];
 
 /* Have the states of the shots from one on fetched while others are worked on, and the places of
-   their results: else each store waits for its line. */
-LANES_INLINE void LANES(hoop_ahead)(const hoop_job *job, size_t shot)
+   their results, those apart that go past the caches: else each store waits for its line. */
+LANES_INLINE void LANES(hoop_ahead)(const hoop_job *job, size_t shot, int streams)
 {
 #ifdef __GNUC__
     const double *state = job->states + HOOP_STATE * shot;
@@ -38,7 +38,7 @@ LANES_INLINE void LANES(hoop_ahead)(const hoop_job *job, size_t shot)
     if (out->time)
         for (size_t byte = 0; byte < sizeof *out->time * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->time + sizeof *out->time * shot + byte, 1, 3);
-    if (out->state)
+    if (out->state && !streams)
         for (size_t byte = 0; byte < 9 * sizeof *out->state * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->state + 9 * sizeof *out->state * shot + byte, 1, 3);
     if (out->time_error)
@@ -51,7 +51,7 @@ LANES_INLINE void LANES(hoop_ahead)(const hoop_job *job, size_t shot)
         for (size_t byte = 0; byte < sizeof *out->uncertain * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->uncertain + sizeof *out->uncertain * shot + byte, 1, 3);
 #else
-    (void)job, (void)shot;
+    (void)job, (void)shot, (void)streams;
 #endif
 }
 
@@ -91,7 +91,7 @@ typedef struct {
     LANES(hoop_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(hoop_column) body;
     LANES(hoop_column) limited;
-    LANES(hoop_column) time_error;
+    LANES(hoop_singles) time_error;
     LANES(hoop_column) when;
     LANES(hoop_column) which;
     LANES(hoop_column) open_row;
@@ -318,18 +318,26 @@ LANES_INLINE void LANES(hoop_plain_finish_all)(const LANES(hoop_plain_lists) *li
         for (size_t k = 0; k < shots; k++) {
             out->time[start + k] = (double)lists->clock[k];
         }
-    if (out->state)
-        for (size_t k = 0; k < shots; k++) {
-            out->state[9 * (start + k) + 0] = (double)lists->x[k];
-            out->state[9 * (start + k) + 1] = (double)lists->y[k];
-            out->state[9 * (start + k) + 2] = (double)lists->z[k];
-            out->state[9 * (start + k) + 3] = (double)lists->vx[k];
-            out->state[9 * (start + k) + 4] = (double)lists->vy[k];
-            out->state[9 * (start + k) + 5] = (double)lists->vz[k];
-            out->state[9 * (start + k) + 6] = (double)lists->wx[k];
-            out->state[9 * (start + k) + 7] = (double)lists->wy[k];
-            out->state[9 * (start + k) + 8] = (double)lists->wz[k];
+    if (out->state) {
+        /* As many rows as there are lanes fill whole lines: they go past the caches. */
+        double rows[HOOP_STATE * LANES_WIDTH];
+        for (size_t k = 0; k < shots; k += LANES_WIDTH) {
+            const double *const columns[] = {
+                lists->x + k,
+                lists->y + k,
+                lists->z + k,
+                lists->vx + k,
+                lists->vy + k,
+                lists->vz + k,
+                lists->wx + k,
+                lists->wy + k,
+                lists->wz + k,
+            };
+            const size_t some = shots - k < LANES_WIDTH ? shots - k : LANES_WIDTH;
+            lanes_rows(rows, columns, HOOP_STATE);
+            stream(out->state + HOOP_STATE * (start + k), rows, HOOP_STATE * some);
         }
+    }
 }
 
 /* Write the results of the shot in a row. */
@@ -397,7 +405,6 @@ LANES_INLINE size_t LANES(hoop_plain_leave)(LANES(hoop_plain_lists) *lists, size
             lanes_pack(lists->count_0 + kept, going, lanes_load(lists->count_0 + i));
             lanes_pack(lists->count_1 + kept, going, lanes_load(lists->count_1 + i));
             lanes_pack(lists->count_2 + kept, going, lanes_load(lists->count_2 + i));
-            lanes_pack(lists->outcome + kept, going, lanes_load(lists->outcome + i));
             if (job->varying) {
                 lanes_pack(lists->p_ball_radius + kept, going, lanes_load(lists->p_ball_radius + i));
                 lanes_pack(lists->p_ring_radius + kept, going, lanes_load(lists->p_ring_radius + i));
@@ -427,6 +434,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
     size_t begun = 0, end = 0, shots = 0;
+    int streams = 0; /* whether the shots before ended all at once: then those to come will, too */
 
     if (job->shots == 0)
         return;
@@ -509,7 +517,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
         size_t open_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
-            LANES(hoop_ahead)(job, begun + i);
+            LANES(hoop_ahead)(job, begun + i, streams);
             V last = lanes_load(lists->last + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
@@ -528,8 +536,8 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
             const LANES(hoop_error_bounds_out) _o4 =
-                LANES(hoop_error_bounds)(K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0));
-            V time_error = _o4.time_error;
+                LANES(hoop_error_bounds)(KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0));
+            S time_error = _o4.time_error;
             const LANES(hoop_scale_out) _o5 =
                 LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
             V extent = _o5.extent;
@@ -550,8 +558,9 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V time = _o9.time;
             V rate = _o9.rate;
             V bend = _o9.bend;
+            V apex = _o9.apex;
             const LANES(hoop_meeting_plane_out) _o10 =
-                LANES(hoop_meeting_plane)(bend, rate, time);
+                LANES(hoop_meeting_plane)(apex, bend, rate, time);
             M arrives = _o10.arrives;
             const LANES(hoop_timely_out) _o11 =
                 LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
@@ -587,8 +596,9 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 V time = _o20.time;
                 V rate = _o20.rate;
                 V bend = _o20.bend;
+                V apex = _o20.apex;
                 const LANES(hoop_meeting_plane_out) _o21 =
-                    LANES(hoop_meeting_plane)(bend, rate, time);
+                    LANES(hoop_meeting_plane)(apex, bend, rate, time);
                 M arrives = _o21.arrives;
                 const LANES(hoop_timely_out) _o22 =
                     LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
@@ -621,8 +631,9 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 time = _o29.time;
                 rate = _o29.rate;
                 bend = _o29.bend;
+                apex = _o29.apex;
                 const LANES(hoop_meeting_plane_out) _o30 =
-                    LANES(hoop_meeting_plane)(bend, rate, time);
+                    LANES(hoop_meeting_plane)(apex, bend, rate, time);
                 arrives = _o30.arrives;
                 const LANES(hoop_timely_out) _o31 =
                     LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
@@ -659,7 +670,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 LANES(hoop_opens)(clear);
             M open = _o39.open;
             lanes_store(lists->limited + i, lanes_select(limited, K(1.0), K(0.0)));
-            lanes_store(lists->time_error + i, time_error);
+            singles_store(lists->time_error + i, time_error);
             lanes_store(lists->when + i, when);
             lanes_store(lists->which + i, which);
             const M packed = lanes_both(rows, open);
@@ -1432,11 +1443,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const M rows = lanes_first(shots - i);
             V clock = lanes_load(lists->clock + i);
             V contacts = lanes_load(lists->contacts + i);
-            V count_0 = lanes_load(lists->count_0 + i);
-            V count_1 = lanes_load(lists->count_1 + i);
-            V count_2 = lanes_load(lists->count_2 + i);
-            V first = lanes_load(lists->first + i);
-            V last = lanes_load(lists->last + i);
             M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
@@ -1444,7 +1450,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const V p_restitution = lanes_load(lists->p_restitution + (i & varying));
             const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
             const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
-            V time_error = lanes_load(lists->time_error + i);
+            S time_error = singles_load(lists->time_error + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
             V vz = lanes_load(lists->vz + i);
@@ -1459,7 +1465,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const M _m78 = lanes_both(rows, limited);
             if (lanes_any(_m78)) {
                 const LANES(hoop_expiry_out) _o79 =
-                    LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
+                    LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), lanes_wide(time_error), time_limit, when, which);
                 V time = _o79.time;
                 M arrives = _o79.arrives;
                 const LANES(hoop_sooner_out) _o80 =
@@ -1532,6 +1538,11 @@ static void LANES(hoop_plain)(const hoop_job *job)
             M meeting = _o93.meeting;
             const M _m94 = lanes_both(rows, meeting);
             if (lanes_any(_m94)) {
+                V count_0 = lanes_load(lists->count_0 + i);
+                V count_1 = lanes_load(lists->count_1 + i);
+                V count_2 = lanes_load(lists->count_2 + i);
+                V first = lanes_load(lists->first + i);
+                V last = lanes_load(lists->last + i);
                 const LANES(hoop_end_normal_out) _o95 =
                     LANES(hoop_end_normal)();
                 V nx = _o95.nx;
@@ -1619,21 +1630,21 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     first = lanes_select(_m116, _o117.first, first);
                     last = lanes_select(_m116, _o117.last, last);
                 }
+                lanes_store(lists->count_0 + i, count_0);
+                lanes_store(lists->count_1 + i, count_1);
+                lanes_store(lists->count_2 + i, count_2);
+                lanes_store(lists->first + i, first);
+                lanes_store(lists->last + i, last);
+                lanes_store(lists->wx + i, wx);
+                lanes_store(lists->wy + i, wy);
+                lanes_store(lists->wz + i, wz);
             }
             lanes_store(lists->clock + i, clock);
             lanes_store(lists->contacts + i, contacts);
-            lanes_store(lists->count_0 + i, count_0);
-            lanes_store(lists->count_1 + i, count_1);
-            lanes_store(lists->count_2 + i, count_2);
-            lanes_store(lists->first + i, first);
-            lanes_store(lists->last + i, last);
             lanes_store(lists->outcome + i, outcome);
             lanes_store(lists->vx + i, vx);
             lanes_store(lists->vy + i, vy);
             lanes_store(lists->vz + i, vz);
-            lanes_store(lists->wx + i, wx);
-            lanes_store(lists->wy + i, wy);
-            lanes_store(lists->wz + i, wz);
             lanes_store(lists->x + i, x);
             lanes_store(lists->y + i, y);
             lanes_store(lists->z + i, z);
@@ -1676,8 +1687,10 @@ static void LANES(hoop_plain)(const hoop_job *job)
         if (following && !lanes_any(going)) {
             LANES(hoop_plain_finish_all)(lists, shots, job);
             shots = 0;
+            streams = 1;
             continue;
         }
+        streams = 0;
         shots = LANES(hoop_plain_leave)(lists, 0, shots, job);
     }
 }
@@ -1694,17 +1707,17 @@ typedef struct {
     LANES(hoop_column) wx; /* of the state */
     LANES(hoop_column) wy; /* of the state */
     LANES(hoop_column) wz; /* of the state */
-    LANES(hoop_column) dx; /* carried error of x */
-    LANES(hoop_column) dy; /* carried error of y */
-    LANES(hoop_column) dz; /* carried error of z */
-    LANES(hoop_column) dvx; /* carried error of vx */
-    LANES(hoop_column) dvy; /* carried error of vy */
-    LANES(hoop_column) dvz; /* carried error of vz */
-    LANES(hoop_column) dwx; /* carried error of wx */
-    LANES(hoop_column) dwy; /* carried error of wy */
-    LANES(hoop_column) dwz; /* carried error of wz */
+    LANES(hoop_singles) dx; /* carried error of x */
+    LANES(hoop_singles) dy; /* carried error of y */
+    LANES(hoop_singles) dz; /* carried error of z */
+    LANES(hoop_singles) dvx; /* carried error of vx */
+    LANES(hoop_singles) dvy; /* carried error of vy */
+    LANES(hoop_singles) dvz; /* carried error of vz */
+    LANES(hoop_singles) dwx; /* carried error of wx */
+    LANES(hoop_singles) dwy; /* carried error of wy */
+    LANES(hoop_singles) dwz; /* carried error of wz */
     LANES(hoop_column) clock; /* time of the last event, s since the release */
-    LANES(hoop_column) clock_error; /* what the contacts' times were off by, summed */
+    LANES(hoop_singles) clock_error; /* what the contacts' times were off by, summed */
     LANES(hoop_column) last; /* surface that was touched last, -1: none */
     LANES(hoop_column) first; /* body that was touched first, -1: none */
     LANES(hoop_column) contacts; /* how many contacts there were */
@@ -1712,10 +1725,10 @@ typedef struct {
     LANES(hoop_column) count_1; /* contacts with backboard */
     LANES(hoop_column) count_2; /* contacts with bridge */
     LANES(hoop_column) uncertain; /* 1: a decision lies within its rounding-error bound */
-    LANES(hoop_column) position_claim; /* bound on the error at the end */
-    LANES(hoop_column) velocity_claim; /* bound on the error at the end */
-    LANES(hoop_column) spin_claim; /* bound on the error at the end */
-    LANES(hoop_column) time_claim; /* bound on the error at the end */
+    LANES(hoop_singles) position_claim; /* bound on the error at the end */
+    LANES(hoop_singles) velocity_claim; /* bound on the error at the end */
+    LANES(hoop_singles) spin_claim; /* bound on the error at the end */
+    LANES(hoop_singles) time_claim; /* bound on the error at the end */
     LANES(hoop_column) outcome; /* how it ended, -1: in flight */
     LANES(hoop_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth;
     LANES(hoop_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
@@ -1724,10 +1737,10 @@ typedef struct {
     LANES(hoop_column) extent;
     LANES(hoop_column) late;
     LANES(hoop_column) limited;
-    LANES(hoop_column) position_error;
+    LANES(hoop_singles) position_error;
     LANES(hoop_column) speed;
-    LANES(hoop_column) time_error;
-    LANES(hoop_column) velocity_error;
+    LANES(hoop_singles) time_error;
+    LANES(hoop_singles) velocity_error;
     LANES(hoop_column) when;
     LANES(hoop_column) which;
     LANES(hoop_column) open_row;
@@ -1740,10 +1753,10 @@ typedef struct {
     LANES(hoop_column) open_p_ring_radius;
     LANES(hoop_column) open_p_wire_radius;
     LANES(hoop_column) open_pad;
-    LANES(hoop_column) open_position_error;
+    LANES(hoop_singles) open_position_error;
     LANES(hoop_column) open_speed;
     LANES(hoop_column) open_until;
-    LANES(hoop_column) open_velocity_error;
+    LANES(hoop_singles) open_velocity_error;
     LANES(hoop_column) open_vx;
     LANES(hoop_column) open_vy;
     LANES(hoop_column) open_vz;
@@ -1803,12 +1816,12 @@ typedef struct {
     LANES(hoop_column) open_searching_p_gravity;
     LANES(hoop_column) open_searching_p_ring_radius;
     LANES(hoop_column) open_searching_p_wire_radius;
-    LANES(hoop_column) open_searching_position_error;
+    LANES(hoop_singles) open_searching_position_error;
     LANES(hoop_column) open_searching_share;
     LANES(hoop_column) open_searching_speed;
     LANES(hoop_column) open_searching_t;
     LANES(hoop_column) open_searching_until;
-    LANES(hoop_column) open_searching_velocity_error;
+    LANES(hoop_singles) open_searching_velocity_error;
     LANES(hoop_column) open_searching_vx;
     LANES(hoop_column) open_searching_vy;
     LANES(hoop_column) open_searching_vz;
@@ -1841,7 +1854,7 @@ typedef struct {
     LANES(hoop_column) open_searching_searching_p_gravity;
     LANES(hoop_column) open_searching_searching_p_ring_radius;
     LANES(hoop_column) open_searching_searching_p_wire_radius;
-    LANES(hoop_column) open_searching_searching_position_error;
+    LANES(hoop_singles) open_searching_searching_position_error;
     LANES(hoop_column) open_searching_searching_rate_slack;
     LANES(hoop_column) open_searching_searching_rho_start;
     LANES(hoop_column) open_searching_searching_searching;
@@ -1851,7 +1864,7 @@ typedef struct {
     LANES(hoop_column) open_searching_searching_swing;
     LANES(hoop_column) open_searching_searching_t;
     LANES(hoop_column) open_searching_searching_tilt;
-    LANES(hoop_column) open_searching_searching_velocity_error;
+    LANES(hoop_singles) open_searching_searching_velocity_error;
     LANES(hoop_column) open_searching_searching_vx;
     LANES(hoop_column) open_searching_searching_vy;
     LANES(hoop_column) open_searching_searching_vz;
@@ -1927,27 +1940,27 @@ LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, si
     for (k = 0; k < shots; k++)
         lists->shot[row + k] = start + k;
     for (k = 0; k < shots; k += LANES_WIDTH) {
-        lanes_store(lists->dx + row + k, K(0.0));
-        lanes_store(lists->dy + row + k, K(0.0));
-        lanes_store(lists->dz + row + k, K(0.0));
-        lanes_store(lists->dvx + row + k, K(0.0));
-        lanes_store(lists->dvy + row + k, K(0.0));
-        lanes_store(lists->dvz + row + k, K(0.0));
-        lanes_store(lists->dwx + row + k, K(0.0));
-        lanes_store(lists->dwy + row + k, K(0.0));
-        lanes_store(lists->dwz + row + k, K(0.0));
+        singles_store(lists->dx + row + k, KS(0.0));
+        singles_store(lists->dy + row + k, KS(0.0));
+        singles_store(lists->dz + row + k, KS(0.0));
+        singles_store(lists->dvx + row + k, KS(0.0));
+        singles_store(lists->dvy + row + k, KS(0.0));
+        singles_store(lists->dvz + row + k, KS(0.0));
+        singles_store(lists->dwx + row + k, KS(0.0));
+        singles_store(lists->dwy + row + k, KS(0.0));
+        singles_store(lists->dwz + row + k, KS(0.0));
         lanes_store(lists->clock + row + k, K(0.0));
-        lanes_store(lists->clock_error + row + k, K(0.0));
+        singles_store(lists->clock_error + row + k, KS(0.0));
         lanes_store(lists->first + row + k, K(-1.0));
         lanes_store(lists->contacts + row + k, K(0.0));
         lanes_store(lists->count_0 + row + k, K(0.0));
         lanes_store(lists->count_1 + row + k, K(0.0));
         lanes_store(lists->count_2 + row + k, K(0.0));
         lanes_store(lists->uncertain + row + k, K(0.0));
-        lanes_store(lists->position_claim + row + k, K(0.0));
-        lanes_store(lists->velocity_claim + row + k, K(0.0));
-        lanes_store(lists->spin_claim + row + k, K(0.0));
-        lanes_store(lists->time_claim + row + k, K(0.0));
+        singles_store(lists->position_claim + row + k, KS(0.0));
+        singles_store(lists->velocity_claim + row + k, KS(0.0));
+        singles_store(lists->spin_claim + row + k, KS(0.0));
+        singles_store(lists->time_claim + row + k, KS(0.0));
         lanes_store(lists->outcome + row + k, K(-1.0));
         lanes_store(lists->last + row + k, K(-1.0));
     }
@@ -1985,18 +1998,26 @@ LANES_INLINE void LANES(hoop_bounded_finish_all)(const LANES(hoop_bounded_lists)
         for (size_t k = 0; k < shots; k++) {
             out->time[start + k] = (double)lists->clock[k];
         }
-    if (out->state)
-        for (size_t k = 0; k < shots; k++) {
-            out->state[9 * (start + k) + 0] = (double)lists->x[k];
-            out->state[9 * (start + k) + 1] = (double)lists->y[k];
-            out->state[9 * (start + k) + 2] = (double)lists->z[k];
-            out->state[9 * (start + k) + 3] = (double)lists->vx[k];
-            out->state[9 * (start + k) + 4] = (double)lists->vy[k];
-            out->state[9 * (start + k) + 5] = (double)lists->vz[k];
-            out->state[9 * (start + k) + 6] = (double)lists->wx[k];
-            out->state[9 * (start + k) + 7] = (double)lists->wy[k];
-            out->state[9 * (start + k) + 8] = (double)lists->wz[k];
+    if (out->state) {
+        /* As many rows as there are lanes fill whole lines: they go past the caches. */
+        double rows[HOOP_STATE * LANES_WIDTH];
+        for (size_t k = 0; k < shots; k += LANES_WIDTH) {
+            const double *const columns[] = {
+                lists->x + k,
+                lists->y + k,
+                lists->z + k,
+                lists->vx + k,
+                lists->vy + k,
+                lists->vz + k,
+                lists->wx + k,
+                lists->wy + k,
+                lists->wz + k,
+            };
+            const size_t some = shots - k < LANES_WIDTH ? shots - k : LANES_WIDTH;
+            lanes_rows(rows, columns, HOOP_STATE);
+            stream(out->state + HOOP_STATE * (start + k), rows, HOOP_STATE * some);
         }
+    }
     if (out->time_error)
         for (size_t k = 0; k < shots; k++) {
             out->time_error[start + k] = (double)lists->time_claim[k];
@@ -2082,17 +2103,17 @@ LANES_INLINE size_t LANES(hoop_bounded_leave)(LANES(hoop_bounded_lists) *lists, 
             lanes_pack(lists->wx + kept, going, lanes_load(lists->wx + i));
             lanes_pack(lists->wy + kept, going, lanes_load(lists->wy + i));
             lanes_pack(lists->wz + kept, going, lanes_load(lists->wz + i));
-            lanes_pack(lists->dx + kept, going, lanes_load(lists->dx + i));
-            lanes_pack(lists->dy + kept, going, lanes_load(lists->dy + i));
-            lanes_pack(lists->dz + kept, going, lanes_load(lists->dz + i));
-            lanes_pack(lists->dvx + kept, going, lanes_load(lists->dvx + i));
-            lanes_pack(lists->dvy + kept, going, lanes_load(lists->dvy + i));
-            lanes_pack(lists->dvz + kept, going, lanes_load(lists->dvz + i));
-            lanes_pack(lists->dwx + kept, going, lanes_load(lists->dwx + i));
-            lanes_pack(lists->dwy + kept, going, lanes_load(lists->dwy + i));
-            lanes_pack(lists->dwz + kept, going, lanes_load(lists->dwz + i));
+            singles_pack(lists->dx + kept, going, singles_load(lists->dx + i));
+            singles_pack(lists->dy + kept, going, singles_load(lists->dy + i));
+            singles_pack(lists->dz + kept, going, singles_load(lists->dz + i));
+            singles_pack(lists->dvx + kept, going, singles_load(lists->dvx + i));
+            singles_pack(lists->dvy + kept, going, singles_load(lists->dvy + i));
+            singles_pack(lists->dvz + kept, going, singles_load(lists->dvz + i));
+            singles_pack(lists->dwx + kept, going, singles_load(lists->dwx + i));
+            singles_pack(lists->dwy + kept, going, singles_load(lists->dwy + i));
+            singles_pack(lists->dwz + kept, going, singles_load(lists->dwz + i));
             lanes_pack(lists->clock + kept, going, lanes_load(lists->clock + i));
-            lanes_pack(lists->clock_error + kept, going, lanes_load(lists->clock_error + i));
+            singles_pack(lists->clock_error + kept, going, singles_load(lists->clock_error + i));
             lanes_pack(lists->last + kept, going, lanes_load(lists->last + i));
             lanes_pack(lists->first + kept, going, lanes_load(lists->first + i));
             lanes_pack(lists->contacts + kept, going, lanes_load(lists->contacts + i));
@@ -2100,11 +2121,6 @@ LANES_INLINE size_t LANES(hoop_bounded_leave)(LANES(hoop_bounded_lists) *lists, 
             lanes_pack(lists->count_1 + kept, going, lanes_load(lists->count_1 + i));
             lanes_pack(lists->count_2 + kept, going, lanes_load(lists->count_2 + i));
             lanes_pack(lists->uncertain + kept, going, lanes_load(lists->uncertain + i));
-            lanes_pack(lists->position_claim + kept, going, lanes_load(lists->position_claim + i));
-            lanes_pack(lists->velocity_claim + kept, going, lanes_load(lists->velocity_claim + i));
-            lanes_pack(lists->spin_claim + kept, going, lanes_load(lists->spin_claim + i));
-            lanes_pack(lists->time_claim + kept, going, lanes_load(lists->time_claim + i));
-            lanes_pack(lists->outcome + kept, going, lanes_load(lists->outcome + i));
             if (job->varying) {
                 lanes_pack(lists->p_ball_radius + kept, going, lanes_load(lists->p_ball_radius + i));
                 lanes_pack(lists->p_ring_radius + kept, going, lanes_load(lists->p_ring_radius + i));
@@ -2135,6 +2151,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
     size_t begun = 0, end = 0, shots = 0;
+    int streams = 0; /* whether the shots before ended all at once: then those to come will, too */
 
     if (job->shots == 0)
         return;
@@ -2220,17 +2237,17 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         size_t open_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
-            LANES(hoop_ahead)(job, begun + i);
-            V clock_error = lanes_load(lists->clock_error + i);
-            V dvx = lanes_load(lists->dvx + i);
-            V dvy = lanes_load(lists->dvy + i);
-            V dvz = lanes_load(lists->dvz + i);
-            V dwx = lanes_load(lists->dwx + i);
-            V dwy = lanes_load(lists->dwy + i);
-            V dwz = lanes_load(lists->dwz + i);
-            V dx = lanes_load(lists->dx + i);
-            V dy = lanes_load(lists->dy + i);
-            V dz = lanes_load(lists->dz + i);
+            LANES(hoop_ahead)(job, begun + i, streams);
+            S clock_error = singles_load(lists->clock_error + i);
+            S dvx = singles_load(lists->dvx + i);
+            S dvy = singles_load(lists->dvy + i);
+            S dvz = singles_load(lists->dvz + i);
+            S dwx = singles_load(lists->dwx + i);
+            S dwy = singles_load(lists->dwy + i);
+            S dwz = singles_load(lists->dwz + i);
+            S dx = singles_load(lists->dx + i);
+            S dy = singles_load(lists->dy + i);
+            S dz = singles_load(lists->dz + i);
             V last = lanes_load(lists->last + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
@@ -2250,16 +2267,16 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V z = lanes_load(lists->z + i);
             const LANES(hoop_error_bounds_out) _o4 =
                 LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o4.position_error;
-            V velocity_error = _o4.velocity_error;
-            V time_error = _o4.time_error;
+            S position_error = _o4.position_error;
+            S velocity_error = _o4.velocity_error;
+            S time_error = _o4.time_error;
             const LANES(hoop_scale_out) _o5 =
                 LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
             V extent = _o5.extent;
             V speed = _o5.speed;
             V excess = _o5.excess;
             const LANES(hoop_opening_out) _o6 =
-                LANES(hoop_opening)(excess, position_error, velocity_error);
+                LANES(hoop_opening)(excess, lanes_wide(position_error), lanes_wide(velocity_error));
             V when = _o6.when;
             V which = _o6.which;
             V late = _o6.late;
@@ -2278,11 +2295,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V apex = _o9.apex;
             V height = _o9.height;
             const LANES(hoop_meeting_plane_out) _o10 =
-                LANES(hoop_meeting_plane)(bend, rate, time);
+                LANES(hoop_meeting_plane)(apex, bend, rate, time);
             M arrives = _o10.arrives;
             V ceiling = _o10.ceiling;
+            V nearest = _o10.nearest;
             const LANES(hoop_end_margin_out) _o11 =
-                LANES(hoop_end_margin)(time, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
+                LANES(hoop_end_margin)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), p_gravity, p_end_depth);
             V margin = _o11.margin;
             const LANES(hoop_crossing_out) _o12 =
                 LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
@@ -2291,188 +2309,181 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_timely_out) _o13 =
                 LANES(hoop_timely)(arrives, delay, late, time, when);
             M possible = _o13.possible;
-            const LANES(hoop_end_margin_out) _o14 =
-                LANES(hoop_end_margin)(apex, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
-            margin = _o14.margin;
-            const LANES(hoop_grazed_out) _o15 =
+            const LANES(hoop_grazed_out) _o14 =
                 LANES(hoop_grazed)(apex, doubt, height, margin);
-            doubt = _o15.doubt;
-            const M _m16 = lanes_both(rows, possible);
+            doubt = _o14.doubt;
+            const M _m15 = lanes_both(rows, possible);
             {
-                const LANES(hoop_crossed_out) _o17 =
+                const LANES(hoop_crossed_out) _o16 =
                     LANES(hoop_crossed)(arrives, clearance, doubt, time);
-                doubt = lanes_select(_m16, _o17.doubt, doubt);
-                const LANES(hoop_tied_out) _o18 =
+                doubt = lanes_select(_m15, _o16.doubt, doubt);
+                const LANES(hoop_tied_out) _o17 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m16, _o18.doubt, doubt);
-                late = lanes_select(_m16, _o18.late, late);
-                const LANES(hoop_sooner_out) _o19 =
+                doubt = lanes_select(_m15, _o17.doubt, doubt);
+                late = lanes_select(_m15, _o17.late, late);
+                const LANES(hoop_sooner_out) _o18 =
                     LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-                when = lanes_select(_m16, _o19.when, when);
-                which = lanes_select(_m16, _o19.which, which);
+                when = lanes_select(_m15, _o18.when, when);
+                which = lanes_select(_m15, _o18.which, which);
             }
-            const LANES(hoop_released_out) _o20 =
+            const LANES(hoop_released_out) _o19 =
                 LANES(hoop_released)(last);
-            M released = _o20.released;
-            M reachable = _o20.reachable;
-            const M _m21 = lanes_both(rows, released);
-            if (lanes_any(_m21)) {
-                const LANES(hoop_horizon_out) _o22 =
+            M released = _o19.released;
+            M reachable = _o19.reachable;
+            const M _m20 = lanes_both(rows, released);
+            if (lanes_any(_m20)) {
+                const LANES(hoop_horizon_out) _o21 =
                     LANES(hoop_horizon)(when, speed, p_gravity);
-                V until = _o22.horizon;
-                V pad = _o22.pad;
-                const LANES(hoop_reachable_out) _o23 =
-                    LANES(hoop_reachable)(p_ball_radius, p_board_distance, p_bridge_half_width, extent, p_gravity, until, late, pad, position_error, p_ring_radius, speed, velocity_error, vx, x);
-                reachable = lanes_choose(_m21, _o23.reachable, reachable);
+                V until = _o21.horizon;
+                V pad = _o21.pad;
+                const LANES(hoop_reachable_out) _o22 =
+                    LANES(hoop_reachable)(p_ball_radius, p_board_distance, p_bridge_half_width, extent, p_gravity, until, late, pad, lanes_wide(position_error), p_ring_radius, speed, lanes_wide(velocity_error), vx, x);
+                reachable = lanes_choose(_m20, _o22.reachable, reachable);
             }
-            const M _m24 = lanes_both(rows, reachable);
-            if (lanes_any(_m24)) {
-                const LANES(hoop_left_out) _o25 =
+            const M _m23 = lanes_both(rows, reachable);
+            if (lanes_any(_m23)) {
+                const LANES(hoop_left_out) _o24 =
                     LANES(hoop_left)(K(1.0), last);
-                V leaving = _o25.leaving;
-                const LANES(hoop_backboard_arrival_out) _o26 =
+                V leaving = _o24.leaving;
+                const LANES(hoop_backboard_arrival_out) _o25 =
                     LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
-                V time = _o26.time;
-                V rate = _o26.rate;
-                V bend = _o26.bend;
-                V apex = _o26.apex;
-                V height = _o26.height;
-                const LANES(hoop_meeting_plane_out) _o27 =
-                    LANES(hoop_meeting_plane)(bend, rate, time);
-                M arrives = _o27.arrives;
-                V ceiling = _o27.ceiling;
-                const LANES(hoop_backboard_margin_out) _o28 =
-                    LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
-                V margin = _o28.margin;
-                const LANES(hoop_crossing_out) _o29 =
+                V time = _o25.time;
+                V rate = _o25.rate;
+                V bend = _o25.bend;
+                V apex = _o25.apex;
+                V height = _o25.height;
+                const LANES(hoop_meeting_plane_out) _o26 =
+                    LANES(hoop_meeting_plane)(apex, bend, rate, time);
+                M arrives = _o26.arrives;
+                V ceiling = _o26.ceiling;
+                V nearest = _o26.nearest;
+                const LANES(hoop_backboard_margin_out) _o27 =
+                    LANES(hoop_backboard_margin)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), p_ball_radius, p_board_distance, p_gravity);
+                V margin = _o27.margin;
+                const LANES(hoop_crossing_out) _o28 =
                     LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-                V clearance = _o29.clearance;
-                V delay = _o29.delay;
-                const LANES(hoop_timely_out) _o30 =
+                V clearance = _o28.clearance;
+                V delay = _o28.delay;
+                const LANES(hoop_timely_out) _o29 =
                     LANES(hoop_timely)(arrives, delay, late, time, when);
-                M possible = _o30.possible;
-                const LANES(hoop_backboard_margin_out) _o31 =
-                    LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
-                margin = _o31.margin;
-                const LANES(hoop_grazed_out) _o32 =
+                M possible = _o29.possible;
+                const LANES(hoop_grazed_out) _o30 =
                     LANES(hoop_grazed)(apex, doubt, height, margin);
-                doubt = lanes_select(_m24, _o32.doubt, doubt);
-                const M _m33 = lanes_both(_m24, possible);
-                if (lanes_any(_m33)) {
-                    const LANES(hoop_flight_out) _o34 =
+                doubt = lanes_select(_m23, _o30.doubt, doubt);
+                const M _m31 = lanes_both(_m23, possible);
+                if (lanes_any(_m31)) {
+                    const LANES(hoop_flight_out) _o32 =
                         LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                    V there_y = _o34.y;
-                    V there_z = _o34.z;
-                    const LANES(hoop_backboard_bounds_out) _o35 =
+                    V there_y = _o32.y;
+                    V there_z = _o32.z;
+                    const LANES(hoop_backboard_bounds_out) _o33 =
                         LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
-                    V g0 = _o35.g0;
-                    V g1 = _o35.g1;
-                    V g2 = _o35.g2;
-                    V g3 = _o35.g3;
-                    const LANES(hoop_displacement_out) _o36 =
-                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-                    V slack = _o36.margin;
-                    const LANES(hoop_backboard_edges_out) _o37 =
+                    V g0 = _o33.g0;
+                    V g1 = _o33.g1;
+                    V g2 = _o33.g2;
+                    V g3 = _o33.g3;
+                    const LANES(hoop_displacement_out) _o34 =
+                        LANES(hoop_displacement)(delay, time, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+                    V slack = _o34.margin;
+                    const LANES(hoop_backboard_edges_out) _o35 =
                         LANES(hoop_backboard_edges)(clearance, g0, g1, g2, g3, slack);
-                    M unsure = _o37.unsure;
-                    const LANES(hoop_questioned_out) _o38 =
+                    M unsure = _o35.unsure;
+                    const LANES(hoop_questioned_out) _o36 =
                         LANES(hoop_questioned)(doubt, time, unsure);
-                    doubt = lanes_select(_m33, _o38.doubt, doubt);
-                    const LANES(hoop_backboard_within_out) _o39 =
+                    doubt = lanes_select(_m31, _o36.doubt, doubt);
+                    const LANES(hoop_backboard_within_out) _o37 =
                         LANES(hoop_backboard_within)(g0, g1, g2, g3);
-                    M arrives = _o39.arrives;
-                    const LANES(hoop_tied_out) _o40 =
+                    M arrives = _o37.arrives;
+                    const LANES(hoop_tied_out) _o38 =
                         LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                    doubt = lanes_select(_m33, _o40.doubt, doubt);
-                    late = lanes_select(_m33, _o40.late, late);
-                    const LANES(hoop_sooner_out) _o41 =
+                    doubt = lanes_select(_m31, _o38.doubt, doubt);
+                    late = lanes_select(_m31, _o38.late, late);
+                    const LANES(hoop_sooner_out) _o39 =
                         LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-                    when = lanes_select(_m33, _o41.when, when);
-                    which = lanes_select(_m33, _o41.which, which);
+                    when = lanes_select(_m31, _o39.when, when);
+                    which = lanes_select(_m31, _o39.which, which);
                 }
-                const LANES(hoop_left_out) _o42 =
+                const LANES(hoop_left_out) _o40 =
                     LANES(hoop_left)(K(2.0), last);
-                leaving = _o42.leaving;
-                const LANES(hoop_bridge_arrival_out) _o43 =
+                leaving = _o40.leaving;
+                const LANES(hoop_bridge_arrival_out) _o41 =
                     LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
-                time = _o43.time;
-                rate = _o43.rate;
-                bend = _o43.bend;
-                apex = _o43.apex;
-                height = _o43.height;
-                const LANES(hoop_meeting_plane_out) _o44 =
-                    LANES(hoop_meeting_plane)(bend, rate, time);
-                arrives = _o44.arrives;
-                ceiling = _o44.ceiling;
-                const LANES(hoop_bridge_margin_out) _o45 =
-                    LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
-                margin = _o45.margin;
-                const LANES(hoop_crossing_out) _o46 =
+                time = _o41.time;
+                rate = _o41.rate;
+                bend = _o41.bend;
+                apex = _o41.apex;
+                height = _o41.height;
+                const LANES(hoop_meeting_plane_out) _o42 =
+                    LANES(hoop_meeting_plane)(apex, bend, rate, time);
+                arrives = _o42.arrives;
+                ceiling = _o42.ceiling;
+                nearest = _o42.nearest;
+                const LANES(hoop_bridge_margin_out) _o43 =
+                    LANES(hoop_bridge_margin)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), p_ball_radius, p_wire_radius, p_gravity);
+                margin = _o43.margin;
+                const LANES(hoop_crossing_out) _o44 =
                     LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-                clearance = _o46.clearance;
-                delay = _o46.delay;
-                const LANES(hoop_timely_out) _o47 =
+                clearance = _o44.clearance;
+                delay = _o44.delay;
+                const LANES(hoop_timely_out) _o45 =
                     LANES(hoop_timely)(arrives, delay, late, time, when);
-                possible = _o47.possible;
-                const LANES(hoop_bridge_margin_out) _o48 =
-                    LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
-                margin = _o48.margin;
-                const LANES(hoop_grazed_out) _o49 =
+                possible = _o45.possible;
+                const LANES(hoop_grazed_out) _o46 =
                     LANES(hoop_grazed)(apex, doubt, height, margin);
-                doubt = lanes_select(_m24, _o49.doubt, doubt);
-                const M _m50 = lanes_both(_m24, possible);
-                if (lanes_any(_m50)) {
-                    const LANES(hoop_flight_out) _o51 =
+                doubt = lanes_select(_m23, _o46.doubt, doubt);
+                const M _m47 = lanes_both(_m23, possible);
+                if (lanes_any(_m47)) {
+                    const LANES(hoop_flight_out) _o48 =
                         LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                    V there_x = _o51.x;
-                    V there_y = _o51.y;
-                    const LANES(hoop_bridge_bounds_out) _o52 =
+                    V there_x = _o48.x;
+                    V there_y = _o48.y;
+                    const LANES(hoop_bridge_bounds_out) _o49 =
                         LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
-                    V g0 = _o52.g0;
-                    V g1 = _o52.g1;
-                    V g2 = _o52.g2;
-                    V g3 = _o52.g3;
-                    V g4 = _o52.g4;
-                    const LANES(hoop_displacement_out) _o53 =
-                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-                    V slack = _o53.margin;
-                    const LANES(hoop_bridge_edges_out) _o54 =
+                    V g0 = _o49.g0;
+                    V g1 = _o49.g1;
+                    V g2 = _o49.g2;
+                    V g3 = _o49.g3;
+                    V g4 = _o49.g4;
+                    const LANES(hoop_displacement_out) _o50 =
+                        LANES(hoop_displacement)(delay, time, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+                    V slack = _o50.margin;
+                    const LANES(hoop_bridge_edges_out) _o51 =
                         LANES(hoop_bridge_edges)(clearance, g0, g1, g2, g3, g4, slack);
-                    M unsure = _o54.unsure;
-                    const LANES(hoop_questioned_out) _o55 =
+                    M unsure = _o51.unsure;
+                    const LANES(hoop_questioned_out) _o52 =
                         LANES(hoop_questioned)(doubt, time, unsure);
-                    doubt = lanes_select(_m50, _o55.doubt, doubt);
-                    const LANES(hoop_bridge_within_out) _o56 =
+                    doubt = lanes_select(_m47, _o52.doubt, doubt);
+                    const LANES(hoop_bridge_within_out) _o53 =
                         LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-                    M arrives = _o56.arrives;
-                    const LANES(hoop_tied_out) _o57 =
+                    M arrives = _o53.arrives;
+                    const LANES(hoop_tied_out) _o54 =
                         LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                    doubt = lanes_select(_m50, _o57.doubt, doubt);
-                    late = lanes_select(_m50, _o57.late, late);
-                    const LANES(hoop_sooner_out) _o58 =
+                    doubt = lanes_select(_m47, _o54.doubt, doubt);
+                    late = lanes_select(_m47, _o54.late, late);
+                    const LANES(hoop_sooner_out) _o55 =
                         LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-                    when = lanes_select(_m50, _o58.when, when);
-                    which = lanes_select(_m50, _o58.which, which);
+                    when = lanes_select(_m47, _o55.when, when);
+                    which = lanes_select(_m47, _o55.which, which);
                 }
             }
-            const LANES(hoop_horizon_out) _o59 =
+            const LANES(hoop_horizon_out) _o56 =
                 LANES(hoop_horizon)(when, speed, p_gravity);
-            V until = _o59.horizon;
-            V pad = _o59.pad;
-            const LANES(hoop_ring_clear_out) _o60 =
-                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V clear = _o60.clear;
-            const LANES(hoop_opens_out) _o61 =
+            V until = _o56.horizon;
+            V pad = _o56.pad;
+            const LANES(hoop_ring_clear_out) _o57 =
+                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V clear = _o57.clear;
+            const LANES(hoop_opens_out) _o58 =
                 LANES(hoop_opens)(clear);
-            M open = _o61.open;
+            M open = _o58.open;
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->extent + i, extent);
             lanes_store(lists->late + i, late);
             lanes_store(lists->limited + i, lanes_select(limited, K(1.0), K(0.0)));
-            lanes_store(lists->position_error + i, position_error);
+            singles_store(lists->position_error + i, position_error);
             lanes_store(lists->speed + i, speed);
-            lanes_store(lists->time_error + i, time_error);
-            lanes_store(lists->velocity_error + i, velocity_error);
+            singles_store(lists->time_error + i, time_error);
+            singles_store(lists->velocity_error + i, velocity_error);
             lanes_store(lists->when + i, when);
             lanes_store(lists->which + i, which);
             const M packed = lanes_both(rows, open);
@@ -2491,10 +2502,10 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (varying)
                     lanes_pack(lists->open_p_wire_radius + open_shots, packed, p_wire_radius);
                 lanes_pack(lists->open_pad + open_shots, packed, pad);
-                lanes_pack(lists->open_position_error + open_shots, packed, position_error);
+                singles_pack(lists->open_position_error + open_shots, packed, position_error);
                 lanes_pack(lists->open_speed + open_shots, packed, speed);
                 lanes_pack(lists->open_until + open_shots, packed, until);
-                lanes_pack(lists->open_velocity_error + open_shots, packed, velocity_error);
+                singles_pack(lists->open_velocity_error + open_shots, packed, velocity_error);
                 lanes_pack(lists->open_vx + open_shots, packed, vx);
                 lanes_pack(lists->open_vy + open_shots, packed, vy);
                 lanes_pack(lists->open_vz + open_shots, packed, vz);
@@ -2519,103 +2530,103 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
             V pad = lanes_load(lists->open_pad + i);
-            V position_error = lanes_load(lists->open_position_error + i);
+            S position_error = singles_load(lists->open_position_error + i);
             V speed = lanes_load(lists->open_speed + i);
             V until = lanes_load(lists->open_until + i);
-            V velocity_error = lanes_load(lists->open_velocity_error + i);
+            S velocity_error = singles_load(lists->open_velocity_error + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
             V vz = lanes_load(lists->open_vz + i);
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_beginning_out) _o62 =
+            const LANES(hoop_beginning_out) _o59 =
                 LANES(hoop_beginning)();
-            V share = _o62.share;
-            V arrival = _o62.arrival;
-            M certain = _o62.certain;
-            const LANES(hoop_left_out) _o63 =
+            V share = _o59.share;
+            V arrival = _o59.arrival;
+            M certain = _o59.certain;
+            const LANES(hoop_left_out) _o60 =
                 LANES(hoop_left)(K(0.0), last);
-            V leaving = _o63.leaving;
-            const LANES(hoop_ring_opened_out) _o64 =
+            V leaving = _o60.leaving;
+            const LANES(hoop_ring_opened_out) _o61 =
                 LANES(hoop_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S onset = _o64.t;
-            S wide_end = _o64.end;
-            M searching = _o64.searching;
-            S wide_low1 = _o64.low1;
-            S wide_high1 = _o64.high1;
-            S wide_low2 = _o64.low2;
-            S wide_high2 = _o64.high2;
-            S lapsed = _o64.latest;
-            M sound = _o64.sound;
-            const LANES(hoop_opened_out) _o65 =
+            S onset = _o61.t;
+            S wide_end = _o61.end;
+            M searching = _o61.searching;
+            S wide_low1 = _o61.low1;
+            S wide_high1 = _o61.high1;
+            S wide_low2 = _o61.low2;
+            S wide_high2 = _o61.high2;
+            S lapsed = _o61.latest;
+            M sound = _o61.sound;
+            const LANES(hoop_opened_out) _o62 =
                 LANES(hoop_opened)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _o65.time;
-            V latest = _o65.latest;
-            const LANES(hoop_ring_started_out) _o66 =
+            V since = _o62.time;
+            V latest = _o62.latest;
+            const LANES(hoop_ring_started_out) _o63 =
                 LANES(hoop_ring_started)(x, y, z, vx, vy, vz, p_ring_radius);
-            V rho_start = _o66.rho_start;
-            V parting = _o66.parting;
-            V drift = _o66.drift;
-            const LANES(hoop_flight_out) _o67 =
+            V rho_start = _o63.rho_start;
+            V parting = _o63.parting;
+            V drift = _o63.drift;
+            const LANES(hoop_flight_out) _o64 =
                 LANES(hoop_flight)(since, x, y, z, vx, vy, vz, p_gravity);
-            V near_x = _o67.x;
-            V near_y = _o67.y;
-            V near_z = _o67.z;
-            V near_vz = _o67.vz;
-            const LANES(hoop_ring_grain_out) _o68 =
+            V near_x = _o64.x;
+            V near_y = _o64.y;
+            V near_z = _o64.z;
+            V near_vz = _o64.vz;
+            const LANES(hoop_ring_grain_out) _o65 =
                 LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-            S short_share = _o68.share;
-            S short_t = _o68.t;
-            S short_end = _o68.end;
-            S short_x = _o68.x;
-            S short_y = _o68.y;
-            S short_z = _o68.z;
-            S short_vx = _o68.vx;
-            S short_vy = _o68.vy;
-            S short_vz = _o68.vz;
-            S short_steady = _o68.steady;
-            S short_swing = _o68.swing;
-            S short_rho_start = _o68.rho_start;
-            S short_ceiling = _o68.ceiling;
-            S short_flat = _o68.flat;
-            S short_tilt = _o68.tilt;
-            S short_jerk = _o68.jerk;
-            S short_grit = _o68.grit;
-            S short_parting = _o68.parting;
-            S short_drift = _o68.drift;
-            S short_rate_margin = _o68.rate_margin;
-            S short_low1 = _o68.low1;
-            S short_high1 = _o68.high1;
-            S short_low2 = _o68.low2;
-            S short_high2 = _o68.high2;
-            M fits = _o68.fits;
-            const LANES(hoop_coarse_out) _o69 =
+            S short_share = _o65.share;
+            S short_t = _o65.t;
+            S short_end = _o65.end;
+            S short_x = _o65.x;
+            S short_y = _o65.y;
+            S short_z = _o65.z;
+            S short_vx = _o65.vx;
+            S short_vy = _o65.vy;
+            S short_vz = _o65.vz;
+            S short_steady = _o65.steady;
+            S short_swing = _o65.swing;
+            S short_rho_start = _o65.rho_start;
+            S short_ceiling = _o65.ceiling;
+            S short_flat = _o65.flat;
+            S short_tilt = _o65.tilt;
+            S short_jerk = _o65.jerk;
+            S short_grit = _o65.grit;
+            S short_parting = _o65.parting;
+            S short_drift = _o65.drift;
+            S short_rate_margin = _o65.rate_margin;
+            S short_low1 = _o65.low1;
+            S short_high1 = _o65.high1;
+            S short_low2 = _o65.low2;
+            S short_high2 = _o65.high2;
+            M fits = _o65.fits;
+            const LANES(hoop_coarse_out) _o66 =
                 LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
-            M leaping = _o69.leaping;
-            searching = _o69.searching;
-            M served = _o69.served;
-            V ceiling = _o69.ceiling;
-            V flat = _o69.flat;
-            V tilt = _o69.tilt;
-            V allowing = _o69.allowing;
-            const LANES(hoop_allowance_out) _o70 =
-                LANES(hoop_allowance)(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V excess = _o70.excess;
-            const LANES(hoop_ring_lost_out) _o71 =
-                LANES(hoop_ring_lost)(until, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius);
-            V lost = _o71.lost;
-            const LANES(hoop_beyond_out) _o72 =
+            M leaping = _o66.leaping;
+            searching = _o66.searching;
+            M served = _o66.served;
+            V ceiling = _o66.ceiling;
+            V flat = _o66.flat;
+            V tilt = _o66.tilt;
+            V allowing = _o66.allowing;
+            const LANES(hoop_allowance_out) _o67 =
+                LANES(hoop_allowance)(allowing, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), p_gravity);
+            V excess = _o67.excess;
+            const LANES(hoop_ring_lost_out) _o68 =
+                LANES(hoop_ring_lost)(until, lanes_wide(position_error), lanes_wide(velocity_error), p_ball_radius, p_ring_radius, p_wire_radius);
+            V lost = _o68.lost;
+            const LANES(hoop_beyond_out) _o69 =
                 LANES(hoop_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o72.doubt;
-            const M _m73 = lanes_both(rows, leaping);
-            if (lanes_any(_m73)) {
-                const LANES(hoop_ring_leap_out) _o74 =
+            doubt = _o69.doubt;
+            const M _m70 = lanes_both(rows, leaping);
+            if (lanes_any(_m70)) {
+                const LANES(hoop_ring_leap_out) _o71 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = singles_select(singles_of(_m73), _o74.t, short_t);
-                short_end = singles_select(singles_of(_m73), _o74.end, short_end);
-                certain = lanes_choose(_m73, _o74.certain, certain);
-                leaping = lanes_choose(_m73, _o74.leaping, leaping);
+                short_t = singles_select(singles_of(_m70), _o71.t, short_t);
+                short_end = singles_select(singles_of(_m70), _o71.end, short_end);
+                certain = lanes_choose(_m70, _o71.certain, certain);
+                leaping = lanes_choose(_m70, _o71.leaping, leaping);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
@@ -2740,12 +2751,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o75 =
+                const LANES(hoop_ring_leap_out) _o72 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius), lanes_narrow(p_gravity));
-                short_t = _o75.t;
-                short_end = _o75.end;
-                M certain = _o75.certain;
-                leaping = _o75.leaping;
+                short_t = _o72.t;
+                short_end = _o72.end;
+                M certain = _o72.certain;
+                leaping = _o72.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -2780,7 +2791,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V position_error = lanes_load(lists->open_position_error + i);
+            S position_error = singles_load(lists->open_position_error + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
             M served = lanes_less(K(0.0), lanes_load(lists->open_served + i));
             V share = lanes_load(lists->open_share + i);
@@ -2788,18 +2799,18 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V since = lanes_load(lists->open_since + i);
             V speed = lanes_load(lists->open_speed + i);
             V until = lanes_load(lists->open_until + i);
-            V velocity_error = lanes_load(lists->open_velocity_error + i);
+            S velocity_error = singles_load(lists->open_velocity_error + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
             V vz = lanes_load(lists->open_vz + i);
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o76 =
+            const LANES(hoop_leapt_out) _o73 =
                 LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o76.arrival;
-            V t = _o76.t;
-            searching = _o76.searching;
+            arrival = _o73.arrival;
+            V t = _o73.t;
+            searching = _o73.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -2817,12 +2828,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     lanes_pack(lists->open_searching_p_ring_radius + open_searching_shots, packed, p_ring_radius);
                 if (varying)
                     lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, p_wire_radius);
-                lanes_pack(lists->open_searching_position_error + open_searching_shots, packed, position_error);
+                singles_pack(lists->open_searching_position_error + open_searching_shots, packed, position_error);
                 lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
                 lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
                 lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
                 lanes_pack(lists->open_searching_until + open_searching_shots, packed, until);
-                lanes_pack(lists->open_searching_velocity_error + open_searching_shots, packed, velocity_error);
+                singles_pack(lists->open_searching_velocity_error + open_searching_shots, packed, velocity_error);
                 lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
                 lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
                 lanes_pack(lists->open_searching_vz + open_searching_shots, packed, vz);
@@ -2845,45 +2856,45 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const V p_gravity = lanes_load(varying ? lists->open_searching_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_searching_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius);
-            V position_error = lanes_load(lists->open_searching_position_error + i);
+            S position_error = singles_load(lists->open_searching_position_error + i);
             V share = lanes_load(lists->open_searching_share + i);
             V speed = lanes_load(lists->open_searching_speed + i);
             V t = lanes_load(lists->open_searching_t + i);
             V until = lanes_load(lists->open_searching_until + i);
-            V velocity_error = lanes_load(lists->open_searching_velocity_error + i);
+            S velocity_error = singles_load(lists->open_searching_velocity_error + i);
             V vx = lanes_load(lists->open_searching_vx + i);
             V vy = lanes_load(lists->open_searching_vy + i);
             V vz = lanes_load(lists->open_searching_vz + i);
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(hoop_ring_prepare_out) _o77 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o77.steady;
-            V swing = _o77.swing;
-            V rho_start = _o77.rho_start;
-            V low0 = _o77.low0;
-            V high0 = _o77.high0;
-            V low1 = _o77.low1;
-            V high1 = _o77.high1;
-            V low2 = _o77.low2;
-            V high2 = _o77.high2;
-            V ceiling = _o77.ceiling;
-            V latest = _o77.latest;
-            const LANES(hoop_allowance_out) _o78 =
-                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o78.position_level;
-            V velocity_level = _o78.velocity_level;
-            const LANES(hoop_ring_margins_out) _o79 =
+            const LANES(hoop_ring_prepare_out) _o74 =
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, lanes_wide(position_error), lanes_wide(velocity_error), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V steady = _o74.steady;
+            V swing = _o74.swing;
+            V rho_start = _o74.rho_start;
+            V low0 = _o74.low0;
+            V high0 = _o74.high0;
+            V low1 = _o74.low1;
+            V high1 = _o74.high1;
+            V low2 = _o74.low2;
+            V high2 = _o74.high2;
+            V ceiling = _o74.ceiling;
+            V latest = _o74.latest;
+            const LANES(hoop_allowance_out) _o75 =
+                LANES(hoop_allowance)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), p_gravity);
+            V position_level = _o75.position_level;
+            V velocity_level = _o75.velocity_level;
+            const LANES(hoop_ring_margins_out) _o76 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o79.margin;
-            V tilt = _o79.leaving_margin;
-            V rate_slack = _o79.rate_margin;
-            const LANES(hoop_ring_enter_out) _o80 =
+            V flat = _o76.margin;
+            V tilt = _o76.leaving_margin;
+            V rate_slack = _o76.rate_margin;
+            const LANES(hoop_ring_enter_out) _o77 =
                 LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o80.t;
-            V end = _o80.end;
-            M searching = _o80.searching;
+            t = _o77.t;
+            V end = _o77.end;
+            M searching = _o77.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_latest + i, latest);
@@ -2917,7 +2928,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     lanes_pack(lists->open_searching_searching_p_ring_radius + open_searching_searching_shots, packed, p_ring_radius);
                 if (varying)
                     lanes_pack(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, packed, p_wire_radius);
-                lanes_pack(lists->open_searching_searching_position_error + open_searching_searching_shots, packed, position_error);
+                singles_pack(lists->open_searching_searching_position_error + open_searching_searching_shots, packed, position_error);
                 lanes_pack(lists->open_searching_searching_rate_slack + open_searching_searching_shots, packed, rate_slack);
                 lanes_pack(lists->open_searching_searching_rho_start + open_searching_searching_shots, packed, rho_start);
                 lanes_pack(lists->open_searching_searching_share + open_searching_searching_shots, packed, share);
@@ -2926,7 +2937,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_searching_searching_swing + open_searching_searching_shots, packed, swing);
                 lanes_pack(lists->open_searching_searching_t + open_searching_searching_shots, packed, t);
                 lanes_pack(lists->open_searching_searching_tilt + open_searching_searching_shots, packed, tilt);
-                lanes_pack(lists->open_searching_searching_velocity_error + open_searching_searching_shots, packed, velocity_error);
+                singles_pack(lists->open_searching_searching_velocity_error + open_searching_searching_shots, packed, velocity_error);
                 lanes_pack(lists->open_searching_searching_vx + open_searching_searching_shots, packed, vx);
                 lanes_pack(lists->open_searching_searching_vy + open_searching_searching_shots, packed, vy);
                 lanes_pack(lists->open_searching_searching_vz + open_searching_searching_shots, packed, vz);
@@ -2959,7 +2970,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V low0 = K(0.0);
             V low1 = K(0.0);
             V low2 = K(0.0);
-            V position_error = K(0.0);
+            S position_error = KS(0.0);
             V rate_slack = K(0.0);
             V rho_start = K(0.0);
             V share = K(0.0);
@@ -2968,7 +2979,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V swing = K(0.0);
             V t = K(0.0);
             V tilt = K(0.0);
-            V velocity_error = K(0.0);
+            S velocity_error = KS(0.0);
             V vx = K(0.0);
             V vy = K(0.0);
             V vz = K(0.0);
@@ -2995,7 +3006,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     low0 = lanes_expand(lists->open_searching_searching_low0 + taken, idle, low0);
                     low1 = lanes_expand(lists->open_searching_searching_low1 + taken, idle, low1);
                     low2 = lanes_expand(lists->open_searching_searching_low2 + taken, idle, low2);
-                    position_error = lanes_expand(lists->open_searching_searching_position_error + taken, idle, position_error);
+                    position_error = singles_expand(lists->open_searching_searching_position_error + taken, idle, position_error);
                     rate_slack = lanes_expand(lists->open_searching_searching_rate_slack + taken, idle, rate_slack);
                     rho_start = lanes_expand(lists->open_searching_searching_rho_start + taken, idle, rho_start);
                     share = lanes_expand(lists->open_searching_searching_share + taken, idle, share);
@@ -3004,7 +3015,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     swing = lanes_expand(lists->open_searching_searching_swing + taken, idle, swing);
                     t = lanes_expand(lists->open_searching_searching_t + taken, idle, t);
                     tilt = lanes_expand(lists->open_searching_searching_tilt + taken, idle, tilt);
-                    velocity_error = lanes_expand(lists->open_searching_searching_velocity_error + taken, idle, velocity_error);
+                    velocity_error = singles_expand(lists->open_searching_searching_velocity_error + taken, idle, velocity_error);
                     vx = lanes_expand(lists->open_searching_searching_vx + taken, idle, vx);
                     vy = lanes_expand(lists->open_searching_searching_vy + taken, idle, vy);
                     vz = lanes_expand(lists->open_searching_searching_vz + taken, idle, vz);
@@ -3025,56 +3036,56 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o81 =
+                const LANES(hoop_nearby_out) _o78 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o81.leaving;
-                V margin = _o81.margin;
-                const LANES(hoop_ring_advance_out) _o82 =
+                V leaving = _o78.leaving;
+                V margin = _o78.margin;
+                const LANES(hoop_ring_advance_out) _o79 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o82.gap;
-                V rate = _o82.rate;
-                V bend = _o82.bend;
-                V step = _o82.step;
-                V next = _o82.next;
-                V clearance = _o82.clearance;
-                const LANES(hoop_struck_out) _o83 =
+                V gap = _o79.gap;
+                V rate = _o79.rate;
+                V bend = _o79.bend;
+                V step = _o79.step;
+                V next = _o79.next;
+                V clearance = _o79.clearance;
+                const LANES(hoop_struck_out) _o80 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o83.hit;
-                M sure = _o83.sure;
-                M vague = _o83.vague;
-                const M _m84 = lanes_both(active, vague);
-                if (lanes_any(_m84)) {
-                    const LANES(hoop_finer_out) _o85 =
+                M hit = _o80.hit;
+                M sure = _o80.sure;
+                M vague = _o80.vague;
+                const M _m81 = lanes_both(active, vague);
+                if (lanes_any(_m81)) {
+                    const LANES(hoop_finer_out) _o82 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m84, _o85.share, share);
-                    const LANES(hoop_allowance_out) _o86 =
-                        LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o86.position_level;
-                    V velocity_level = _o86.velocity_level;
-                    V excess = _o86.excess;
-                    const LANES(hoop_ring_margins_out) _o87 =
+                    share = lanes_select(_m81, _o82.share, share);
+                    const LANES(hoop_allowance_out) _o83 =
+                        LANES(hoop_allowance)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), p_gravity);
+                    V position_level = _o83.position_level;
+                    V velocity_level = _o83.velocity_level;
+                    V excess = _o83.excess;
+                    const LANES(hoop_ring_margins_out) _o84 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m84, _o87.margin, flat);
-                    tilt = lanes_select(_m84, _o87.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m84, _o87.rate_margin, rate_slack);
-                    const LANES(hoop_exceeded_out) _o88 =
+                    flat = lanes_select(_m81, _o84.margin, flat);
+                    tilt = lanes_select(_m81, _o84.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m81, _o84.rate_margin, rate_slack);
+                    const LANES(hoop_exceeded_out) _o85 =
                         LANES(hoop_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m84, _o88.doubt, doubt);
+                    doubt = lanes_select(_m81, _o85.doubt, doubt);
                 }
-                const LANES(hoop_advanced_out) _o89 =
+                const LANES(hoop_advanced_out) _o86 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o89.arrival;
-                certain = _o89.certain;
-                M exhausted = _o89.exhausted;
-                searching = _o89.searching;
-                t = _o89.t;
-                const M _m90 = lanes_both(active, exhausted);
+                arrival = _o86.arrival;
+                certain = _o86.certain;
+                M exhausted = _o86.exhausted;
+                searching = _o86.searching;
+                t = _o86.t;
+                const M _m87 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o91 =
+                    const LANES(hoop_ring_enter_out) _o88 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m90, _o91.t, t);
-                    end = lanes_select(_m90, _o91.end, end);
-                    searching = lanes_choose(_m90, _o91.searching, searching);
+                    t = lanes_select(_m87, _o88.t, t);
+                    end = lanes_select(_m87, _o88.end, end);
+                    searching = lanes_choose(_m87, _o88.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -3116,9 +3127,9 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V doubt = lanes_load(lists->open_searching_doubt + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching_searching + i));
             V t = lanes_load(lists->open_searching_t + i);
-            const LANES(hoop_questioned_out) _o92 =
+            const LANES(hoop_questioned_out) _o89 =
                 LANES(hoop_questioned)(doubt, t, searching);
-            doubt = _o92.doubt;
+            doubt = _o89.doubt;
             lanes_store(lists->open_searching_doubt + i, doubt);
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
@@ -3154,14 +3165,26 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o93 =
+            const LANES(hoop_found_out) _o90 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o93.arrives;
-            M refining = _o93.refining;
-            V rate = _o93.rate;
-            const LANES(hoop_nearby_out) _o94 =
+            M arrives = _o90.arrives;
+            M refining = _o90.refining;
+            V rate = _o90.rate;
+            const LANES(hoop_nearby_out) _o91 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o94.leaving;
+            V leaving = _o91.leaving;
+            const M _m92 = lanes_both(rows, refining);
+            if (lanes_any(_m92)) {
+                const LANES(hoop_ring_refine_out) _o93 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V refined = _o93.time;
+                V gap = _o93.gap;
+                rate = lanes_select(_m92, _o93.rate, rate);
+                const LANES(hoop_polished_out) _o94 =
+                    LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m92, _o94.arrival, arrival);
+                refining = lanes_choose(_m92, _o94.refining, refining);
+            }
             const M _m95 = lanes_both(rows, refining);
             if (lanes_any(_m95)) {
                 const LANES(hoop_ring_refine_out) _o96 =
@@ -3173,18 +3196,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
                 arrival = lanes_select(_m95, _o97.arrival, arrival);
                 refining = lanes_choose(_m95, _o97.refining, refining);
-            }
-            const M _m98 = lanes_both(rows, refining);
-            if (lanes_any(_m98)) {
-                const LANES(hoop_ring_refine_out) _o99 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o99.time;
-                V gap = _o99.gap;
-                rate = lanes_select(_m98, _o99.rate, rate);
-                const LANES(hoop_polished_out) _o100 =
-                    LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m98, _o100.arrival, arrival);
-                refining = lanes_choose(_m98, _o100.refining, refining);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -3264,15 +3275,15 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(hoop_ring_refine_out) _o101 =
+                const LANES(hoop_ring_refine_out) _o98 =
                     LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V refined = _o101.time;
-                V gap = _o101.gap;
-                V rate = _o101.rate;
-                const LANES(hoop_polished_out) _o102 =
+                V refined = _o98.time;
+                V gap = _o98.gap;
+                V rate = _o98.rate;
+                const LANES(hoop_polished_out) _o99 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o102.arrival;
-                refining = _o102.refining;
+                arrival = _o99.arrival;
+                refining = _o99.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -3308,39 +3319,39 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
             const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
             const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
-            V position_error = lanes_load(lists->open_position_error + i);
+            S position_error = singles_load(lists->open_position_error + i);
             V rate = lanes_load(lists->open_rate + i);
             V speed = lanes_load(lists->open_speed + i);
-            V velocity_error = lanes_load(lists->open_velocity_error + i);
+            S velocity_error = singles_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(hoop_ring_margins_out) _o103 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o103.margin;
-            V tilt = _o103.leaving_margin;
-            V rate_margin = _o103.rate_margin;
-            const LANES(hoop_own_margin_out) _o104 =
+            const LANES(hoop_ring_margins_out) _o100 =
+                LANES(hoop_ring_margins)(latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V flat = _o100.margin;
+            V tilt = _o100.leaving_margin;
+            V rate_margin = _o100.rate_margin;
+            const LANES(hoop_own_margin_out) _o101 =
                 LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o104.margin;
-            const LANES(hoop_crossing_out) _o105 =
+            V margin = _o101.margin;
+            const LANES(hoop_crossing_out) _o102 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o105.clearance;
-            V delay = _o105.delay;
-            const LANES(hoop_landed_out) _o106 =
+            V clearance = _o102.clearance;
+            V delay = _o102.delay;
+            const LANES(hoop_landed_out) _o103 =
                 LANES(hoop_landed)(arrival);
-            V time = _o106.time;
-            const LANES(hoop_landed_surely_out) _o107 =
+            V time = _o103.time;
+            const LANES(hoop_landed_surely_out) _o104 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o107.delay;
-            doubt = _o107.doubt;
-            const LANES(hoop_tied_out) _o108 =
+            delay = _o104.delay;
+            doubt = _o104.doubt;
+            const LANES(hoop_tied_out) _o105 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o108.doubt;
-            late = _o108.late;
-            const LANES(hoop_sooner_out) _o109 =
+            doubt = _o105.doubt;
+            late = _o105.late;
+            const LANES(hoop_sooner_out) _o106 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o109.when;
-            which = _o109.which;
+            when = _o106.when;
+            which = _o106.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -3357,24 +3368,19 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             V clock = lanes_load(lists->clock + i);
-            V clock_error = lanes_load(lists->clock_error + i);
+            S clock_error = singles_load(lists->clock_error + i);
             V contacts = lanes_load(lists->contacts + i);
-            V count_0 = lanes_load(lists->count_0 + i);
-            V count_1 = lanes_load(lists->count_1 + i);
-            V count_2 = lanes_load(lists->count_2 + i);
             V doubt = lanes_load(lists->doubt + i);
-            V dvx = lanes_load(lists->dvx + i);
-            V dvy = lanes_load(lists->dvy + i);
-            V dvz = lanes_load(lists->dvz + i);
-            V dwx = lanes_load(lists->dwx + i);
-            V dwy = lanes_load(lists->dwy + i);
-            V dwz = lanes_load(lists->dwz + i);
-            V dx = lanes_load(lists->dx + i);
-            V dy = lanes_load(lists->dy + i);
-            V dz = lanes_load(lists->dz + i);
+            S dvx = singles_load(lists->dvx + i);
+            S dvy = singles_load(lists->dvy + i);
+            S dvz = singles_load(lists->dvz + i);
+            S dwx = singles_load(lists->dwx + i);
+            S dwy = singles_load(lists->dwy + i);
+            S dwz = singles_load(lists->dwz + i);
+            S dx = singles_load(lists->dx + i);
+            S dy = singles_load(lists->dy + i);
+            S dz = singles_load(lists->dz + i);
             V extent = lanes_load(lists->extent + i);
-            V first = lanes_load(lists->first + i);
-            V last = lanes_load(lists->last + i);
             V late = lanes_load(lists->late + i);
             M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
@@ -3388,15 +3394,11 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const V p_restitution = lanes_load(lists->p_restitution + (i & varying));
             const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
             const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
-            V position_claim = lanes_load(lists->position_claim + i);
-            V position_error = lanes_load(lists->position_error + i);
+            S position_error = singles_load(lists->position_error + i);
             V speed = lanes_load(lists->speed + i);
-            V spin_claim = lanes_load(lists->spin_claim + i);
-            V time_claim = lanes_load(lists->time_claim + i);
-            V time_error = lanes_load(lists->time_error + i);
+            S time_error = singles_load(lists->time_error + i);
             V uncertain = lanes_load(lists->uncertain + i);
-            V velocity_claim = lanes_load(lists->velocity_claim + i);
-            V velocity_error = lanes_load(lists->velocity_error + i);
+            S velocity_error = singles_load(lists->velocity_error + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
             V vz = lanes_load(lists->vz + i);
@@ -3408,81 +3410,81 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m110 = lanes_both(rows, limited);
-            if (lanes_any(_m110)) {
-                const LANES(hoop_expiry_out) _o111 =
-                    LANES(hoop_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o111.time;
-                V delay = _o111.delay;
-                M arrives = _o111.arrives;
-                doubt = lanes_select(_m110, _o111.doubt, doubt);
-                const LANES(hoop_tied_out) _o112 =
+            const M _m107 = lanes_both(rows, limited);
+            if (lanes_any(_m107)) {
+                const LANES(hoop_expiry_out) _o108 =
+                    LANES(hoop_expiry)(clock, doubt, late, lanes_wide(time_error), time_limit, when, which);
+                V time = _o108.time;
+                V delay = _o108.delay;
+                M arrives = _o108.arrives;
+                doubt = lanes_select(_m107, _o108.doubt, doubt);
+                const LANES(hoop_tied_out) _o109 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m110, _o112.doubt, doubt);
-                late = lanes_select(_m110, _o112.late, late);
-                const LANES(hoop_sooner_out) _o113 =
+                doubt = lanes_select(_m107, _o109.doubt, doubt);
+                late = lanes_select(_m107, _o109.late, late);
+                const LANES(hoop_sooner_out) _o110 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m110, _o113.when, when);
-                which = lanes_select(_m110, _o113.which, which);
+                when = lanes_select(_m107, _o110.when, when);
+                which = lanes_select(_m107, _o110.which, which);
             }
-            const LANES(hoop_departed_out) _o114 =
+            const LANES(hoop_departed_out) _o111 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o114.moves;
-            M ends = _o114.ends;
-            M touches = _o114.touches;
-            V reached = _o114.reached;
-            M edge = _o114.edge;
-            const LANES(hoop_body_of_out) _o115 =
+            M moves = _o111.moves;
+            M ends = _o111.ends;
+            M touches = _o111.touches;
+            V reached = _o111.reached;
+            M edge = _o111.edge;
+            const LANES(hoop_body_of_out) _o112 =
                 LANES(hoop_body_of)(which);
-            V body = _o115.body;
-            const M _m116 = lanes_both(rows, moves);
+            V body = _o112.body;
+            const M _m113 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o117 =
+                const LANES(hoop_flight_out) _o114 =
                     LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m116, _o117.x, x);
-                y = lanes_select(_m116, _o117.y, y);
-                z = lanes_select(_m116, _o117.z, z);
-                vx = lanes_select(_m116, _o117.vx, vx);
-                vy = lanes_select(_m116, _o117.vy, vy);
-                vz = lanes_select(_m116, _o117.vz, vz);
-                const LANES(hoop_ticked_out) _o118 =
+                x = lanes_select(_m113, _o114.x, x);
+                y = lanes_select(_m113, _o114.y, y);
+                z = lanes_select(_m113, _o114.z, z);
+                vx = lanes_select(_m113, _o114.vx, vx);
+                vy = lanes_select(_m113, _o114.vy, vy);
+                vz = lanes_select(_m113, _o114.vz, vz);
+                const LANES(hoop_ticked_out) _o115 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m116, _o118.clock, clock);
+                clock = lanes_select(_m113, _o115.clock, clock);
             }
-            const M _m119 = lanes_both(rows, limited);
-            if (lanes_any(_m119)) {
-                const LANES(hoop_expired_out) _o120 =
+            const M _m116 = lanes_both(rows, limited);
+            if (lanes_any(_m116)) {
+                const LANES(hoop_expired_out) _o117 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m119, _o120.clock, clock);
-                body = lanes_select(_m119, _o120.body, body);
-                reached = lanes_select(_m119, _o120.reached, reached);
-                ends = lanes_choose(_m119, _o120.ends, ends);
+                clock = lanes_select(_m116, _o117.clock, clock);
+                body = lanes_select(_m116, _o117.body, body);
+                reached = lanes_select(_m116, _o117.reached, reached);
+                ends = lanes_choose(_m116, _o117.ends, ends);
             }
-            const LANES(hoop_displacement_out) _o121 =
-                LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-            V slack = _o121.margin;
-            const LANES(hoop_here_out) _o122 =
+            const LANES(hoop_displacement_out) _o118 =
+                LANES(hoop_displacement)(late, when, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+            V slack = _o118.margin;
+            const LANES(hoop_here_out) _o119 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o122.here;
-            const M _m123 = lanes_both(rows, here);
+            M here = _o119.here;
+            const M _m120 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o124 =
+                const LANES(hoop_end_bounds_out) _o121 =
                     LANES(hoop_end_bounds)(x, y, p_ring_radius);
-                V g0 = _o124.g0;
-                const LANES(hoop_end_reached_out) _o125 =
+                V g0 = _o121.g0;
+                const LANES(hoop_end_reached_out) _o122 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m123, _o125.reached, reached);
-                const LANES(hoop_end_edge_out) _o126 =
+                reached = lanes_select(_m120, _o122.reached, reached);
+                const LANES(hoop_end_edge_out) _o123 =
                     LANES(hoop_end_edge)(g0, slack);
-                edge = lanes_choose(_m123, _o126.edge, edge);
+                edge = lanes_choose(_m120, _o123.edge, edge);
             }
-            const LANES(hoop_doubted_out) _o127 =
+            const LANES(hoop_doubted_out) _o124 =
                 LANES(hoop_doubted)(doubt, edge, late, uncertain, when);
-            uncertain = _o127.uncertain;
-            const LANES(hoop_accounted_out) _o128 =
+            uncertain = _o124.uncertain;
+            const LANES(hoop_accounted_out) _o125 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o128.contacts;
-            V outcome = _o128.outcome;
+            contacts = _o125.contacts;
+            V outcome = _o125.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -3495,235 +3497,244 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o129 =
+            const LANES(hoop_meeting_out) _o126 =
                 LANES(hoop_meeting)(claims, ends, touches);
-            M meeting = _o129.meeting;
-            const M _m130 = lanes_both(rows, meeting);
-            if (lanes_any(_m130)) {
-                const LANES(hoop_end_normal_out) _o131 =
+            M meeting = _o126.meeting;
+            const M _m127 = lanes_both(rows, meeting);
+            if (lanes_any(_m127)) {
+                V count_0 = lanes_load(lists->count_0 + i);
+                V count_1 = lanes_load(lists->count_1 + i);
+                V count_2 = lanes_load(lists->count_2 + i);
+                V first = lanes_load(lists->first + i);
+                V last = lanes_load(lists->last + i);
+                const LANES(hoop_end_normal_out) _o128 =
                     LANES(hoop_end_normal)();
-                V nx = _o131.nx;
-                V ny = _o131.ny;
-                V nz = _o131.nz;
-                const LANES(hoop_here_out) _o132 =
+                V nx = _o128.nx;
+                V ny = _o128.ny;
+                V nz = _o128.nz;
+                const LANES(hoop_here_out) _o129 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o132.here;
-                const M _m133 = lanes_both(_m130, here);
+                M here = _o129.here;
+                const M _m130 = lanes_both(_m127, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o134 =
+                    const LANES(hoop_ring_normal_out) _o131 =
                         LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = lanes_select(_m133, _o134.nx, nx);
-                    ny = lanes_select(_m133, _o134.ny, ny);
-                    nz = lanes_select(_m133, _o134.nz, nz);
-                    const LANES(hoop_counted_out) _o135 =
+                    nx = lanes_select(_m130, _o131.nx, nx);
+                    ny = lanes_select(_m130, _o131.ny, ny);
+                    nz = lanes_select(_m130, _o131.nz, nz);
+                    const LANES(hoop_counted_out) _o132 =
                         LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m133, _o135.count, count_0);
+                    count_0 = lanes_select(_m130, _o132.count, count_0);
                 }
-                const LANES(hoop_here_out) _o136 =
+                const LANES(hoop_here_out) _o133 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o136.here;
-                const M _m137 = lanes_both(_m130, here);
+                here = _o133.here;
+                const M _m134 = lanes_both(_m127, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o138 =
+                    const LANES(hoop_backboard_normal_out) _o135 =
                         LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m137, _o138.nx, nx);
-                    ny = lanes_select(_m137, _o138.ny, ny);
-                    nz = lanes_select(_m137, _o138.nz, nz);
-                    const LANES(hoop_counted_out) _o139 =
+                    nx = lanes_select(_m134, _o135.nx, nx);
+                    ny = lanes_select(_m134, _o135.ny, ny);
+                    nz = lanes_select(_m134, _o135.nz, nz);
+                    const LANES(hoop_counted_out) _o136 =
                         LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m137, _o139.count, count_1);
+                    count_1 = lanes_select(_m134, _o136.count, count_1);
                 }
-                const LANES(hoop_here_out) _o140 =
+                const LANES(hoop_here_out) _o137 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o140.here;
-                const M _m141 = lanes_both(_m130, here);
+                here = _o137.here;
+                const M _m138 = lanes_both(_m127, here);
                 {
-                    const LANES(hoop_bridge_normal_out) _o142 =
+                    const LANES(hoop_bridge_normal_out) _o139 =
                         LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m141, _o142.nx, nx);
-                    ny = lanes_select(_m141, _o142.ny, ny);
-                    nz = lanes_select(_m141, _o142.nz, nz);
-                    const LANES(hoop_counted_out) _o143 =
+                    nx = lanes_select(_m138, _o139.nx, nx);
+                    ny = lanes_select(_m138, _o139.ny, ny);
+                    nz = lanes_select(_m138, _o139.nz, nz);
+                    const LANES(hoop_counted_out) _o140 =
                         LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m141, _o143.count, count_2);
+                    count_2 = lanes_select(_m138, _o140.count, count_2);
                 }
-                const LANES(hoop_elsewhere_out) _o144 =
+                const LANES(hoop_elsewhere_out) _o141 =
                     LANES(hoop_elsewhere)();
-                V curving = _o144.curving;
-                const LANES(hoop_again_out) _o145 =
+                V curving = _o141.curving;
+                const LANES(hoop_again_out) _o142 =
                     LANES(hoop_again)(K(0.0), last, which);
-                M again = _o145.again;
-                const M _m146 = lanes_both(_m130, again);
+                M again = _o142.again;
+                const M _m143 = lanes_both(_m127, again);
                 {
-                    const LANES(hoop_ring_curvature_out) _o147 =
+                    const LANES(hoop_ring_curvature_out) _o144 =
                         LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
+                    curving = lanes_select(_m143, _o144.curvature, curving);
+                }
+                const LANES(hoop_again_out) _o145 =
+                    LANES(hoop_again)(K(1.0), last, which);
+                again = _o145.again;
+                const M _m146 = lanes_both(_m127, again);
+                {
+                    const LANES(hoop_backboard_curvature_out) _o147 =
+                        LANES(hoop_backboard_curvature)();
                     curving = lanes_select(_m146, _o147.curvature, curving);
                 }
                 const LANES(hoop_again_out) _o148 =
-                    LANES(hoop_again)(K(1.0), last, which);
+                    LANES(hoop_again)(K(2.0), last, which);
                 again = _o148.again;
-                const M _m149 = lanes_both(_m130, again);
+                const M _m149 = lanes_both(_m127, again);
                 {
-                    const LANES(hoop_backboard_curvature_out) _o150 =
-                        LANES(hoop_backboard_curvature)();
+                    const LANES(hoop_bridge_curvature_out) _o150 =
+                        LANES(hoop_bridge_curvature)();
                     curving = lanes_select(_m149, _o150.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o151 =
-                    LANES(hoop_again)(K(2.0), last, which);
-                again = _o151.again;
-                const M _m152 = lanes_both(_m130, again);
+                const LANES(hoop_carry_flight_out) _o151 =
+                    LANES(hoop_carry_flight)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), lanes_narrow(contacts), lanes_narrow(late), dx, dy, dz, dvx, dvy, dvz, lanes_narrow(curving), lanes_narrow(p_gravity));
+                dx = singles_select(singles_of(_m127), _o151.dx, dx);
+                dy = singles_select(singles_of(_m127), _o151.dy, dy);
+                dz = singles_select(singles_of(_m127), _o151.dz, dz);
+                dvx = singles_select(singles_of(_m127), _o151.dvx, dvx);
+                dvy = singles_select(singles_of(_m127), _o151.dvy, dvy);
+                dvz = singles_select(singles_of(_m127), _o151.dvz, dvz);
+                S belated = _o151.delay;
+                S shift = _o151.shift;
+                const LANES(hoop_delayed_out) _o152 =
+                    LANES(hoop_delayed)(clock_error, belated);
+                clock_error = singles_select(singles_of(_m127), _o152.clock_error, clock_error);
+                const M _m153 = lanes_both(_m127, ends);
                 {
-                    const LANES(hoop_bridge_curvature_out) _o153 =
-                        LANES(hoop_bridge_curvature)();
-                    curving = lanes_select(_m152, _o153.curvature, curving);
-                }
-                const LANES(hoop_carry_flight_out) _o154 =
-                    LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-                dx = lanes_select(_m130, _o154.dx, dx);
-                dy = lanes_select(_m130, _o154.dy, dy);
-                dz = lanes_select(_m130, _o154.dz, dz);
-                dvx = lanes_select(_m130, _o154.dvx, dvx);
-                dvy = lanes_select(_m130, _o154.dvy, dvy);
-                dvz = lanes_select(_m130, _o154.dvz, dvz);
-                V delay = _o154.delay;
-                V shift = _o154.shift;
-                const LANES(hoop_delayed_out) _o155 =
-                    LANES(hoop_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m130, _o155.clock_error, clock_error);
-                const M _m156 = lanes_both(_m130, ends);
-                {
-                    const LANES(hoop_floored_out) _o157 =
+                    const LANES(hoop_floored_out) _o154 =
                         LANES(hoop_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m156, _o157.dx, dx);
-                    dy = lanes_select(_m156, _o157.dy, dy);
-                    dz = lanes_select(_m156, _o157.dz, dz);
+                    dx = singles_select(singles_of(_m153), _o154.dx, dx);
+                    dy = singles_select(singles_of(_m153), _o154.dy, dy);
+                    dz = singles_select(singles_of(_m153), _o154.dz, dz);
                 }
-                const LANES(hoop_unturned_out) _o158 =
+                const LANES(hoop_unturned_out) _o155 =
                     LANES(hoop_unturned)();
-                V dnx = _o158.dnx;
-                V dny = _o158.dny;
-                V dnz = _o158.dnz;
-                V turn = _o158.turn;
-                const LANES(hoop_here_out) _o159 =
+                S dnx = _o155.dnx;
+                S dny = _o155.dny;
+                S dnz = _o155.dnz;
+                S turn = _o155.turn;
+                const LANES(hoop_here_out) _o156 =
                     LANES(hoop_here)(K(0.0), which);
-                here = _o159.here;
-                const M _m160 = lanes_both(_m130, here);
-                if (lanes_any(_m160)) {
-                    const LANES(hoop_ring_carry_normal_out) _o161 =
-                        LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = lanes_select(_m160, _o161.dnx, dnx);
-                    dny = lanes_select(_m160, _o161.dny, dny);
-                    dnz = lanes_select(_m160, _o161.dnz, dnz);
-                    turn = lanes_select(_m160, _o161.turn, turn);
+                here = _o156.here;
+                const M _m157 = lanes_both(_m127, here);
+                if (lanes_any(_m157)) {
+                    const LANES(hoop_ring_carry_normal_out) _o158 =
+                        LANES(hoop_ring_carry_normal)(lanes_narrow(x), lanes_narrow(y), dx, dy, dz, shift, lanes_narrow(p_ball_radius), lanes_narrow(p_ring_radius), lanes_narrow(p_wire_radius));
+                    dnx = singles_select(singles_of(_m157), _o158.dnx, dnx);
+                    dny = singles_select(singles_of(_m157), _o158.dny, dny);
+                    dnz = singles_select(singles_of(_m157), _o158.dnz, dnz);
+                    turn = singles_select(singles_of(_m157), _o158.turn, turn);
                 }
-                const M _m162 = lanes_both(_m130, touches);
-                if (lanes_any(_m162)) {
-                    const LANES(hoop_carry_impact_out) _o163 =
-                        LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-                    dvx = lanes_select(_m162, _o163.dvx, dvx);
-                    dvy = lanes_select(_m162, _o163.dvy, dvy);
-                    dvz = lanes_select(_m162, _o163.dvz, dvz);
-                    dwx = lanes_select(_m162, _o163.dwx, dwx);
-                    dwy = lanes_select(_m162, _o163.dwy, dwy);
-                    dwz = lanes_select(_m162, _o163.dwz, dwz);
-                    const LANES(hoop_impact_out) _o164 =
+                const M _m159 = lanes_both(_m127, touches);
+                if (lanes_any(_m159)) {
+                    const LANES(hoop_carry_impact_out) _o160 =
+                        LANES(hoop_carry_impact)(lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(contacts), dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lanes_narrow(p_ball_radius), lanes_narrow(p_restitution));
+                    dvx = singles_select(singles_of(_m159), _o160.dvx, dvx);
+                    dvy = singles_select(singles_of(_m159), _o160.dvy, dvy);
+                    dvz = singles_select(singles_of(_m159), _o160.dvz, dvz);
+                    dwx = singles_select(singles_of(_m159), _o160.dwx, dwx);
+                    dwy = singles_select(singles_of(_m159), _o160.dwy, dwy);
+                    dwz = singles_select(singles_of(_m159), _o160.dwz, dwz);
+                    const LANES(hoop_impact_out) _o161 =
                         LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                    vx = lanes_select(_m162, _o164.vx, vx);
-                    vy = lanes_select(_m162, _o164.vy, vy);
-                    vz = lanes_select(_m162, _o164.vz, vz);
-                    wx = lanes_select(_m162, _o164.wx, wx);
-                    wy = lanes_select(_m162, _o164.wy, wy);
-                    wz = lanes_select(_m162, _o164.wz, wz);
+                    vx = lanes_select(_m159, _o161.vx, vx);
+                    vy = lanes_select(_m159, _o161.vy, vy);
+                    vz = lanes_select(_m159, _o161.vz, vz);
+                    wx = lanes_select(_m159, _o161.wx, wx);
+                    wy = lanes_select(_m159, _o161.wy, wy);
+                    wz = lanes_select(_m159, _o161.wz, wz);
+                }
+                const LANES(hoop_here_out) _o162 =
+                    LANES(hoop_here)(K(1.0), which);
+                here = _o162.here;
+                const M _m163 = lanes_both(_m127, here);
+                {
+                    const LANES(hoop_backboard_place_out) _o164 =
+                        LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
+                    x = lanes_select(_m163, _o164.x, x);
+                    y = lanes_select(_m163, _o164.y, y);
+                    z = lanes_select(_m163, _o164.z, z);
                 }
                 const LANES(hoop_here_out) _o165 =
-                    LANES(hoop_here)(K(1.0), which);
+                    LANES(hoop_here)(K(2.0), which);
                 here = _o165.here;
-                const M _m166 = lanes_both(_m130, here);
+                const M _m166 = lanes_both(_m127, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o167 =
-                        LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
+                    const LANES(hoop_bridge_place_out) _o167 =
+                        LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
                     x = lanes_select(_m166, _o167.x, x);
                     y = lanes_select(_m166, _o167.y, y);
                     z = lanes_select(_m166, _o167.z, z);
                 }
-                const LANES(hoop_here_out) _o168 =
-                    LANES(hoop_here)(K(2.0), which);
-                here = _o168.here;
-                const M _m169 = lanes_both(_m130, here);
+                const M _m168 = lanes_both(_m127, touches);
                 {
-                    const LANES(hoop_bridge_place_out) _o170 =
-                        LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m169, _o170.x, x);
-                    y = lanes_select(_m169, _o170.y, y);
-                    z = lanes_select(_m169, _o170.z, z);
-                }
-                const M _m171 = lanes_both(_m130, touches);
-                {
-                    const LANES(hoop_touched_out) _o172 =
+                    const LANES(hoop_touched_out) _o169 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m171, _o172.first, first);
-                    last = lanes_select(_m171, _o172.last, last);
+                    first = lanes_select(_m168, _o169.first, first);
+                    last = lanes_select(_m168, _o169.last, last);
                 }
+                lanes_store(lists->count_0 + i, count_0);
+                lanes_store(lists->count_1 + i, count_1);
+                lanes_store(lists->count_2 + i, count_2);
+                singles_store(lists->dwx + i, dwx);
+                singles_store(lists->dwy + i, dwy);
+                singles_store(lists->dwz + i, dwz);
+                lanes_store(lists->first + i, first);
+                lanes_store(lists->last + i, last);
+                lanes_store(lists->wx + i, wx);
+                lanes_store(lists->wy + i, wy);
+                lanes_store(lists->wz + i, wz);
             }
-            const M _m173 = lanes_both(rows, limited);
-            if (lanes_any(_m173)) {
-                const LANES(hoop_timed_out) _o174 =
+            const M _m170 = lanes_both(rows, limited);
+            if (lanes_any(_m170)) {
+                const LANES(hoop_timed_out) _o171 =
                     LANES(hoop_timed)(claims, K(4.0), which);
-                M timed = _o174.timed;
-                const M _m175 = lanes_both(_m173, timed);
-                if (lanes_any(_m175)) {
-                    const LANES(hoop_carry_time_out) _o176 =
-                        LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m175, _o176.dx, dx);
-                    dy = lanes_select(_m175, _o176.dy, dy);
-                    dz = lanes_select(_m175, _o176.dz, dz);
-                    dvx = lanes_select(_m175, _o176.dvx, dvx);
-                    dvy = lanes_select(_m175, _o176.dvy, dvy);
-                    dvz = lanes_select(_m175, _o176.dvz, dvz);
-                    clock_error = lanes_select(_m175, _o176.clock_error, clock_error);
+                M timed = _o171.timed;
+                const M _m172 = lanes_both(_m170, timed);
+                if (lanes_any(_m172)) {
+                    const LANES(hoop_carry_time_out) _o173 =
+                        LANES(hoop_carry_time)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(clock), clock_error, dx, dy, dz, dvx, dvy, dvz, lanes_narrow(p_gravity));
+                    dx = singles_select(singles_of(_m172), _o173.dx, dx);
+                    dy = singles_select(singles_of(_m172), _o173.dy, dy);
+                    dz = singles_select(singles_of(_m172), _o173.dz, dz);
+                    dvx = singles_select(singles_of(_m172), _o173.dvx, dvx);
+                    dvy = singles_select(singles_of(_m172), _o173.dvy, dvy);
+                    dvz = singles_select(singles_of(_m172), _o173.dvz, dvz);
+                    clock_error = singles_select(singles_of(_m172), _o173.clock_error, clock_error);
                 }
             }
-            const LANES(hoop_closing_out) _o177 =
-                LANES(hoop_closing)(claims, outcome);
-            M closed = _o177.closed;
-            const M _m178 = lanes_both(rows, closed);
-            {
-                const LANES(hoop_claimed_errors_out) _o179 =
+            const LANES(hoop_closing_out) _o174 =
+                LANES(hoop_closing)(lanes_narrow(claims), lanes_narrow(outcome));
+            M closed = _o174.closed;
+            S position_claim = _o174.position_claim;
+            S velocity_claim = _o174.velocity_claim;
+            S spin_claim = _o174.spin_claim;
+            S time_claim = _o174.time_claim;
+            const M _m175 = lanes_both(rows, closed);
+            if (lanes_any(_m175)) {
+                const LANES(hoop_claimed_errors_out) _o176 =
                     LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m178, _o179.position_error, position_claim);
-                velocity_claim = lanes_select(_m178, _o179.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m178, _o179.spin_error, spin_claim);
-                time_claim = lanes_select(_m178, _o179.time_error, time_claim);
+                position_claim = singles_select(singles_of(_m175), _o176.position_error, position_claim);
+                velocity_claim = singles_select(singles_of(_m175), _o176.velocity_error, velocity_claim);
+                spin_claim = singles_select(singles_of(_m175), _o176.spin_error, spin_claim);
+                time_claim = singles_select(singles_of(_m175), _o176.time_error, time_claim);
             }
             lanes_store(lists->clock + i, clock);
-            lanes_store(lists->clock_error + i, clock_error);
+            singles_store(lists->clock_error + i, clock_error);
             lanes_store(lists->contacts + i, contacts);
-            lanes_store(lists->count_0 + i, count_0);
-            lanes_store(lists->count_1 + i, count_1);
-            lanes_store(lists->count_2 + i, count_2);
-            lanes_store(lists->dvx + i, dvx);
-            lanes_store(lists->dvy + i, dvy);
-            lanes_store(lists->dvz + i, dvz);
-            lanes_store(lists->dwx + i, dwx);
-            lanes_store(lists->dwy + i, dwy);
-            lanes_store(lists->dwz + i, dwz);
-            lanes_store(lists->dx + i, dx);
-            lanes_store(lists->dy + i, dy);
-            lanes_store(lists->dz + i, dz);
-            lanes_store(lists->first + i, first);
-            lanes_store(lists->last + i, last);
+            singles_store(lists->dvx + i, dvx);
+            singles_store(lists->dvy + i, dvy);
+            singles_store(lists->dvz + i, dvz);
+            singles_store(lists->dx + i, dx);
+            singles_store(lists->dy + i, dy);
+            singles_store(lists->dz + i, dz);
             lanes_store(lists->outcome + i, outcome);
-            lanes_store(lists->position_claim + i, position_claim);
-            lanes_store(lists->spin_claim + i, spin_claim);
-            lanes_store(lists->time_claim + i, time_claim);
+            singles_store(lists->position_claim + i, position_claim);
+            singles_store(lists->spin_claim + i, spin_claim);
+            singles_store(lists->time_claim + i, time_claim);
             lanes_store(lists->uncertain + i, uncertain);
-            lanes_store(lists->velocity_claim + i, velocity_claim);
+            singles_store(lists->velocity_claim + i, velocity_claim);
             lanes_store(lists->vx + i, vx);
             lanes_store(lists->vy + i, vy);
             lanes_store(lists->vz + i, vz);
-            lanes_store(lists->wx + i, wx);
-            lanes_store(lists->wy + i, wy);
-            lanes_store(lists->wz + i, wz);
             lanes_store(lists->x + i, x);
             lanes_store(lists->y + i, y);
             lanes_store(lists->z + i, z);
@@ -3766,8 +3777,10 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         if (following && !lanes_any(going)) {
             LANES(hoop_bounded_finish_all)(lists, shots, job);
             shots = 0;
+            streams = 1;
             continue;
         }
+        streams = 0;
         shots = LANES(hoop_bounded_leave)(lists, 0, shots, job);
     }
 }
@@ -3808,6 +3821,7 @@ static void LANES(hoop_run)(const hoop_job *job)
 #undef lanes_store
 #undef lanes_gather
 #undef lanes_columns
+#undef lanes_rows
 #undef lanes_bits
 #undef lanes_of
 #undef lanes_many

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation aa6452a71138efb3,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 7b799bc075893f3b,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -118,150 +118,155 @@ LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections. */
+   derivative of Eq. 3 and of the contact time, with roundings. 125 operations: 27 additions, 1 subtraction, 33 multiplications, 2 divisions, 7 negations, 17 absolute values, 19 comparisons, 19 selections. */
 typedef struct {
-    V dx;
-    V dy;
-    V dz;
-    V dvx;
-    V dvy;
-    V dvz;
-    V delay;
-    V shift;
+    S dx;
+    S dy;
+    S dz;
+    S dvx;
+    S dvy;
+    S dvz;
+    S delay;
+    S shift;
 } LANES(hoop_carry_flight_out);
 
 LANES_INLINE LANES(hoop_carry_flight_out)
-LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V p_gravity)
+LANES(hoop_carry_flight)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S clock, S contacts, S late, S dx, S dy, S dz, S dvx, S dvy, S dvz, S curving, S p_gravity)
 {
-    const V _s0 = lanes_add(dx, lanes_mul(dvx, t));
-    const V _s1 = lanes_abs(vx);
-    const V _s2 = lanes_mul(K(2.0), t);
-    const V _s3 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s1), lanes_abs(x)));
-    const V _s4 = lanes_add(_s0, lanes_select(lanes_less(_s0, K(0.0)), lanes_neg(_s3), _s3));
-    const V _s5 = lanes_add(dy, lanes_mul(dvy, t));
-    const V _s6 = lanes_abs(vy);
-    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s6), lanes_abs(y)));
-    const V _s8 = lanes_add(_s5, lanes_select(lanes_less(_s5, K(0.0)), lanes_neg(_s7), _s7));
-    const V _s9 = lanes_add(dz, lanes_mul(dvz, t));
-    const V _s10 = lanes_abs(vz);
-    const V _s11 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s2, _s10)), lanes_abs(z)));
-    const V _s12 = lanes_add(_s9, lanes_select(lanes_less(_s9, K(0.0)), lanes_neg(_s11), _s11));
-    const V _s13 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s14 = lanes_div(lanes_neg(lanes_add(lanes_add(lanes_mul(nx, _s4), lanes_mul(ny, _s8)), lanes_mul(nz, _s12))), _s13);
-    const V _s15 = lanes_add(lanes_mul(vx, _s14), _s4);
-    const V _s16 = lanes_max(_s1, _s6);
-    const V _s17 = lanes_max(_s16, _s10);
-    const V _s18 = lanes_abs(dx);
-    const V _s19 = lanes_abs(dy);
-    const V _s20 = lanes_max(_s18, _s19);
-    const V _s21 = lanes_abs(dz);
-    const V _s22 = lanes_max(_s20, _s21);
-    const V _s23 = lanes_mul(curving, lanes_mul(t, _s17));
-    const V _s24 = lanes_abs(dvx);
-    const V _s25 = lanes_abs(dvy);
-    const V _s26 = lanes_max(_s24, _s25);
-    const V _s27 = lanes_abs(dvz);
-    const V _s28 = lanes_max(_s3, _s7);
-    const V _s29 = lanes_add(lanes_mul(t, lanes_max(_s26, _s27)), lanes_max(_s28, _s11));
-    const V _s30 = lanes_add(lanes_mul(lanes_div(_s17, lanes_abs(_s13)), lanes_add(lanes_mul(_s22, lanes_min(_s23, K(1.0))), _s29)), lanes_add(_s29, _s22));
-    const V _s31 = lanes_div(_s30, lanes_add(K(8.0), lanes_mul(K(8.0), contacts)));
-    const V _s32 = lanes_neg(_s31);
-    const V _s33 = lanes_add(lanes_mul(vy, _s14), _s8);
-    const V _s34 = lanes_add(lanes_mul(vz, _s14), _s12);
-    const V _s35 = lanes_abs(_s14);
-    const V _s36 = lanes_mul(K(0.0625), late);
-    return (LANES(hoop_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(_s15), _s31), lanes_select(lanes_less(_s15, K(0.0)), _s32, _s31), _s15), lanes_select(lanes_less(lanes_abs(_s33), _s31), lanes_select(lanes_less(_s33, K(0.0)), _s32, _s31), _s33), lanes_select(lanes_less(lanes_abs(_s34), _s31), lanes_select(lanes_less(_s34, K(0.0)), _s32, _s31), _s34), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s35, _s36)), _s30 };
+    const S _s0 = singles_add(dx, singles_mul(dvx, t));
+    const S _s1 = singles_abs(vx);
+    const S _s2 = singles_mul(KS(2.0), t);
+    const S _s3 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s2, _s1), singles_abs(x))));
+    const S _s4 = singles_add(_s0, singles_select(singles_less(_s0, KS(0.0)), singles_neg(_s3), _s3));
+    const S _s5 = singles_add(dy, singles_mul(dvy, t));
+    const S _s6 = singles_abs(vy);
+    const S _s7 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s2, _s6), singles_abs(y))));
+    const S _s8 = singles_add(_s5, singles_select(singles_less(_s5, KS(0.0)), singles_neg(_s7), _s7));
+    const S _s9 = singles_add(dz, singles_mul(dvz, t));
+    const S _s10 = singles_abs(vz);
+    const S _s11 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_mul(p_gravity, singles_mul(t, t)), singles_mul(_s2, _s10)), singles_abs(z))));
+    const S _s12 = singles_add(_s9, singles_select(singles_less(_s9, KS(0.0)), singles_neg(_s11), _s11));
+    const S _s13 = singles_div(KS(1.0), singles_add(singles_add(singles_mul(nx, vx), singles_mul(ny, vy)), singles_mul(nz, vz)));
+    const S _s14 = singles_mul(singles_neg(singles_add(singles_add(singles_mul(nx, _s4), singles_mul(ny, _s8)), singles_mul(nz, _s12))), _s13);
+    const S _s15 = singles_add(singles_mul(vx, _s14), _s4);
+    const S _s16 = singles_abs(_s15);
+    const S _s17 = singles_max(_s1, _s6);
+    const S _s18 = singles_max(_s17, _s10);
+    const S _s19 = singles_abs(dx);
+    const S _s20 = singles_abs(dy);
+    const S _s21 = singles_max(_s19, _s20);
+    const S _s22 = singles_abs(dz);
+    const S _s23 = singles_max(_s21, _s22);
+    const S _s24 = singles_mul(curving, singles_mul(t, _s18));
+    const S _s25 = singles_abs(dvx);
+    const S _s26 = singles_abs(dvy);
+    const S _s27 = singles_max(_s25, _s26);
+    const S _s28 = singles_abs(dvz);
+    const S _s29 = singles_max(_s3, _s7);
+    const S _s30 = singles_add(singles_mul(t, singles_max(_s27, _s28)), singles_max(_s29, _s11));
+    const S _s31 = singles_add(singles_mul(singles_mul(singles_abs(_s13), _s18), singles_add(singles_mul(_s23, singles_min(_s24, KS(1.0))), _s30)), singles_add(_s30, _s23));
+    const S _s32 = singles_mul(_s31, singles_div(KS(1.0), singles_add(KS(8.0), singles_mul(KS(8.0), contacts))));
+    const S _s33 = singles_max(_s16, _s32);
+    const S _s34 = singles_add(singles_mul(vy, _s14), _s8);
+    const S _s35 = singles_abs(_s34);
+    const S _s36 = singles_max(_s35, _s32);
+    const S _s37 = singles_add(singles_mul(vz, _s14), _s12);
+    const S _s38 = singles_abs(_s37);
+    const S _s39 = singles_max(_s38, _s32);
+    const S _s40 = singles_abs(_s14);
+    const S _s41 = singles_mul(KS(0.0625), late);
+    return (LANES(hoop_carry_flight_out)){ singles_select(singles_less(_s15, KS(0.0)), singles_neg(_s33), _s33), singles_select(singles_less(_s34, KS(0.0)), singles_neg(_s36), _s36), singles_select(singles_less(_s37, KS(0.0)), singles_neg(_s39), _s39), dvx, dvy, singles_sub(dvz, singles_mul(p_gravity, _s14)), singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(clock, t)), singles_max(_s40, _s41)), _s31 };
 }
 
 /* Errors of a state at the time limit, from those at the start of the flight.
-   derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections. */
+   derivative of Eq. 3, with roundings. 65 operations: 20 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    V dx;
-    V dy;
-    V dz;
-    V dvx;
-    V dvy;
-    V dvz;
-    V clock_error;
+    S dx;
+    S dy;
+    S dz;
+    S dvx;
+    S dvy;
+    S dvz;
+    S clock_error;
 } LANES(hoop_carry_time_out);
 
 LANES_INLINE LANES(hoop_carry_time_out)
-LANES(hoop_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V p_gravity)
+LANES(hoop_carry_time)(S t, S x, S y, S z, S vx, S vy, S vz, S clock, S clock_error, S dx, S dy, S dz, S dvx, S dvy, S dvz, S p_gravity)
 {
-    const V _s0 = lanes_abs(vx);
-    const V _s1 = lanes_add(clock_error, lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)));
-    const V _s2 = lanes_abs(dvx);
-    const V _s3 = lanes_abs(dvy);
-    const V _s4 = lanes_max(_s2, _s3);
-    const V _s5 = lanes_abs(dvz);
-    const V _s6 = lanes_mul(K(2.0), t);
-    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s0), lanes_abs(x)));
-    const V _s8 = lanes_abs(vy);
-    const V _s9 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s8), lanes_abs(y)));
-    const V _s10 = lanes_max(_s7, _s9);
-    const V _s11 = lanes_abs(vz);
-    const V _s12 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s6, _s11)), lanes_abs(z)));
-    const V _s13 = lanes_abs(dx);
-    const V _s14 = lanes_abs(dy);
-    const V _s15 = lanes_max(_s13, _s14);
-    const V _s16 = lanes_abs(dz);
-    const V _s17 = lanes_add(lanes_add(lanes_mul(t, lanes_max(_s4, _s5)), lanes_max(_s10, _s12)), lanes_max(_s15, _s16));
-    const V _s18 = lanes_abs(K(0.0));
-    return (LANES(hoop_carry_time_out)){ lanes_add(lanes_mul(_s0, _s1), _s17), lanes_add(lanes_mul(_s8, _s1), _s17), lanes_add(lanes_mul(_s11, _s1), _s17), lanes_add(lanes_add(_s18, _s2), lanes_mul(K(2.220446049250313e-16), _s0)), lanes_add(lanes_add(_s18, _s3), lanes_mul(K(2.220446049250313e-16), _s8)), lanes_add(lanes_add(_s5, lanes_mul(K(2.220446049250313e-16), _s11)), lanes_abs(lanes_neg(lanes_mul(p_gravity, _s1)))), K(0.0) };
+    const S _s0 = singles_abs(vx);
+    const S _s1 = singles_add(clock_error, singles_mul(KS(4.440892098500626e-16), singles_add(clock, t)));
+    const S _s2 = singles_abs(dvx);
+    const S _s3 = singles_abs(dvy);
+    const S _s4 = singles_max(_s2, _s3);
+    const S _s5 = singles_abs(dvz);
+    const S _s6 = singles_mul(KS(2.0), t);
+    const S _s7 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s0), singles_abs(x))));
+    const S _s8 = singles_abs(vy);
+    const S _s9 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s8), singles_abs(y))));
+    const S _s10 = singles_max(_s7, _s9);
+    const S _s11 = singles_abs(vz);
+    const S _s12 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_mul(p_gravity, singles_mul(t, t)), singles_mul(_s6, _s11)), singles_abs(z))));
+    const S _s13 = singles_abs(dx);
+    const S _s14 = singles_abs(dy);
+    const S _s15 = singles_max(_s13, _s14);
+    const S _s16 = singles_abs(dz);
+    const S _s17 = singles_add(singles_add(singles_mul(t, singles_max(_s4, _s5)), singles_max(_s10, _s12)), singles_max(_s15, _s16));
+    const S _s18 = singles_abs(KS(0.0));
+    return (LANES(hoop_carry_time_out)){ singles_add(singles_mul(_s0, _s1), _s17), singles_add(singles_mul(_s8, _s1), _s17), singles_add(singles_mul(_s11, _s1), _s17), singles_add(singles_add(_s18, _s2), singles_mul(KS(2.220446049250313e-16), _s0)), singles_add(singles_add(_s18, _s3), singles_mul(KS(2.220446049250313e-16), _s8)), singles_add(singles_add(_s5, singles_mul(KS(2.220446049250313e-16), _s11)), singles_abs(singles_neg(singles_mul(p_gravity, _s1)))), KS(0.0) };
 }
 
 /* Bounds on the errors of a state and its time that decisions allow for.
    the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    V position_error;
-    V velocity_error;
-    V spin_error;
-    V time_error;
+    S position_error;
+    S velocity_error;
+    S spin_error;
+    S time_error;
 } LANES(hoop_error_bounds_out);
 
 LANES_INLINE LANES(hoop_error_bounds_out)
-LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
+LANES(hoop_error_bounds)(S clock_error, S dx, S dy, S dz, S dvx, S dvy, S dvz, S dwx, S dwy, S dwz)
 {
-    const V _s0 = lanes_abs(dx);
-    const V _s1 = lanes_abs(dy);
-    const V _s2 = lanes_max(_s0, _s1);
-    const V _s3 = lanes_abs(dz);
-    const V _s4 = lanes_abs(dvx);
-    const V _s5 = lanes_abs(dvy);
-    const V _s6 = lanes_max(_s4, _s5);
-    const V _s7 = lanes_abs(dvz);
-    const V _s8 = lanes_abs(dwx);
-    const V _s9 = lanes_abs(dwy);
-    const V _s10 = lanes_max(_s8, _s9);
-    const V _s11 = lanes_abs(dwz);
-    return (LANES(hoop_error_bounds_out)){ lanes_mul(K(16.0), lanes_max(_s2, _s3)), lanes_mul(K(16.0), lanes_max(_s6, _s7)), lanes_mul(K(16.0), lanes_max(_s10, _s11)), lanes_mul(K(16.0), clock_error) };
+    const S _s0 = singles_abs(dx);
+    const S _s1 = singles_abs(dy);
+    const S _s2 = singles_max(_s0, _s1);
+    const S _s3 = singles_abs(dz);
+    const S _s4 = singles_abs(dvx);
+    const S _s5 = singles_abs(dvy);
+    const S _s6 = singles_max(_s4, _s5);
+    const S _s7 = singles_abs(dvz);
+    const S _s8 = singles_abs(dwx);
+    const S _s9 = singles_abs(dwy);
+    const S _s10 = singles_max(_s8, _s9);
+    const S _s11 = singles_abs(dwz);
+    return (LANES(hoop_error_bounds_out)){ singles_mul(KS(16.0), singles_max(_s2, _s3)), singles_mul(KS(16.0), singles_max(_s6, _s7)), singles_mul(KS(16.0), singles_max(_s10, _s11)), singles_mul(KS(16.0), clock_error) };
 }
 
 /* Bounds on the errors of a state and its time that a shot claims.
    the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    V position_error;
-    V velocity_error;
-    V spin_error;
-    V time_error;
+    S position_error;
+    S velocity_error;
+    S spin_error;
+    S time_error;
 } LANES(hoop_claimed_errors_out);
 
 LANES_INLINE LANES(hoop_claimed_errors_out)
-LANES(hoop_claimed_errors)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
+LANES(hoop_claimed_errors)(S clock_error, S dx, S dy, S dz, S dvx, S dvy, S dvz, S dwx, S dwy, S dwz)
 {
-    const V _s0 = lanes_abs(dx);
-    const V _s1 = lanes_abs(dy);
-    const V _s2 = lanes_max(_s0, _s1);
-    const V _s3 = lanes_abs(dz);
-    const V _s4 = lanes_abs(dvx);
-    const V _s5 = lanes_abs(dvy);
-    const V _s6 = lanes_max(_s4, _s5);
-    const V _s7 = lanes_abs(dvz);
-    const V _s8 = lanes_abs(dwx);
-    const V _s9 = lanes_abs(dwy);
-    const V _s10 = lanes_max(_s8, _s9);
-    const V _s11 = lanes_abs(dwz);
-    return (LANES(hoop_claimed_errors_out)){ lanes_mul(K(64.0), lanes_max(_s2, _s3)), lanes_mul(K(64.0), lanes_max(_s6, _s7)), lanes_mul(K(64.0), lanes_max(_s10, _s11)), lanes_mul(K(64.0), clock_error) };
+    const S _s0 = singles_abs(dx);
+    const S _s1 = singles_abs(dy);
+    const S _s2 = singles_max(_s0, _s1);
+    const S _s3 = singles_abs(dz);
+    const S _s4 = singles_abs(dvx);
+    const S _s5 = singles_abs(dvy);
+    const S _s6 = singles_max(_s4, _s5);
+    const S _s7 = singles_abs(dvz);
+    const S _s8 = singles_abs(dwx);
+    const S _s9 = singles_abs(dwy);
+    const S _s10 = singles_max(_s8, _s9);
+    const S _s11 = singles_abs(dwz);
+    return (LANES(hoop_claimed_errors_out)){ singles_mul(KS(64.0), singles_max(_s2, _s3)), singles_mul(KS(64.0), singles_max(_s6, _s7)), singles_mul(KS(64.0), singles_max(_s10, _s11)), singles_mul(KS(64.0), clock_error) };
 }
 
 /* 1 where finite parameters are allowed.
@@ -370,18 +375,19 @@ LANES(hoop_released)(V last)
     return (LANES(hoop_released_out)){ _s0, lanes_not(_s0) };
 }
 
-/* Whether a plane's only arrival is one, and the size of the bend there.
-   Table 1. 12 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction. */
+/* Whether a plane's only arrival is one, the bend's size; when the ball is nearest.
+   Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection. */
 typedef struct {
     M arrives;
     V ceiling;
+    V nearest;
 } LANES(hoop_meeting_plane_out);
 
 LANES_INLINE LANES(hoop_meeting_plane_out)
-LANES(hoop_meeting_plane)(V bend, V rate, V time)
+LANES(hoop_meeting_plane)(V apex, V bend, V rate, V time)
 {
     const M _s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
-    return (LANES(hoop_meeting_plane_out)){ _s0, lanes_abs(bend) };
+    return (LANES(hoop_meeting_plane_out)){ _s0, lanes_abs(bend), lanes_select(_s0, time, apex) };
 }
 
 /* Whether an arrival may be the earliest, as far as their delays are bounded.
@@ -815,47 +821,6 @@ LANES(hoop_again)(V index, V last, V which)
     return (LANES(hoop_again_out)){ lanes_both(lanes_equal(which, index), lanes_equal(last, which)) };
 }
 
-/* The error of the event's time.
-   Table 1. 1 operation: 1 addition. */
-typedef struct {
-    V clock_error;
-} LANES(hoop_delayed_out);
-
-LANES_INLINE LANES(hoop_delayed_out)
-LANES(hoop_delayed)(V clock_error, V delay)
-{
-    return (LANES(hoop_delayed_out)){ lanes_add(clock_error, delay) };
-}
-
-/* Errors of the position at the end, not below what one flight can make.
-   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
-typedef struct {
-    V dx;
-    V dy;
-    V dz;
-} LANES(hoop_floored_out);
-
-LANES_INLINE LANES(hoop_floored_out)
-LANES(hoop_floored)(V dx, V dy, V dz, V shift)
-{
-    return (LANES(hoop_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
-}
-
-/* A normal without error.
-   Table 1. No operations. */
-typedef struct {
-    V dnx;
-    V dny;
-    V dnz;
-    V turn;
-} LANES(hoop_unturned_out);
-
-LANES_INLINE LANES(hoop_unturned_out)
-LANES(hoop_unturned)(void)
-{
-    return (LANES(hoop_unturned_out)){ K(0.0), K(0.0), K(0.0), K(0.0) };
-}
-
 /* The surfaces that were touched first and last.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
@@ -879,18 +844,6 @@ LANES_INLINE LANES(hoop_timed_out)
 LANES(hoop_timed)(V claims, V index, V which)
 {
     return (LANES(hoop_timed_out)){ lanes_both(lanes_equal(which, index), lanes_less(K(0.0), claims)) };
-}
-
-/* Where a shot has ended whose errors are asked for.
-   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
-typedef struct {
-    M closed;
-} LANES(hoop_closing_out);
-
-LANES_INLINE LANES(hoop_closing_out)
-LANES(hoop_closing)(V claims, V outcome)
-{
-    return (LANES(hoop_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)) };
 }
 
 /* The body that the event is on.
@@ -984,6 +937,63 @@ LANES(hoop_accounted)(V contacts, V most_contacts, V reached, M touches)
     return (LANES(hoop_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), reached) };
 }
 
+/* The error of the event's time.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    S clock_error;
+} LANES(hoop_delayed_out);
+
+LANES_INLINE LANES(hoop_delayed_out)
+LANES(hoop_delayed)(S clock_error, S delay)
+{
+    return (LANES(hoop_delayed_out)){ singles_add(clock_error, delay) };
+}
+
+/* Where a shot has ended whose errors are asked for; no other one claims any.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+typedef struct {
+    M closed;
+    S position_claim;
+    S velocity_claim;
+    S spin_claim;
+    S time_claim;
+} LANES(hoop_closing_out);
+
+LANES_INLINE LANES(hoop_closing_out)
+LANES(hoop_closing)(S claims, S outcome)
+{
+    return (LANES(hoop_closing_out)){ singles_truth(singles_both(singles_less(KS(0.0), claims), singles_at_most(KS(0.0), outcome))), KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
+}
+
+/* Errors of the position at the end, not below what one flight can make.
+   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
+typedef struct {
+    S dx;
+    S dy;
+    S dz;
+} LANES(hoop_floored_out);
+
+LANES_INLINE LANES(hoop_floored_out)
+LANES(hoop_floored)(S dx, S dy, S dz, S shift)
+{
+    return (LANES(hoop_floored_out)){ singles_select(singles_less(singles_abs(dx), shift), shift, dx), singles_select(singles_less(singles_abs(dy), shift), shift, dy), singles_select(singles_less(singles_abs(dz), shift), shift, dz) };
+}
+
+/* A normal without error.
+   Table 1. No operations. */
+typedef struct {
+    S dnx;
+    S dny;
+    S dnz;
+    S turn;
+} LANES(hoop_unturned_out);
+
+LANES_INLINE LANES(hoop_unturned_out)
+LANES(hoop_unturned)(void)
+{
+    return (LANES(hoop_unturned_out)){ KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
+}
+
 /* Where a flight that begins and ends like that may come to a plate.
    Table 1. 34 operations: 6 additions, 3 subtractions, 10 multiplications, 1 negation, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
 typedef struct {
@@ -1030,64 +1040,67 @@ LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_bal
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
-   derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 222 operations: 56 additions, 18 subtractions, 90 multiplications, 2 divisions, 6 negations, 18 absolute values, 16 comparisons, 16 selections. */
 typedef struct {
-    V dvx;
-    V dvy;
-    V dvz;
-    V dwx;
-    V dwy;
-    V dwz;
+    S dvx;
+    S dvy;
+    S dvz;
+    S dwx;
+    S dwy;
+    S dwz;
 } LANES(hoop_carry_impact_out);
 
 LANES_INLINE LANES(hoop_carry_impact_out)
-LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_restitution)
+LANES(hoop_carry_impact)(S vx, S vy, S vz, S wx, S wy, S wz, S nx, S ny, S nz, S contacts, S dvx, S dvy, S dvz, S dwx, S dwy, S dwz, S dnx, S dny, S dnz, S turn, S p_ball_radius, S p_restitution)
 {
-    const V _s0 = lanes_mul(K(0.4), p_ball_radius);
-    const V _s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
-    const V _s3 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s1)), lanes_mul(nx, _s2))));
-    const V _s4 = lanes_sub(lanes_sub(_s3, lanes_mul(lanes_mul(dnx, p_restitution), _s1)), lanes_mul(lanes_mul(nx, p_restitution), _s2));
-    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
-    const V _s6 = lanes_add(_s5, lanes_abs(vz));
-    const V _s7 = lanes_mul(K(2.220446049250313e-16), _s6);
-    const V _s8 = lanes_neg(_s7);
-    const V _s9 = lanes_add(_s4, lanes_select(lanes_less(_s4, K(0.0)), _s8, _s7));
-    const V _s10 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
-    const V _s11 = lanes_abs(dwx);
-    const V _s12 = lanes_abs(dwy);
-    const V _s13 = lanes_max(_s11, _s12);
-    const V _s14 = lanes_abs(dwz);
-    const V _s15 = lanes_abs(dvx);
-    const V _s16 = lanes_abs(dvy);
-    const V _s17 = lanes_max(_s15, _s16);
-    const V _s18 = lanes_abs(dvz);
-    const V _s19 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s13, _s14)), lanes_mul(turn, _s6)), lanes_max(_s17, _s18));
-    const V _s20 = lanes_div(_s19, _s10);
-    const V _s21 = lanes_neg(_s20);
-    const V _s22 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s1)), lanes_mul(ny, _s2))));
-    const V _s23 = lanes_sub(lanes_sub(_s22, lanes_mul(lanes_mul(dny, p_restitution), _s1)), lanes_mul(lanes_mul(ny, p_restitution), _s2));
-    const V _s24 = lanes_add(_s23, lanes_select(lanes_less(_s23, K(0.0)), _s8, _s7));
-    const V _s25 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s1)), lanes_mul(nz, _s2))));
-    const V _s26 = lanes_sub(lanes_sub(_s25, lanes_mul(lanes_mul(dnz, p_restitution), _s1)), lanes_mul(lanes_mul(nz, p_restitution), _s2));
-    const V _s27 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s8, _s7));
-    const V _s28 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, wx), lanes_mul(dny, wy)), lanes_mul(dnz, wz)), lanes_mul(dwx, nx)), lanes_mul(dwy, ny)), lanes_mul(dwz, nz));
-    const V _s30 = lanes_div(K(1.0), p_ball_radius);
-    const V _s31 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s1))));
-    const V _s32 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s1))));
-    const V _s33 = lanes_add(lanes_add(lanes_mul(dnx, _s28), lanes_mul(nx, _s29)), lanes_mul(_s30, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s31), lanes_mul(ny, _s25)), lanes_mul(dnz, _s32)), lanes_mul(nz, _s22))));
-    const V _s34 = lanes_div(_s7, p_ball_radius);
-    const V _s35 = lanes_neg(_s34);
-    const V _s36 = lanes_add(_s33, lanes_select(lanes_less(_s33, K(0.0)), _s35, _s34));
-    const V _s37 = lanes_div(_s19, lanes_mul(p_ball_radius, _s10));
-    const V _s38 = lanes_neg(_s37);
-    const V _s39 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s1))));
-    const V _s40 = lanes_add(lanes_add(lanes_mul(dny, _s28), lanes_mul(ny, _s29)), lanes_mul(_s30, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s39), lanes_mul(nz, _s3)), lanes_mul(dnx, _s31)), lanes_mul(nx, _s25))));
-    const V _s41 = lanes_add(_s40, lanes_select(lanes_less(_s40, K(0.0)), _s35, _s34));
-    const V _s42 = lanes_add(lanes_add(lanes_mul(dnz, _s28), lanes_mul(nz, _s29)), lanes_mul(_s30, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s32), lanes_mul(nx, _s22)), lanes_mul(dny, _s39)), lanes_mul(ny, _s3))));
-    const V _s43 = lanes_add(_s42, lanes_select(lanes_less(_s42, K(0.0)), _s35, _s34));
-    return (LANES(hoop_carry_impact_out)){ lanes_select(lanes_less(lanes_abs(_s9), _s20), lanes_select(lanes_less(_s9, K(0.0)), _s21, _s20), _s9), lanes_select(lanes_less(lanes_abs(_s24), _s20), lanes_select(lanes_less(_s24, K(0.0)), _s21, _s20), _s24), lanes_select(lanes_less(lanes_abs(_s27), _s20), lanes_select(lanes_less(_s27, K(0.0)), _s21, _s20), _s27), lanes_select(lanes_less(lanes_abs(_s36), _s37), lanes_select(lanes_less(_s36, K(0.0)), _s38, _s37), _s36), lanes_select(lanes_less(lanes_abs(_s41), _s37), lanes_select(lanes_less(_s41, K(0.0)), _s38, _s37), _s41), lanes_select(lanes_less(lanes_abs(_s43), _s37), lanes_select(lanes_less(_s43, K(0.0)), _s38, _s37), _s43) };
+    const S _s0 = singles_mul(KS(0.4), p_ball_radius);
+    const S _s1 = singles_add(singles_add(singles_mul(nx, vx), singles_mul(ny, vy)), singles_mul(nz, vz));
+    const S _s2 = singles_add(singles_add(singles_add(singles_mul(dnx, vx), singles_mul(dvx, nx)), singles_add(singles_mul(dny, vy), singles_mul(dvy, ny))), singles_add(singles_mul(dnz, vz), singles_mul(dvz, nz)));
+    const S _s3 = singles_add(singles_mul(dnx, _s1), singles_mul(nx, _s2));
+    const S _s4 = singles_add(singles_mul(_s0, singles_sub(singles_add(singles_mul(dnz, wy), singles_mul(dwy, nz)), singles_add(singles_mul(dny, wz), singles_mul(dwz, ny)))), singles_mul(KS(0.6), singles_sub(dvx, _s3)));
+    const S _s5 = singles_sub(_s4, singles_mul(p_restitution, _s3));
+    const S _s6 = singles_add(singles_add(singles_mul(p_ball_radius, singles_add(singles_add(singles_abs(wx), singles_abs(wy)), singles_abs(wz))), singles_abs(vx)), singles_abs(vy));
+    const S _s7 = singles_add(_s6, singles_abs(vz));
+    const S _s8 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(2.220446049250313e-16), _s7));
+    const S _s9 = singles_add(singles_abs(_s5), _s8);
+    const S _s10 = singles_abs(dwx);
+    const S _s11 = singles_abs(dwy);
+    const S _s12 = singles_max(_s10, _s11);
+    const S _s13 = singles_abs(dwz);
+    const S _s14 = singles_abs(dvx);
+    const S _s15 = singles_abs(dvy);
+    const S _s16 = singles_max(_s14, _s15);
+    const S _s17 = singles_abs(dvz);
+    const S _s18 = singles_mul(singles_add(singles_add(singles_mul(p_ball_radius, singles_max(_s12, _s13)), singles_mul(turn, _s7)), singles_max(_s16, _s17)), singles_div(KS(1.0), singles_add(KS(8.0), singles_mul(KS(8.0), contacts))));
+    const S _s19 = singles_max(_s9, _s18);
+    const S _s20 = singles_add(singles_mul(dny, _s1), singles_mul(ny, _s2));
+    const S _s21 = singles_add(singles_mul(_s0, singles_sub(singles_add(singles_mul(dnx, wz), singles_mul(dwz, nx)), singles_add(singles_mul(dnz, wx), singles_mul(dwx, nz)))), singles_mul(KS(0.6), singles_sub(dvy, _s20)));
+    const S _s22 = singles_sub(_s21, singles_mul(p_restitution, _s20));
+    const S _s23 = singles_add(singles_abs(_s22), _s8);
+    const S _s24 = singles_max(_s23, _s18);
+    const S _s25 = singles_add(singles_mul(dnz, _s1), singles_mul(nz, _s2));
+    const S _s26 = singles_add(singles_mul(_s0, singles_sub(singles_add(singles_mul(dny, wx), singles_mul(dwx, ny)), singles_add(singles_mul(dnx, wy), singles_mul(dwy, nx)))), singles_mul(KS(0.6), singles_sub(dvz, _s25)));
+    const S _s27 = singles_sub(_s26, singles_mul(p_restitution, _s25));
+    const S _s28 = singles_add(singles_abs(_s27), _s8);
+    const S _s29 = singles_max(_s28, _s18);
+    const S _s30 = singles_div(KS(1.0), p_ball_radius);
+    const S _s31 = singles_add(singles_mul(_s0, singles_sub(singles_mul(ny, wx), singles_mul(nx, wy))), singles_mul(KS(0.6), singles_sub(vz, singles_mul(nz, _s1))));
+    const S _s32 = singles_add(singles_mul(_s0, singles_sub(singles_mul(nx, wz), singles_mul(nz, wx))), singles_mul(KS(0.6), singles_sub(vy, singles_mul(ny, _s1))));
+    const S _s33 = singles_add(singles_add(singles_mul(nx, wx), singles_mul(ny, wy)), singles_mul(nz, wz));
+    const S _s34 = singles_add(singles_add(singles_add(singles_mul(dnx, wx), singles_mul(dwx, nx)), singles_add(singles_mul(dny, wy), singles_mul(dwy, ny))), singles_add(singles_mul(dnz, wz), singles_mul(dwz, nz)));
+    const S _s35 = singles_add(singles_mul(_s30, singles_sub(singles_add(singles_mul(dny, _s31), singles_mul(ny, _s26)), singles_add(singles_mul(dnz, _s32), singles_mul(nz, _s21)))), singles_add(singles_mul(dnx, _s33), singles_mul(nx, _s34)));
+    const S _s36 = singles_mul(_s30, _s8);
+    const S _s37 = singles_add(singles_abs(_s35), _s36);
+    const S _s38 = singles_mul(_s30, _s18);
+    const S _s39 = singles_max(_s37, _s38);
+    const S _s40 = singles_add(singles_mul(_s0, singles_sub(singles_mul(nz, wy), singles_mul(ny, wz))), singles_mul(KS(0.6), singles_sub(vx, singles_mul(nx, _s1))));
+    const S _s41 = singles_add(singles_mul(_s30, singles_sub(singles_add(singles_mul(dnz, _s40), singles_mul(nz, _s4)), singles_add(singles_mul(dnx, _s31), singles_mul(nx, _s26)))), singles_add(singles_mul(dny, _s33), singles_mul(ny, _s34)));
+    const S _s42 = singles_add(singles_abs(_s41), _s36);
+    const S _s43 = singles_max(_s42, _s38);
+    const S _s44 = singles_add(singles_mul(_s30, singles_sub(singles_add(singles_mul(dnx, _s32), singles_mul(nx, _s21)), singles_add(singles_mul(dny, _s40), singles_mul(ny, _s4)))), singles_add(singles_mul(dnz, _s33), singles_mul(nz, _s34)));
+    const S _s45 = singles_add(singles_abs(_s44), _s36);
+    const S _s46 = singles_max(_s45, _s38);
+    return (LANES(hoop_carry_impact_out)){ singles_select(singles_less(_s5, KS(0.0)), singles_neg(_s19), _s19), singles_select(singles_less(_s22, KS(0.0)), singles_neg(_s24), _s24), singles_select(singles_less(_s27, KS(0.0)), singles_neg(_s29), _s29), singles_select(singles_less(_s35, KS(0.0)), singles_neg(_s39), _s39), singles_select(singles_less(_s41, KS(0.0)), singles_neg(_s43), _s43), singles_select(singles_less(_s44, KS(0.0)), singles_neg(_s46), _s46) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1122,27 +1135,27 @@ LANES(hoop_ring_curvature)(V p_ball_radius, V p_ring_radius, V p_wire_radius)
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
+   derivative of Table 2's normal. 34 operations: 6 additions, 3 subtractions, 18 multiplications, 3 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
 typedef struct {
-    V dnx;
-    V dny;
-    V dnz;
-    V turn;
+    S dnx;
+    S dny;
+    S dnz;
+    S turn;
 } LANES(hoop_ring_carry_normal_out);
 
 LANES_INLINE LANES(hoop_ring_carry_normal_out)
-LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V p_ball_radius, V p_ring_radius, V p_wire_radius)
+LANES(hoop_ring_carry_normal)(S x, S y, S dx, S dy, S dz, S shift, S p_ball_radius, S p_ring_radius, S p_wire_radius)
 {
-    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_div(K(1.0), _s0);
-    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s3 = lanes_sub(_s2, p_ring_radius);
-    const V _s4 = lanes_div(K(1.0), _s2);
-    const V _s5 = lanes_mul(lanes_mul(_s1, _s3), _s4);
-    const V _s6 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s2);
-    const V _s7 = lanes_add(lanes_mul(lanes_mul(_s6, _s1), _s4), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s6, lanes_mul(_s4, _s4))), _s1), _s3));
-    const V _s8 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
-    return (LANES(hoop_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s5), lanes_mul(x, _s7)), lanes_add(lanes_mul(dy, _s5), lanes_mul(y, _s7)), lanes_mul(dz, _s1), lanes_mul(shift, lanes_div(K(1.0), lanes_min(_s8, _s0))) };
+    const S _s0 = singles_add(p_ball_radius, p_wire_radius);
+    const S _s1 = singles_div(KS(1.0), _s0);
+    const S _s2 = singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y)));
+    const S _s3 = singles_sub(_s2, p_ring_radius);
+    const S _s4 = singles_div(KS(1.0), _s2);
+    const S _s5 = singles_mul(singles_mul(_s1, _s3), _s4);
+    const S _s6 = singles_mul(singles_add(singles_mul(dx, x), singles_mul(dy, y)), _s4);
+    const S _s7 = singles_mul(_s1, singles_add(singles_mul(_s6, _s4), singles_mul(singles_neg(singles_mul(_s6, singles_mul(_s4, _s4))), _s3)));
+    const S _s8 = singles_sub(singles_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+    return (LANES(hoop_ring_carry_normal_out)){ singles_add(singles_mul(dx, _s5), singles_mul(x, _s7)), singles_add(singles_mul(dy, _s5), singles_mul(y, _s7)), singles_mul(dz, _s1), singles_mul(shift, singles_div(KS(1.0), singles_min(_s8, _s0))) };
 }
 
 /* Positive if there certainly is no contact before the horizon.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 17608efa79d077d6,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 8eaab50db1d45604,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -156,6 +156,7 @@ class Field(NamedTuple):
     name: str
     start: float | None
     bounds: bool
+    dtype: str = "float64"
 
 
 class Result(NamedTuple):
@@ -258,7 +259,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "halved": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "late", "pad", "p_gravity",),
     "untaken": (),
     "left": ("index", "last",),
-    "meeting_plane": ("bend", "rate", "time",),
+    "meeting_plane": ("apex", "bend", "rate", "time",),
     "timely": ("arrives", "delay", "late", "time", "when",),
     "grazed": ("apex", "doubt", "height", "margin",),
     "questioned": ("doubt", "time", "unsure",),
@@ -292,12 +293,8 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "counted": ("count",),
     "elsewhere": (),
     "again": ("index", "last", "which",),
-    "delayed": ("clock_error", "delay",),
-    "floored": ("dx", "dy", "dz", "shift",),
-    "unturned": (),
     "touched": ("body", "first", "which",),
     "timed": ("claims", "index", "which",),
-    "closing": ("claims", "outcome",),
     "undecided": ("uncertain", "unsure",),
     "body_of": ("which",),
     "admitted": ("doubt", "finite", "permitted", "valid",),
@@ -305,6 +302,10 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "departed": ("index", "which",),
     "expired": ("body", "clock", "ends", "index", "reached", "time_limit", "which",),
     "accounted": ("contacts", "most_contacts", "reached", "touches",),
+    "delayed": ("clock_error", "delay",),
+    "closing": ("claims", "outcome",),
+    "floored": ("dx", "dy", "dz", "shift",),
+    "unturned": (),
     "circles": ("held", "index", "rolling",),
     "leaps": ("stride",),
     "cleared": ("berth", "gap", "leap", "nearing",),
@@ -507,7 +508,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "halved": ("middle_x", "reach_x", "later_middle_x", "later_reach_x", "middle_y", "reach_y", "later_middle_y", "later_reach_y", "middle_z", "reach_z", "later_middle_z", "later_reach_z",),
     "untaken": ("mine",),
     "left": ("leaving",),
-    "meeting_plane": ("arrives", "ceiling",),
+    "meeting_plane": ("arrives", "ceiling", "nearest",),
     "timely": ("possible",),
     "grazed": ("doubt",),
     "questioned": ("doubt",),
@@ -541,12 +542,8 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "counted": ("count",),
     "elsewhere": ("curving",),
     "again": ("again",),
-    "delayed": ("clock_error",),
-    "floored": ("dx", "dy", "dz",),
-    "unturned": ("dnx", "dny", "dnz", "turn",),
     "touched": ("first", "last",),
     "timed": ("timed",),
-    "closing": ("closed",),
     "undecided": ("uncertain",),
     "body_of": ("body",),
     "admitted": ("outcome", "uncertain",),
@@ -554,6 +551,10 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "departed": ("stays", "moves", "ends", "touches", "reached", "edge",),
     "expired": ("clock", "body", "reached", "ends",),
     "accounted": ("contacts", "outcome",),
+    "delayed": ("clock_error",),
+    "closing": ("closed", "position_claim", "velocity_claim", "spin_claim", "time_claim",),
+    "floored": ("dx", "dy", "dz",),
+    "unturned": ("dnx", "dny", "dnz", "turn",),
     "circles": ("circling", "rolling",),
     "leaps": ("forth", "back",),
     "cleared": ("berth",),
@@ -776,217 +777,211 @@ _k20 = _float64(3.0029296875)
 _k21 = _float64(4.440892098500626e-16)
 _k22 = _scalar(1.0)
 _k23 = _scalar(2.0)
-_k24 = _scalar(1.1102230246251565e-16)
-_k25 = _scalar(8.0)
-_k26 = _scalar(0.25)
-_k27 = _scalar(0.0625)
-_k28 = _float64(0.25)
-_k29 = _float64(2.0)
-_k30 = _float64(1.1102230246251565e-16)
-_k31 = _float64(8.0)
-_k32 = _float64(0.0625)
-_k33 = _scalar(2.220446049250313e-16)
-_k34 = _float64(2.220446049250313e-16)
-_k35 = _scalar(16.0)
-_k36 = _float64(16.0)
-_k37 = _scalar(64.0)
-_k38 = _float64(64.0)
-_k39 = _float64(-1.0)
-_k40 = _scalar(0.5)
-_k41 = _scalar(1.7763568394002505e-15)
-_k42 = _float64(4.0)
-_k43 = _float64(1.7763568394002505e-15)
-_k44 = _scalar(8.881784197001252e-16)
-_k45 = _float64(8.881784197001252e-16)
-_k46 = _scalar(-1.0)
-_k47 = _scalar(9.313225746154785e-10)
-_k48 = _scalar(1.0000000009313226)
-_k49 = _float64(1.0000000009313226)
-_k50 = _float64(9.313225746154785e-10)
-_k51 = _float64(2.9802322387695312e-08)
-_k52 = _float64(2.842170943040401e-14)
-_k53 = _float64(0.03125)
-_k54 = _float64(5.960464477539063e-08)
-_k55 = _float64(3.0)
-_k56 = _scalar(0.4)
-_k57 = _scalar(0.3333333333333333)
-_k58 = _float64(0.3333333333333333)
-_k59 = _scalar(3.0)
-_k60 = _scalar(4.0)
-_k61 = _scalar(0.2)
-_k62 = _float64(0.2)
-_k63 = _scalar(5.0)
-_k64 = _scalar(0.16666666666666666)
-_k65 = _float64(5.0)
-_k66 = _float64(0.16666666666666666)
-_k67 = _scalar(0.14285714285714285)
-_k68 = _float64(0.14285714285714285)
-_k69 = _scalar(7.0)
-_k70 = _scalar(0.125)
-_k71 = _float64(7.0)
-_k72 = _float64(0.125)
-_k73 = _scalar(0.1111111111111111)
-_k74 = _float64(0.1111111111111111)
-_k75 = _scalar(12.0)
-_k76 = _scalar(20.0)
-_k77 = _scalar(30.0)
-_k78 = _scalar(42.0)
-_k79 = _scalar(0.8)
-_k80 = _float64(0.015625)
-_k81 = _float64(12.0)
-_k82 = _float64(20.0)
-_k83 = _float64(30.0)
-_k84 = _float64(42.0)
-_k85 = _float64(0.8)
-_k86 = _float64(7.275957614183426e-12)
-_k87 = _float64(1.1920928955078125e-07)
-_k88 = _scalar(9.5367431640625e-07)
-_k89 = _scalar(9.094947017729282e-13)
-_k90 = _scalar(0.9999990463256836)
-_k91 = _float64(9.094947017729282e-13)
-_k92 = _float64(0.9999990463256836)
-_k93 = _float64(3.637978807091713e-12)
-_k94 = _float64(1.4551915228366852e-11)
-_k95 = _scalar(5.684341886080802e-14)
-_k96 = _float64(5.684341886080802e-14)
-_k97 = _scalar(7.105427357601002e-15)
-_k98 = _float64(7.105427357601002e-15)
-_k99 = _float64(0.0078125)
-_k100 = _scalar(128.0)
-_k101 = _scalar(0.0078125)
-_k102 = _float64(128.0)
-_k103 = _float64(2.384185791015625e-07)
-_k104 = _scalar(5.960464477539063e-08)
-_k105 = _float64(-_inf)
-_k106 = _scalar(1.4210854715202004e-14)
-_k107 = _scalar(1.6)
-_k108 = _scalar(1.4551915228366852e-11)
-_k109 = _float64(1.4210854715202004e-14)
-_k110 = _float64(1.6)
-_k111 = _float64(3.725290298461914e-09)
-_k112 = _scalar(1.5)
-_k113 = _float64(1.5)
-_k114 = _float64(0.000244140625)
-_k115 = _float64(1.52587890625e-05)
-_k116 = _float64(5.820766091346741e-11)
-_k117 = _float64(1.00006103515625)
-_k118 = _float64(65536.0)
-_k119 = _float64(6.0003662109375)
-_k120 = _float64(0.0001220703125)
-_k121 = _scalar(2.409919865102884e-181)
-_k122 = _scalar(-_inf)
-_k123 = _float64(2.409919865102884e-181)
-_k124 = _scalar(3.552713678800501e-15)
-_k125 = _float64(1.3323489447131243e-15)
-_k126 = _float64(5.00030517578125)
-_k127 = _float64(3.552713678800501e-15)
-_k128 = _float32(1.00006103515625)
-_k129 = _float32(2.0)
-_k130 = _scalar(_float32(4.76837158203125e-07))
-_k131 = _float32(1.0)
-_k132 = _scalar(_float32(9.5367431640625e-07))
-_k133 = _scalar(_float32(0.0))
-_k134 = _scalar(_float32(_inf))
-_k135 = _scalar(_float32(1.0))
-_k136 = _scalar(_float32(8.673617379884035e-19))
-_k137 = _scalar(_float32(-_inf))
-_k138 = _float32(0.0001220703125)
-_k139 = _scalar(_float32(1.000000238418579))
-_k140 = _float32(32.0)
-_k141 = _float32(4096.0)
-_k142 = _float32(0.000244140625)
-_k143 = _scalar(_float32(4096.0))
-_k144 = _float32(0.0)
-_k145 = _float32(4.76837158203125e-07)
-_k146 = _float32(9.5367431640625e-07)
-_k147 = _float32(_inf)
-_k148 = _float32(8.673617379884035e-19)
-_k149 = _float32(-_inf)
-_k150 = _float32(1.000000238418579)
-_k151 = _scalar(_float32(5.0))
-_k152 = _scalar(_float32(0.00390625))
-_k153 = _scalar(_float32(2.9802322387695312e-08))
-_k154 = _scalar(_float32(2.842170943040401e-14))
-_k155 = _scalar(_float32(2.0))
-_k156 = _float32(4.0)
-_k157 = _float32(6.0003662109375)
-_k158 = _scalar(_float32(0.5))
-_k159 = _scalar(_float32(1.0009765625))
-_k160 = _float32(5.0048828125)
-_k161 = _scalar(_float32(5.684341886080802e-14))
-_k162 = _float32(7.62939453125e-06)
-_k163 = _scalar(_float32(2.384185791015625e-07))
-_k164 = _float32(128.0)
-_k165 = _float32(2.842170943040401e-14)
-_k166 = _float32(0.00390625)
-_k167 = _float32(5.0)
-_k168 = _float32(2.9802322387695312e-08)
-_k169 = _float32(1.0009765625)
-_k170 = _float32(5.684341886080802e-14)
-_k171 = _float32(0.5)
-_k172 = _float32(2.384185791015625e-07)
-_k173 = _float32(6.0)
-_k174 = _scalar(_float32(8.0))
-_k175 = _scalar(_float32(4.0))
-_k176 = _scalar(_float32(0.0001220703125))
-_k177 = _scalar(_float32(3.814697265625e-06))
-_k178 = _scalar(_float32(3.0))
-_k179 = _scalar(_float32(0.000244140625))
-_k180 = _float32(8.0)
-_k181 = _float32(3.814697265625e-06)
-_k182 = _float32(3.0)
-_k183 = _scalar(0.375)
-_k184 = _scalar(0.75)
-_k185 = _scalar(2.25)
-_k186 = _scalar(0.9375)
-_k187 = _float64(0.375)
-_k188 = _float64(0.75)
-_k189 = _float64(2.25)
-_k190 = _float64(0.9375)
-_k191 = _scalar(0.6666666666666666)
-_k192 = _scalar(11.0)
-_k193 = _scalar(10.0)
-_k194 = _scalar(9.0)
-_k195 = _scalar(110.0)
-_k196 = _scalar(90.0)
-_k197 = _scalar(72.0)
-_k198 = _scalar(56.0)
-_k199 = _float64(11.0)
-_k200 = _float64(10.0)
-_k201 = _float64(9.0)
-_k202 = _float64(110.0)
-_k203 = _float64(90.0)
-_k204 = _float64(72.0)
-_k205 = _float64(56.0)
-_k206 = _scalar(512.0)
-_k207 = _float64(0.00390625)
-_k208 = _float64(512.0)
-_k209 = _scalar(0.6)
-_k210 = _scalar(0.1)
-_k211 = _float64(0.1)
-_k212 = _scalar(0.09090909090909091)
-_k213 = _float64(0.09090909090909091)
-_k214 = _scalar(0.08333333333333333)
-_k215 = _float64(0.08333333333333333)
-_k216 = _float64(6.103515625e-05)
-_k217 = _float64(1.25)
-_k218 = _scalar(3.3306690738754696e-16)
-_k219 = _scalar(1.3335686721571705e-15)
-_k220 = _scalar(4.00390625)
-_k221 = _scalar(2.001953125)
-_k222 = _float64(5.55653613398821e-16)
-_k223 = _float64(2.001953125)
-_k224 = _float64(3.3306690738754696e-16)
-_k225 = _float64(1.3335686721571705e-15)
-_k226 = _float64(12.01171875)
-_k227 = _float64(6.667843360785852e-15)
-_k228 = _float64(4.00390625)
-_k229 = _float64(6.005859375)
-_k230 = _float64(2.667137344314341e-15)
-_k231 = _float64(5.551115123125783e-16)
-_k232 = _scalar(2.222614453595284e-16)
-_k233 = _float64(6.667843360785852e-16)
-_k234 = _float64(2.222614453595284e-16)
+_k24 = _scalar(7.888609052210118e-31)
+_k25 = _scalar(1.1102230246251565e-16)
+_k26 = _scalar(8.0)
+_k27 = _scalar(0.25)
+_k28 = _scalar(0.0625)
+_k29 = _scalar(0.125)
+_k30 = _float64(0.25)
+_k31 = _float64(2.0)
+_k32 = _float64(7.888609052210118e-31)
+_k33 = _float64(1.1102230246251565e-16)
+_k34 = _float64(8.0)
+_k35 = _float64(0.125)
+_k36 = _float64(0.0625)
+_k37 = _scalar(2.220446049250313e-16)
+_k38 = _float64(2.220446049250313e-16)
+_k39 = _scalar(16.0)
+_k40 = _float64(16.0)
+_k41 = _scalar(64.0)
+_k42 = _float64(64.0)
+_k43 = _float64(-1.0)
+_k44 = _scalar(0.5)
+_k45 = _scalar(1.7763568394002505e-15)
+_k46 = _float64(4.0)
+_k47 = _float64(1.7763568394002505e-15)
+_k48 = _scalar(8.881784197001252e-16)
+_k49 = _float64(8.881784197001252e-16)
+_k50 = _scalar(-1.0)
+_k51 = _scalar(9.313225746154785e-10)
+_k52 = _scalar(1.0000000009313226)
+_k53 = _float64(1.0000000009313226)
+_k54 = _float64(9.313225746154785e-10)
+_k55 = _float64(2.9802322387695312e-08)
+_k56 = _float64(2.842170943040401e-14)
+_k57 = _float64(0.03125)
+_k58 = _float64(5.960464477539063e-08)
+_k59 = _float64(3.0)
+_k60 = _scalar(0.4)
+_k61 = _scalar(0.3333333333333333)
+_k62 = _float64(0.3333333333333333)
+_k63 = _scalar(3.0)
+_k64 = _scalar(4.0)
+_k65 = _scalar(0.2)
+_k66 = _float64(0.2)
+_k67 = _scalar(5.0)
+_k68 = _scalar(0.16666666666666666)
+_k69 = _float64(5.0)
+_k70 = _float64(0.16666666666666666)
+_k71 = _scalar(0.14285714285714285)
+_k72 = _float64(0.14285714285714285)
+_k73 = _scalar(7.0)
+_k74 = _float64(7.0)
+_k75 = _scalar(0.1111111111111111)
+_k76 = _float64(0.1111111111111111)
+_k77 = _scalar(12.0)
+_k78 = _scalar(20.0)
+_k79 = _scalar(30.0)
+_k80 = _scalar(42.0)
+_k81 = _scalar(0.8)
+_k82 = _float64(0.015625)
+_k83 = _float64(12.0)
+_k84 = _float64(20.0)
+_k85 = _float64(30.0)
+_k86 = _float64(42.0)
+_k87 = _float64(0.8)
+_k88 = _float64(7.275957614183426e-12)
+_k89 = _float64(1.1920928955078125e-07)
+_k90 = _scalar(9.5367431640625e-07)
+_k91 = _scalar(9.094947017729282e-13)
+_k92 = _scalar(0.9999990463256836)
+_k93 = _float64(9.094947017729282e-13)
+_k94 = _float64(0.9999990463256836)
+_k95 = _float64(3.637978807091713e-12)
+_k96 = _float64(1.4551915228366852e-11)
+_k97 = _scalar(5.684341886080802e-14)
+_k98 = _float64(5.684341886080802e-14)
+_k99 = _scalar(7.105427357601002e-15)
+_k100 = _float64(7.105427357601002e-15)
+_k101 = _float64(0.0078125)
+_k102 = _scalar(128.0)
+_k103 = _scalar(0.0078125)
+_k104 = _float64(128.0)
+_k105 = _float64(2.384185791015625e-07)
+_k106 = _scalar(5.960464477539063e-08)
+_k107 = _float64(-_inf)
+_k108 = _scalar(1.4210854715202004e-14)
+_k109 = _scalar(1.6)
+_k110 = _scalar(1.4551915228366852e-11)
+_k111 = _float64(1.4210854715202004e-14)
+_k112 = _float64(1.6)
+_k113 = _float64(3.725290298461914e-09)
+_k114 = _scalar(1.5)
+_k115 = _float64(1.5)
+_k116 = _float64(0.000244140625)
+_k117 = _float64(1.52587890625e-05)
+_k118 = _float64(5.820766091346741e-11)
+_k119 = _float64(1.00006103515625)
+_k120 = _float64(65536.0)
+_k121 = _float64(6.0003662109375)
+_k122 = _float64(0.0001220703125)
+_k123 = _scalar(2.409919865102884e-181)
+_k124 = _scalar(-_inf)
+_k125 = _float64(2.409919865102884e-181)
+_k126 = _scalar(3.552713678800501e-15)
+_k127 = _float64(1.3323489447131243e-15)
+_k128 = _float64(5.00030517578125)
+_k129 = _float64(3.552713678800501e-15)
+_k130 = _float32(1.00006103515625)
+_k131 = _float32(2.0)
+_k132 = _scalar(_float32(4.76837158203125e-07))
+_k133 = _float32(1.0)
+_k134 = _scalar(_float32(9.5367431640625e-07))
+_k135 = _scalar(_float32(0.0))
+_k136 = _scalar(_float32(_inf))
+_k137 = _scalar(_float32(1.0))
+_k138 = _scalar(_float32(8.673617379884035e-19))
+_k139 = _scalar(_float32(-_inf))
+_k140 = _float32(0.0001220703125)
+_k141 = _scalar(_float32(1.000000238418579))
+_k142 = _float32(32.0)
+_k143 = _float32(4096.0)
+_k144 = _float32(0.000244140625)
+_k145 = _scalar(_float32(4096.0))
+_k146 = _float32(0.0)
+_k147 = _float32(4.76837158203125e-07)
+_k148 = _float32(9.5367431640625e-07)
+_k149 = _float32(_inf)
+_k150 = _float32(8.673617379884035e-19)
+_k151 = _float32(-_inf)
+_k152 = _float32(1.000000238418579)
+_k153 = _scalar(_float32(5.0))
+_k154 = _scalar(_float32(0.00390625))
+_k155 = _scalar(_float32(2.9802322387695312e-08))
+_k156 = _scalar(_float32(2.842170943040401e-14))
+_k157 = _scalar(_float32(2.0))
+_k158 = _float32(4.0)
+_k159 = _float32(6.0003662109375)
+_k160 = _scalar(_float32(0.5))
+_k161 = _scalar(_float32(1.0009765625))
+_k162 = _float32(5.0048828125)
+_k163 = _scalar(_float32(5.684341886080802e-14))
+_k164 = _float32(7.62939453125e-06)
+_k165 = _scalar(_float32(2.384185791015625e-07))
+_k166 = _float32(128.0)
+_k167 = _float32(2.842170943040401e-14)
+_k168 = _float32(0.00390625)
+_k169 = _float32(5.0)
+_k170 = _float32(2.9802322387695312e-08)
+_k171 = _float32(1.0009765625)
+_k172 = _float32(5.684341886080802e-14)
+_k173 = _float32(0.5)
+_k174 = _float32(2.384185791015625e-07)
+_k175 = _float32(6.0)
+_k176 = _scalar(_float32(8.0))
+_k177 = _scalar(_float32(4.0))
+_k178 = _scalar(_float32(0.0001220703125))
+_k179 = _scalar(_float32(3.814697265625e-06))
+_k180 = _scalar(_float32(3.0))
+_k181 = _scalar(_float32(0.000244140625))
+_k182 = _float32(8.0)
+_k183 = _float32(3.814697265625e-06)
+_k184 = _float32(3.0)
+_k185 = _scalar(0.6666666666666666)
+_k186 = _scalar(11.0)
+_k187 = _scalar(10.0)
+_k188 = _scalar(9.0)
+_k189 = _scalar(110.0)
+_k190 = _scalar(90.0)
+_k191 = _scalar(72.0)
+_k192 = _scalar(56.0)
+_k193 = _float64(11.0)
+_k194 = _float64(10.0)
+_k195 = _float64(9.0)
+_k196 = _float64(110.0)
+_k197 = _float64(90.0)
+_k198 = _float64(72.0)
+_k199 = _float64(56.0)
+_k200 = _scalar(512.0)
+_k201 = _float64(0.00390625)
+_k202 = _float64(512.0)
+_k203 = _scalar(0.6)
+_k204 = _scalar(0.1)
+_k205 = _float64(0.1)
+_k206 = _scalar(0.09090909090909091)
+_k207 = _float64(0.09090909090909091)
+_k208 = _scalar(0.08333333333333333)
+_k209 = _float64(0.08333333333333333)
+_k210 = _float64(6.103515625e-05)
+_k211 = _float64(1.25)
+_k212 = _scalar(3.3306690738754696e-16)
+_k213 = _scalar(1.3335686721571705e-15)
+_k214 = _scalar(4.00390625)
+_k215 = _scalar(2.001953125)
+_k216 = _float64(5.55653613398821e-16)
+_k217 = _float64(2.001953125)
+_k218 = _float64(3.3306690738754696e-16)
+_k219 = _float64(1.3335686721571705e-15)
+_k220 = _float64(12.01171875)
+_k221 = _float64(6.667843360785852e-15)
+_k222 = _float64(4.00390625)
+_k223 = _float64(6.005859375)
+_k224 = _float64(2.667137344314341e-15)
+_k225 = _float64(5.551115123125783e-16)
+_k226 = _scalar(2.222614453595284e-16)
+_k227 = _float64(6.667843360785852e-16)
+_k228 = _float64(2.222614453595284e-16)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1185,7 +1180,7 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
 def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, left_nx: Any, left_ny: Any, left_nz: Any, curving: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of a state at the end of a flight to a surface, from those at its start.
 
-    derivative of Eq. 3 and of the contact time, with roundings. 158 operations: 33 additions, 2 subtractions, 40 multiplications, 3 divisions, 8 negations, 17 absolute values, 23 comparisons, 32 selections.
+    derivative of Eq. 3 and of the contact time, with roundings. 165 operations: 36 additions, 2 subtractions, 43 multiplications, 2 divisions, 10 negations, 17 absolute values, 23 comparisons, 32 selections.
     Returns dx, dy, dz, lifting, dvx, dvy, dvz, delay, shift.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31 = _room[:32]
@@ -1203,25 +1198,25 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     _s11 = _add(_k22, _multiply(curving, _add(_add(_s8, _s9, _r11), _s10, _r11), _r11), _r11)
     _s12 = _multiply(_k23, t, _r12)
     _s13 = _multiply(_s12, _s0, _r13)
-    _s14 = _multiply(_k24, _add(_s13, _s8, _r8), _r8)
+    _s14 = _add(_k24, _multiply(_k25, _add(_s13, _s8, _r8), _r8), _r8)
     _s15 = curving < _k8
     _s16 = _select(_s15, _multiply(_k17, _multiply(_s13, _s11, _r13), _r13), _s14, _r14)
     _s17 = _s7 < _k6
     _s18 = _add(dy, _multiply(dvy, t, _r15), _r15)
     _s19 = _multiply(_s12, _s1, _r16)
-    _s20 = _multiply(_k24, _add(_s19, _s9, _r9), _r9)
+    _s20 = _add(_k24, _multiply(_k25, _add(_s19, _s9, _r9), _r9), _r9)
     _s21 = _select(_s15, _multiply(_k17, _multiply(_s19, _s11, _r16), _r16), _s20, _r17)
     _s22 = _s18 < _k6
     _s23 = _add(dz, _multiply(dvz, t, _r18), _r18)
     _s24 = _add(_multiply(p_gravity, _multiply(t, t, _r19), _r19), _multiply(_s12, _s3, _r12), _r12)
-    _s25 = _multiply(_k24, _add(_s24, _s10, _r10), _r10)
+    _s25 = _add(_k24, _multiply(_k25, _add(_s24, _s10, _r10), _r10), _r10)
     _s26 = _select(_s15, _multiply(_k17, _multiply(_s24, _s11, _r12), _r12), _s25, _r11)
     _s27 = _s23 < _k6
     _s28 = _add(_add(_multiply(nx, _add(_s7, _select(_s17, _negative(_s16, _r19), _s16, _r20), _r20), _r20), _multiply(ny, _add(_s18, _select(_s22, _negative(_s21, _r19), _s21, _r21), _r21), _r21), _r21), _multiply(nz, _add(_s23, _select(_s27, _negative(_s26, _r20), _s26, _r19), _r19), _r19), _r19)
-    _s29 = _add(_add(_multiply(nx, vx, _r21), _multiply(ny, vy, _r20), _r20), _multiply(nz, vz, _r21), _r21)
-    _s30 = _negative(_divide(_subtract(_s28, _add(_add(_multiply(dx, left_nx, _r20), _multiply(dy, left_ny, _r22), _r22), _multiply(dz, left_nz, _r20), _r20), _r20), _s29, _r20), _r20)
+    _s29 = _divide(_k22, _add(_add(_multiply(nx, vx, _r21), _multiply(ny, vy, _r20), _r20), _multiply(nz, vz, _r21), _r21), _r21)
+    _s30 = _negative(_multiply(_subtract(_s28, _add(_add(_multiply(dx, left_nx, _r20), _multiply(dy, left_ny, _r22), _r22), _multiply(dz, left_nz, _r20), _r20), _r20), _s29, _r20), _r20)
     _s31 = _add(_multiply(vx, _s30, _r19), _add(_s7, _select(_s17, _negative(_s14, _r22), _s14, _r23), _r23), _r23)
-    _s32 = _add(_k25, _multiply(_k25, contacts, _r19), _r19)
+    _s32 = _absolute(_s31, _r19)
     _s33 = _absolute(dx, _r22)
     _s34 = _absolute(dy, _r7)
     _s35 = _select(_s33 < _s34, _s34, _s33, _r24)
@@ -1235,21 +1230,26 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     _s43 = _select(_s16 < _s21, _s21, _s16, _r30)
     _s44 = _select(_s14 < _s20, _s20, _s14, _r29)
     _s45 = _add(_add(_s42, _select(_s44 < _s25, _s25, _s44, _r28), _r28), _s37, _r28)
-    _s46 = _add(_multiply(_divide(_s4, _absolute(_s29, _r21), _r21), _add(_multiply(_s37, _s6, _r26), _add(_s42, _select(_s43 < _s26, _s26, _s43, _r25), _r25), _r25), _r25), _s45, _r25)
-    _s47 = _divide(_s46, _s32, _r21)
-    _s48 = _negative(_s47, _r26)
-    _s49 = _s6 < _k26
-    _s50 = _add(_multiply(vy, _s30, _r6), _add(_s18, _select(_s22, _negative(_s20, _r5), _s20, _r30), _r30), _r30)
-    _s51 = _add(_multiply(vz, _s30, _r6), _add(_s23, _select(_s27, _negative(_s25, _r5), _s25, _r9), _r9), _r9)
-    _s52 = _absolute(_s30, _r6)
-    _s53 = _multiply(_k27, late, _r5)
-    return _result(_s49, _s31, _select(_absolute(_s31, _r10) < _s47, _select(_s31 < _k6, _s48, _s47, _r10), _s31, _r18), _r0), _result(_s49, _s50, _select(_absolute(_s50, _r18) < _s47, _select(_s50 < _k6, _s48, _s47, _r18), _s50, _r10), _r0), _result(_s49, _s51, _select(_absolute(_s51, _r10) < _s47, _select(_s51 < _k6, _s48, _s47, _r10), _s51, _r18), _r0), _result(_s49, _k25, _s32, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s30, _r20), _multiply(_k17, _add(clock, t, _r20), _r20) + _select(_s52 < _s53, _s53, _s52, _r19), _result(_s49, _s45, _s46, _r0)
+    _s46 = _add(_multiply(_multiply(_absolute(_s29, _r21), _s4, _r21), _add(_multiply(_s37, _s6, _r26), _add(_s42, _select(_s43 < _s26, _s26, _s43, _r25), _r25), _r25), _r25), _s45, _r25)
+    _s47 = _divide(_k22, _add(_k26, _multiply(_k26, contacts, _r21), _r21), _r21)
+    _s48 = _multiply(_s46, _s47, _r26)
+    _s49 = _select(_s32 < _s48, _s48, _s32, _r30)
+    _s50 = _s6 < _k27
+    _s51 = _add(_multiply(vy, _s30, _r6), _add(_s18, _select(_s22, _negative(_s20, _r5), _s20, _r31), _r31), _r31)
+    _s52 = _absolute(_s51, _r6)
+    _s53 = _select(_s52 < _s48, _s48, _s52, _r5)
+    _s54 = _add(_multiply(vz, _s30, _r9), _add(_s23, _select(_s27, _negative(_s25, _r15), _s25, _r11), _r11), _r11)
+    _s55 = _absolute(_s54, _r9)
+    _s56 = _select(_s55 < _s48, _s48, _s55, _r15)
+    _s57 = _absolute(_s30, _r10)
+    _s58 = _multiply(_k28, late, _r18)
+    return _result(_s50, _s31, _select(_s31 < _k6, _negative(_s49, _r12), _s49, _r17), _r0), _result(_s50, _s51, _select(_s51 < _k6, _negative(_s53, _r17), _s53, _r12), _r0), _result(_s50, _s54, _select(_s54 < _k6, _negative(_s56, _r12), _s56, _r17), _r0), _result(_s50, _k29, _s47, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s30, _r20), _multiply(_k17, _add(clock, t, _r20), _r20) + _select(_s57 < _s58, _s58, _s57, _r21), _result(_s50, _s45, _s46, _r0)
 
 
 def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of a state at the time limit, from those at the start of the flight.
 
-    derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
+    derivative of Eq. 3, with roundings. 65 operations: 20 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, clock_error.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _room[:17]
@@ -1260,19 +1260,19 @@ def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock:
     _s4 = _select(_s2 < _s3, _s3, _s2, _r4)
     _s5 = _absolute(dvz, _r5)
     _s6 = _multiply(_k23, t, _r6)
-    _s7 = _multiply(_k24, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8)
+    _s7 = _add(_k24, _multiply(_k25, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8), _r8)
     _s8 = _absolute(vy, _r7)
-    _s9 = _multiply(_k24, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10)
+    _s9 = _add(_k24, _multiply(_k25, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10), _r10)
     _s10 = _select(_s7 < _s9, _s9, _s7, _r9)
     _s11 = _absolute(vz, _r11)
-    _s12 = _multiply(_k24, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12)
+    _s12 = _add(_k24, _multiply(_k25, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12), _r12)
     _s13 = _absolute(dx, _r6)
     _s14 = _absolute(dy, _r13)
     _s15 = _select(_s13 < _s14, _s14, _s13, _r14)
     _s16 = _absolute(dz, _r15)
     _s17 = _add(_add(_multiply(t, _select(_s4 < _s5, _s5, _s4, _r16), _r16), _select(_s10 < _s12, _s12, _s10, _r4), _r4), _select(_s15 < _s16, _s16, _s15, _r12), _r12)
     _s18 = _absolute(0.0)
-    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(_k33, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(_k33, _s8, _r7), _add(_s5, _multiply(_k33, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
+    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(_k37, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(_k37, _s8, _r7), _add(_s5, _multiply(_k37, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1294,7 +1294,7 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     _s9 = _absolute(dwy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dwz, _r11)
-    return _k35 * _select(_s2 < _s3, _s3, _s2, _r12), _k35 * _select(_s6 < _s7, _s7, _s6, _r12), _k35 * _select(_s10 < _s11, _s11, _s10, _r12), _k35 * clock_error
+    return _k39 * _select(_s2 < _s3, _s3, _s2, _r12), _k39 * _select(_s6 < _s7, _s7, _s6, _r12), _k39 * _select(_s10 < _s11, _s11, _s10, _r12), _k39 * clock_error
 
 
 def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1316,7 +1316,7 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
     _s9 = _absolute(dwy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dwz, _r11)
-    return _k37 * _select(_s2 < _s3, _s3, _s2, _r12), _k37 * _select(_s6 < _s7, _s7, _s6, _r12), _k37 * _select(_s10 < _s11, _s11, _s10, _r12), _k37 * clock_error
+    return _k41 * _select(_s2 < _s3, _s3, _s2, _r12), _k41 * _select(_s6 < _s7, _s7, _s6, _r12), _k41 * _select(_s10 < _s11, _s11, _s10, _r12), _k41 * clock_error
 
 
 def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, p_end_depth: Any, p_ring_restitution: Any, p_backboard_restitution: Any, p_bridge_restitution: Any, p_ring_friction: Any, p_backboard_friction: Any, p_bridge_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any) -> tuple[Any, ...]:
@@ -1357,7 +1357,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s0 = _subtract(_sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), p_ring_radius, _r1)
     _s1 = p_ball_radius + p_wire_radius
     _s2 = _subtract(_add(_multiply(z, z, _r0), _multiply(_s0, _s0, _r1), _r1), _s1 * _s1, _r1)
-    _s3 = _absolute(last, _r0) < _k40
+    _s3 = _absolute(last, _r0) < _k44
     _s4 = _select(_s3, _k22, _select(_k6 <= _s2, _k22, _k6, _r0), _r2)
     _s5 = _subtract(z, p_board_top, _r3)
     _s6 = _subtract(p_board_bottom, z, _r4)
@@ -1369,7 +1369,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s12 = _negative(_add(p_board_half_width, y, _r3), _r3)
     _s13 = _subtract(_select(_s11 < _k6, _k6, _s11, _r8), _select(_s12 < _k6, _k6, _s12, _r9), _r9)
     _s14 = _subtract(_sqrt(_add(_add(_multiply(_s7, _s7, _r6), _multiply(_s10, _s10, _r7), _r7), _multiply(_s13, _s13, _r9), _r9), _r9), p_ball_radius, _r9)
-    _s15 = _absolute(_subtract(last, _k22, _r7), _r7) < _k40
+    _s15 = _absolute(_subtract(last, _k22, _r7), _r7) < _k44
     _s16 = _select(_s15, _s4, _select(_k6 <= _s14, _s4, _k6, _r7), _r6)
     _s17 = _add(p_ring_radius, x, _r3)
     _s18 = _negative(_s8, _r4)
@@ -1381,10 +1381,10 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s24 = _subtract(p_wire_radius - p_bridge_depth, z, _r3)
     _s25 = _subtract(_select(_s23 < _k6, _k6, _s23, _r4), _select(_s24 < _k6, _k6, _s24, _r11), _r11)
     _s26 = _subtract(_sqrt(_add(_add(_multiply(_s19, _s19, _r5), _multiply(_s22, _s22, _r10), _r10), _multiply(_s25, _s25, _r11), _r11), _r11), p_ball_radius, _r11)
-    _s27 = _absolute(_subtract(last, _k23, _r10), _r10) < _k40
+    _s27 = _absolute(_subtract(last, _k23, _r10), _r10) < _k44
     _s28 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_thickness)) + _absolute(p_board_top)
     _s29 = ((((_s28 + _absolute(p_bridge_depth)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)
-    _s30 = _multiply(_k41, _add(_add(_add(_s29, _absolute(x, _r10), _r10), _absolute(y, _r5), _r5), _absolute(z, _r10), _r10), _r10)
+    _s30 = _multiply(_k45, _add(_add(_add(_s29, _absolute(x, _r10), _r10), _absolute(y, _r5), _r5), _absolute(z, _r10), _r10), _r10)
     _s31 = _select(_s3, _k6, _select(_absolute(_s2, _r1) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s30, _r5), _k22, _k6, _r5), _r1)
     _s32 = _select(_s15, _s31, _select(_absolute(_s14, _r9) <= _s30, _k22, _s31, _r9), _r3)
     return _result(_s27, _s16, _select(_k6 <= _s26, _s16, _k6, _r4), _r0), _result(_s27, _s32, _select(_absolute(_s26, _r11) <= _s30, _k22, _s32, _r11), _r0)
@@ -1400,7 +1400,7 @@ def passing_start(last: Any, outcome: Any, uncertain: Any, x: Any, y: Any, z: An
     _s0 = _logical_and(_logical_and((_k6 <= last), (z < _k6)), ((-p_end_depth) <= z))
     _s1 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
     _s2 = p_ring_radius * p_ring_radius
-    _s3 = _result(_logical_and(_logical_and(_s0, (_absolute(_subtract(_s1, _s2, _r0), _r0) <= _multiply(_k44, _add(_s2, _s1, _r2), _r2))), (outcome < _k6)), _k22, uncertain, _r0)
+    _s3 = _result(_logical_and(_logical_and(_s0, (_absolute(_subtract(_s1, _s2, _r0), _r0) <= _multiply(_k48, _add(_s2, _s1, _r2), _r2))), (outcome < _k6)), _k22, uncertain, _r0)
     return _result(_logical_and(_s0, (_s1 < _s2)), _k22, _k6, _r0), _s3
 
 
@@ -1429,7 +1429,7 @@ def passing(through: Any, t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: 
     _s15 = _select(_s14 < t, _s14, t, _r2)
     _s16 = _add(x, _multiply(vx, _s15, _r6), _r6)
     _s17 = _add(y, _multiply(vy, _s15, _r2), _r2)
-    _s18 = _select(_logical_and(_logical_or(_s4, _logical_and(_s0, (_k6 <= _s1))), (_add(_multiply(_s16, _s16, _r6), _multiply(_s17, _s17, _r2), _r2) < _s12)), _select(through == _k22, _k6, _k46, _r2), through, _r6)
+    _s18 = _select(_logical_and(_logical_or(_s4, _logical_and(_s0, (_k6 <= _s1))), (_add(_multiply(_s16, _s16, _r6), _multiply(_s17, _s17, _r2), _r2) < _s12)), _select(through == _k22, _k6, _k50, _r2), through, _r6)
     _s19 = _result(_logical_and(_logical_and(_logical_or(_s4, _logical_and(_s2, (_k6 <= z))), (_add(_multiply(_s10, _s10, _r5), _multiply(_s11, _s11, _r4), _r4) < _s12)), (_s18 == _k6)), _k22, _s18, _r0)
     return _s19,
 
@@ -1447,7 +1447,7 @@ def passing_doubt(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ext
     _s3 = _multiply(p_gravity, t, _r2)
     _s4 = _add(speed, _s3, _r3)
     _s5 = _multiply(_k15, _add(_add(position_error, _multiply(t, velocity_error, _r4), _r4), _multiply(_k17, _add(extent, _multiply(t, _s4, _r5), _r5), _r5), _r5), _r5)
-    _s6 = _add(_multiply(_k44, _multiply(_s1, _s2, _r4), _r4), _s5, _r4)
+    _s6 = _add(_multiply(_k48, _multiply(_s1, _s2, _r4), _r4), _s5, _r4)
     _s7 = z < _k6
     _s8 = _s0 < _k6
     _s9 = _logical_and(_logical_and(_s7, _s8), (_k6 < vz))
@@ -1465,7 +1465,7 @@ def passing_doubt(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ext
     _s21 = _add(x, _multiply(vx, _s20, _r7), _r7)
     _s22 = _add(y, _multiply(vy, _s20, _r8), _r8)
     _s23 = _sqrt(_add(_multiply(_s21, _s21, _r7), _multiply(_s22, _s22, _r8), _r8), _r8)
-    _s24 = _multiply(_multiply(_k15, _s4, _r3), _add(_sqrt(_multiply(8.0 * _s2, _s6, _r7), _r7), _multiply(_k44, _add(t, _multiply(_absolute(vz, _r10), _s2, _r10), _r10), _r10), _r10), _r3)
+    _s24 = _multiply(_multiply(_k15, _s4, _r3), _add(_sqrt(_multiply(8.0 * _s2, _s6, _r7), _r7), _multiply(_k48, _add(t, _multiply(_absolute(vz, _r10), _s2, _r10), _r10), _r10), _r10), _r3)
     _s25 = _add(_s24, _s5, _r3)
     _s26 = _logical_and(_logical_or(_logical_or(_logical_and((_k6 < position_error), (_absolute(z, _r5) <= position_error)), (_absolute(_s0, _r5) <= _s6)), _logical_and(_s9, (_absolute(_s10, _r5) <= _multiply(4.0 * p_gravity, _s6, _r4)))), (_select(_s17 < _s23, _s17, _s23, _r4) <= _add(p_ring_radius, _s25, _r5)))
     _s27 = _logical_and(_logical_and(_s9, (_k6 < _s10)), (vz < _s3))
@@ -1500,22 +1500,22 @@ def halved(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, exte
     Returns middle_x, reach_x, later_middle_x, later_reach_x, middle_y, reach_y, later_middle_y, later_reach_y, middle_z, reach_z, later_middle_z, later_reach_z.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
-    _s0 = _multiply(_k40, horizon, _r0)
+    _s0 = _multiply(_k44, horizon, _r0)
     _s1 = _multiply(vx, _s0, _r1)
-    _s2 = _multiply(_k40, _s1, _r2)
+    _s2 = _multiply(_k44, _s1, _r2)
     _s3 = _absolute(0.0)
-    _s4 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k47, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s4 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k51, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r4), _r4), _r4), _r4), _r4), _r4)
     _s5 = _select(pad < late, _k8, _s4, _r3)
-    _s6 = _k48 * _add(_add(_s3, _multiply(_k40, _absolute(_s1, _r5), _r5), _r5), _s5, _r5)
+    _s6 = _k52 * _add(_add(_s3, _multiply(_k44, _absolute(_s1, _r5), _r5), _r5), _s5, _r5)
     _s7 = _multiply(vy, _s0, _r5)
-    _s8 = _multiply(_k40, _s7, _r6)
-    _s9 = _k48 * _add(_add(_s3, _multiply(_k40, _absolute(_s7, _r7), _r7), _r7), _s5, _r7)
+    _s8 = _multiply(_k44, _s7, _r6)
+    _s9 = _k52 * _add(_add(_s3, _multiply(_k44, _absolute(_s7, _r7), _r7), _r7), _s5, _r7)
     _s10 = _multiply(0.5 * p_gravity, _s0, _r7)
     _s11 = _multiply(_s0, _subtract(vz, _s10, _r8), _r8)
     _s12 = _negative(_multiply(0.0625 * p_gravity, _multiply(_s0, _s0, _r9), _r9), _r9)
     _s13 = _absolute(_s12, _r10)
     _s14 = _multiply(_s0, _subtract(_subtract(vz, _multiply(p_gravity, _s0, _r11), _r11), _s10, _r11), _r11)
-    return x + _s2, _s6, _s2 + _add(x, _s1, _r1), _s6, y + _s8, _s9, _s8 + _add(y, _s7, _r5), _s9, _add(z, _multiply(_k40, _s11, _r5), _r5) - _s12, _k48 * _add(_add(_s13, _multiply(_k40, _absolute(_s11, _r5), _r5), _r5), _s5, _r5), _add(_multiply(_k40, _s14, _r5), _add(z, _s11, _r8), _r8) - _s12, _k48 * _add(_add(_s13, _multiply(_k40, _absolute(_s14, _r11), _r11), _r11), _s5, _r11)
+    return x + _s2, _s6, _s2 + _add(x, _s1, _r1), _s6, y + _s8, _s9, _s8 + _add(y, _s7, _r5), _s9, _add(z, _multiply(_k44, _s11, _r5), _r5) - _s12, _k52 * _add(_add(_s13, _multiply(_k44, _absolute(_s11, _r5), _r5), _r5), _s5, _r5), _add(_multiply(_k44, _s14, _r5), _add(z, _s11, _r8), _r8) - _s12, _k52 * _add(_add(_s13, _multiply(_k44, _absolute(_s14, _r11), _r11), _r11), _s5, _r11)
 
 
 def untaken() -> tuple[Any, ...]:
@@ -1536,14 +1536,14 @@ def left(index: Any, last: Any) -> tuple[Any, ...]:
     return _where((last == index), 1.0, 0.0),
 
 
-def meeting_plane(bend: Any, rate: Any, time: Any) -> tuple[Any, ...]:
-    """Whether a plane's only arrival is one, and the size of the bend there.
+def meeting_plane(apex: Any, bend: Any, rate: Any, time: Any) -> tuple[Any, ...]:
+    """Whether a plane's only arrival is one, the bend's size; when the ball is nearest.
 
-    Table 1. 12 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction.
-    Returns arrives, ceiling.
+    Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection.
+    Returns arrives, ceiling, nearest.
     """
     _s0 = _logical_and(_logical_and(_logical_or((rate < 0.0), _logical_and(_logical_and((rate <= 0.0), (bend < 0.0)), (time == 0.0))), (0.0 <= time)), (time < _inf))
-    return _s0, _absolute(bend)
+    return _s0, _absolute(bend), _where(_s0, time, apex)
 
 
 def timely(arrives: Any, delay: Any, late: Any, time: Any, when: Any) -> tuple[Any, ...]:
@@ -1870,33 +1870,6 @@ def again(index: Any, last: Any, which: Any) -> tuple[Any, ...]:
     return _logical_and((which == index), (last == which)),
 
 
-def delayed(clock_error: Any, delay: Any) -> tuple[Any, ...]:
-    """The error of the event's time.
-
-    Table 1. 1 operation: 1 addition.
-    Returns clock_error.
-    """
-    return clock_error + delay,
-
-
-def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
-    """Errors of the position at the end, not below what one flight can make.
-
-    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
-    Returns dx, dy, dz.
-    """
-    return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
-
-
-def unturned() -> tuple[Any, ...]:
-    """A normal without error.
-
-    Table 1. No operations.
-    Returns dnx, dny, dnz, turn.
-    """
-    return 0.0, 0.0, 0.0, 0.0
-
-
 def touched(body: Any, first: Any, which: Any) -> tuple[Any, ...]:
     """The surfaces that were touched first and last.
 
@@ -1913,15 +1886,6 @@ def timed(claims: Any, index: Any, which: Any) -> tuple[Any, ...]:
     Returns timed.
     """
     return _logical_and((which == index), (0.0 < claims)),
-
-
-def closing(claims: Any, outcome: Any) -> tuple[Any, ...]:
-    """Where a shot has ended whose errors are asked for.
-
-    Table 1. 3 operations: 2 comparisons, 1 conjunction.
-    Returns closed.
-    """
-    return _logical_and((0.0 < claims), (0.0 <= outcome)),
 
 
 def undecided(uncertain: Any, unsure: Any) -> tuple[Any, ...]:
@@ -1993,6 +1957,42 @@ def accounted(contacts: Any, most_contacts: Any, reached: Any, touches: Any) -> 
     return _where(touches, _s0, contacts), _where(touches, _where((most_contacts <= _s0), 2.0, -1.0), reached)
 
 
+def delayed(clock_error: Any, delay: Any) -> tuple[Any, ...]:
+    """The error of the event's time.
+
+    Table 1. 1 operation: 1 addition.
+    Returns clock_error.
+    """
+    return clock_error + delay,
+
+
+def closing(claims: Any, outcome: Any) -> tuple[Any, ...]:
+    """Where a shot has ended whose errors are asked for; no other one claims any.
+
+    Table 1. 3 operations: 2 comparisons, 1 conjunction.
+    Returns closed, position_claim, velocity_claim, spin_claim, time_claim.
+    """
+    return _logical_and((0.0 < claims), (0.0 <= outcome)), 0.0, 0.0, 0.0, 0.0
+
+
+def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
+    """Errors of the position at the end, not below what one flight can make.
+
+    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
+    Returns dx, dy, dz.
+    """
+    return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
+
+
+def unturned() -> tuple[Any, ...]:
+    """A normal without error.
+
+    Table 1. No operations.
+    Returns dnx, dny, dnz, turn.
+    """
+    return 0.0, 0.0, 0.0, 0.0
+
+
 def circles(held: Any, index: Any, rolling: Any) -> tuple[Any, ...]:
     """Which of the balls in contact are on the ring.
 
@@ -2057,7 +2057,7 @@ def roll_0(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, nx_0: Any, ny_
     _s5 = _multiply(ny_0, _s3, _r1) - _multiply(nz_0, _s2, _r0)
     _s6 = _multiply(nz_0, _s1, _r0) - _multiply(nx_0, _s3, _r1)
     _s7 = _multiply(nx_0, _s2, _r1) - _multiply(ny_0, _s1, _r0)
-    return _s4, _s5, _s6, _s7, _multiply(nx_0, _s4, _r0) + _multiply(_k56, _multiply(turn_rate_0, _s5, _r1), _r1), _multiply(ny_0, _s4, _r1) + _multiply(_k56, _multiply(turn_rate_0, _s6, _r0), _r0), _add(_multiply(nz_0, _s4, _r0), _multiply(_k56, _multiply(turn_rate_0, _s7, _r1), _r1), _r1) - _s0, _s1, _s2, _s3, -_add(_add(_multiply(vx_0, _s5, _r1), _multiply(vy_0, _s6, _r0), _r0), _multiply(vz_0, _s7, _r1), _r1)
+    return _s4, _s5, _s6, _s7, _multiply(nx_0, _s4, _r0) + _multiply(_k60, _multiply(turn_rate_0, _s5, _r1), _r1), _multiply(ny_0, _s4, _r1) + _multiply(_k60, _multiply(turn_rate_0, _s6, _r0), _r0), _add(_multiply(nz_0, _s4, _r0), _multiply(_k60, _multiply(turn_rate_0, _s7, _r1), _r1), _r1) - _s0, _s1, _s2, _s3, -_add(_add(_multiply(vx_0, _s5, _r1), _multiply(vy_0, _s6, _r0), _r0), _multiply(vz_0, _s7, _r1), _r1)
 
 
 def roll_1(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, ty_0: Any, tz_0: Any, vx_0: Any, vx_1: Any, vy_0: Any, vy_1: Any, vz_0: Any, vz_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2077,8 +2077,8 @@ def roll_1(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, n
     _s7 = _add(_s6, _multiply(nz_0, _s0, _r3), _r3) - _add(_multiply(nx_0, _s2, _r4), _s6, _r4)
     _s8 = _multiply(nx_1, ny_1, _r4)
     _s9 = _add(_multiply(nx_0, _s1, _r3), _s8, _r3) - _add(_s8, _multiply(ny_0, _s0, _r6), _r6)
-    _s10 = -_multiply(_k40, _add(_add(_add(_multiply(tx_0, vx_1, _r6), _multiply(vx_0, _s5, _r3), _r3), _add(_multiply(ty_0, vy_1, _r6), _multiply(vy_0, _s7, _r4), _r4), _r4), _add(_multiply(tz_0, vz_1, _r3), _multiply(vz_0, _s9, _r6), _r6), _r6), _r6)
-    return _s3, _s5, _s7, _s9, _k40 * _add(_add(_multiply(lift_0, nx_1, _r6), _multiply(nx_0, _s3, _r4), _r4), _multiply(_k56, _add(_multiply(turn_rate_0, _s5, _r6), _multiply(turn_rate_1, tx_0, _r3), _r3), _r3), _r3), _k40 * _add(_add(_multiply(lift_0, ny_1, _r3), _multiply(ny_0, _s3, _r4), _r4), _multiply(_k56, _add(_multiply(turn_rate_0, _s7, _r3), _multiply(turn_rate_1, ty_0, _r6), _r6), _r6), _r6), _k40 * _add(_add(_multiply(lift_0, nz_1, _r6), _multiply(nz_0, _s3, _r4), _r4), _multiply(_k56, _add(_multiply(turn_rate_0, _s9, _r6), _multiply(turn_rate_1, tz_0, _r3), _r3), _r3), _r3), _k40 * _s0, _k40 * _s1, _k40 * _s2, _s10
+    _s10 = -_multiply(_k44, _add(_add(_add(_multiply(tx_0, vx_1, _r6), _multiply(vx_0, _s5, _r3), _r3), _add(_multiply(ty_0, vy_1, _r6), _multiply(vy_0, _s7, _r4), _r4), _r4), _add(_multiply(tz_0, vz_1, _r3), _multiply(vz_0, _s9, _r6), _r6), _r6), _r6)
+    return _s3, _s5, _s7, _s9, _k44 * _add(_add(_multiply(lift_0, nx_1, _r6), _multiply(nx_0, _s3, _r4), _r4), _multiply(_k60, _add(_multiply(turn_rate_0, _s5, _r6), _multiply(turn_rate_1, tx_0, _r3), _r3), _r3), _r3), _k44 * _add(_add(_multiply(lift_0, ny_1, _r3), _multiply(ny_0, _s3, _r4), _r4), _multiply(_k60, _add(_multiply(turn_rate_0, _s7, _r3), _multiply(turn_rate_1, ty_0, _r6), _r6), _r6), _r6), _k44 * _add(_add(_multiply(lift_0, nz_1, _r6), _multiply(nz_0, _s3, _r4), _r4), _multiply(_k60, _add(_multiply(turn_rate_0, _s9, _r6), _multiply(turn_rate_1, tz_0, _r3), _r3), _r3), _r3), _k44 * _s0, _k44 * _s1, _k44 * _s2, _s10
 
 
 def roll_2(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, nx_0: Any, nx_1: Any, nx_2: Any, ny_0: Any, ny_1: Any, ny_2: Any, nz_0: Any, nz_1: Any, nz_2: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, vx_0: Any, vx_1: Any, vx_2: Any, vy_0: Any, vy_1: Any, vy_2: Any, vz_0: Any, vz_1: Any, vz_2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2098,11 +2098,11 @@ def roll_2(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s7 = _multiply(_k23, nx_1, _r5)
     _s8 = _add(_add(_multiply(nx_1, nz_2, _r6), _multiply(_s0, nz_1, _r2), _r2), _multiply(nz_0, _s1, _r6), _r6) - _add(_add(_multiply(nx_0, _s4, _r2), _multiply(_s7, nz_2, _r7), _r7), _multiply(nx_2, nz_1, _r2), _r2)
     _s9 = _add(_add(_multiply(nx_0, _s3, _r2), _multiply(_s7, ny_2, _r5), _r5), _multiply(nx_2, ny_1, _r2), _r2) - _add(_add(_multiply(nx_1, ny_2, _r5), _multiply(_s0, ny_1, _r0), _r0), _multiply(ny_0, _s1, _r5), _r5)
-    _s10 = _k57 * _add(_add(_add(_multiply(lift_0, nx_2, _r5), _multiply(lift_1, nx_1, _r2), _r2), _multiply(nx_0, _s5, _r5), _r5), _multiply(_k56, _add(_add(_multiply(turn_rate_0, _s6, _r2), _multiply(turn_rate_1, tx_1, _r0), _r0), _multiply(turn_rate_2, tx_0, _r2), _r2), _r2), _r2)
-    _s11 = _k57 * _add(_add(_add(_multiply(lift_0, ny_2, _r2), _multiply(lift_1, ny_1, _r5), _r5), _multiply(ny_0, _s5, _r2), _r2), _multiply(_k56, _add(_add(_multiply(turn_rate_0, _s8, _r5), _multiply(turn_rate_1, ty_1, _r0), _r0), _multiply(turn_rate_2, ty_0, _r5), _r5), _r5), _r5)
-    _s12 = _k57 * _add(_add(_add(_multiply(lift_0, nz_2, _r5), _multiply(lift_1, nz_1, _r2), _r2), _multiply(nz_0, _s5, _r5), _r5), _multiply(_k56, _add(_add(_multiply(turn_rate_0, _s9, _r2), _multiply(turn_rate_1, tz_1, _r0), _r0), _multiply(turn_rate_2, tz_0, _r2), _r2), _r2), _r2)
-    _s13 = _multiply(_k57, _add(_add(_add(_add(_multiply(tx_0, vx_2, _r2), _multiply(tx_1, vx_1, _r5), _r5), _multiply(vx_0, _s6, _r2), _r2), _add(_add(_multiply(ty_0, vy_2, _r5), _multiply(ty_1, vy_1, _r0), _r0), _multiply(vy_0, _s8, _r5), _r5), _r5), _add(_add(_multiply(tz_0, vz_2, _r2), _multiply(tz_1, vz_1, _r0), _r0), _multiply(vz_0, _s9, _r2), _r2), _r2), _r2)
-    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k57 * _s1, _k57 * _s3, _k57 * _s4, -_s13
+    _s10 = _k61 * _add(_add(_add(_multiply(lift_0, nx_2, _r5), _multiply(lift_1, nx_1, _r2), _r2), _multiply(nx_0, _s5, _r5), _r5), _multiply(_k60, _add(_add(_multiply(turn_rate_0, _s6, _r2), _multiply(turn_rate_1, tx_1, _r0), _r0), _multiply(turn_rate_2, tx_0, _r2), _r2), _r2), _r2)
+    _s11 = _k61 * _add(_add(_add(_multiply(lift_0, ny_2, _r2), _multiply(lift_1, ny_1, _r5), _r5), _multiply(ny_0, _s5, _r2), _r2), _multiply(_k60, _add(_add(_multiply(turn_rate_0, _s8, _r5), _multiply(turn_rate_1, ty_1, _r0), _r0), _multiply(turn_rate_2, ty_0, _r5), _r5), _r5), _r5)
+    _s12 = _k61 * _add(_add(_add(_multiply(lift_0, nz_2, _r5), _multiply(lift_1, nz_1, _r2), _r2), _multiply(nz_0, _s5, _r5), _r5), _multiply(_k60, _add(_add(_multiply(turn_rate_0, _s9, _r2), _multiply(turn_rate_1, tz_1, _r0), _r0), _multiply(turn_rate_2, tz_0, _r2), _r2), _r2), _r2)
+    _s13 = _multiply(_k61, _add(_add(_add(_add(_multiply(tx_0, vx_2, _r2), _multiply(tx_1, vx_1, _r5), _r5), _multiply(vx_0, _s6, _r2), _r2), _add(_add(_multiply(ty_0, vy_2, _r5), _multiply(ty_1, vy_1, _r0), _r0), _multiply(vy_0, _s8, _r5), _r5), _r5), _add(_add(_multiply(tz_0, vz_2, _r2), _multiply(tz_1, vz_1, _r0), _r0), _multiply(vz_0, _s9, _r2), _r2), _r2), _r2)
+    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k61 * _s1, _k61 * _s3, _k61 * _s4, -_s13
 
 
 def roll_3(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2113,26 +2113,26 @@ def roll_3(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k59, nx_3, _r1)
+    _s1 = _multiply(_k63, nx_3, _r1)
     _s2 = _multiply(_multiply(bent_x, per_reach, _r2), vx_3, _r2)
     _s3 = _multiply(_k23, ny_2, _r3)
-    _s4 = _multiply(_k59, ny_3, _r4)
+    _s4 = _multiply(_k63, ny_3, _r4)
     _s5 = _multiply(_multiply(bent_y, per_reach, _r5), vy_3, _r5)
     _s6 = _multiply(_multiply(bent_z, per_reach, _r6), vz_3, _r6)
-    _s7 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r7), _multiply(_s0, vx_2, _r8), _r8), _multiply(_s1, vx_1, _r7), _r7), _multiply(vx_0, _s2, _r8), _r8), _add(_add(_add(_multiply(ny_1, vy_3, _r7), _multiply(_s3, vy_2, _r9), _r9), _multiply(_s4, vy_1, _r7), _r7), _multiply(vy_0, _s5, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_1, vz_3, _r8), _multiply(_multiply(_k23, nz_2, _r7), vz_2, _r7), _r7), _multiply(_multiply(_k59, nz_3, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s6, _r7), _r7), _r7)
+    _s7 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r7), _multiply(_s0, vx_2, _r8), _r8), _multiply(_s1, vx_1, _r7), _r7), _multiply(vx_0, _s2, _r8), _r8), _add(_add(_add(_multiply(ny_1, vy_3, _r7), _multiply(_s3, vy_2, _r9), _r9), _multiply(_s4, vy_1, _r7), _r7), _multiply(vy_0, _s5, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_1, vz_3, _r8), _multiply(_multiply(_k23, nz_2, _r7), vz_2, _r7), _r7), _multiply(_multiply(_k63, nz_3, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s6, _r7), _r7), _r7)
     _s8 = _multiply(0.6 * p_gravity, nz_3, _r9) - _s7
     _s9 = _multiply(_s3, nz_2, _r3)
-    _s10 = _add(_add(_add(_multiply(ny_0, _s6, _r7), _multiply(_multiply(_k59, ny_1, _r9), nz_3, _r9), _r9), _s9, _r9), _multiply(ny_3, nz_1, _r7), _r7) - _add(_add(_add(_multiply(ny_1, nz_3, _r9), _s9, _r9), _multiply(_s4, nz_1, _r4), _r4), _multiply(nz_0, _s5, _r9), _r9)
+    _s10 = _add(_add(_add(_multiply(ny_0, _s6, _r7), _multiply(_multiply(_k63, ny_1, _r9), nz_3, _r9), _r9), _s9, _r9), _multiply(ny_3, nz_1, _r7), _r7) - _add(_add(_add(_multiply(ny_1, nz_3, _r9), _s9, _r9), _multiply(_s4, nz_1, _r4), _r4), _multiply(nz_0, _s5, _r9), _r9)
     _s11 = _multiply(_s0, nz_2, _r9)
-    _s12 = _multiply(_k59, nx_1, _r7)
+    _s12 = _multiply(_k63, nx_1, _r7)
     _s13 = _add(_add(_add(_multiply(nx_1, nz_3, _r4), _s11, _r4), _multiply(_s1, nz_1, _r3), _r3), _multiply(nz_0, _s2, _r4), _r4) - _add(_add(_add(_multiply(nx_0, _s6, _r3), _multiply(_s12, nz_3, _r8), _r8), _s11, _r8), _multiply(nx_3, nz_1, _r9), _r9)
     _s14 = _multiply(_s0, ny_2, _r0)
     _s15 = _add(_add(_add(_multiply(nx_0, _s5, _r9), _multiply(_s12, ny_3, _r7), _r7), _s14, _r7), _multiply(nx_3, ny_1, _r9), _r9) - _add(_add(_add(_multiply(nx_1, ny_3, _r7), _s14, _r7), _multiply(_s1, ny_1, _r1), _r1), _multiply(ny_0, _s2, _r7), _r7)
-    _s16 = _add(_add(_add(_add(_multiply(lift_0, nx_3, _r7), _multiply(lift_1, nx_2, _r9), _r9), _multiply(lift_2, nx_1, _r7), _r7), _multiply(nx_0, _s8, _r9), _r9), _multiply(_k56, _add(_add(_add(_multiply(turn_rate_0, _s10, _r7), _multiply(turn_rate_1, tx_2, _r1), _r1), _multiply(turn_rate_2, tx_1, _r7), _r7), _multiply(turn_rate_3, tx_0, _r1), _r1), _r1), _r1)
-    _s17 = _add(_add(_add(_add(_multiply(lift_0, ny_3, _r9), _multiply(lift_1, ny_2, _r7), _r7), _multiply(lift_2, ny_1, _r9), _r9), _multiply(ny_0, _s8, _r7), _r7), _multiply(_k56, _add(_add(_add(_multiply(turn_rate_0, _s13, _r9), _multiply(turn_rate_1, ty_2, _r0), _r0), _multiply(turn_rate_2, ty_1, _r9), _r9), _multiply(turn_rate_3, ty_0, _r0), _r0), _r0), _r0)
-    _s18 = _add(_add(_add(_add(_multiply(lift_0, nz_3, _r7), _multiply(lift_1, nz_2, _r9), _r9), _multiply(lift_2, nz_1, _r7), _r7), _multiply(nz_0, _s8, _r9), _r9), _multiply(_k56, _add(_add(_add(_multiply(turn_rate_0, _s15, _r7), _multiply(turn_rate_1, tz_2, _r4), _r4), _multiply(turn_rate_2, tz_1, _r7), _r7), _multiply(turn_rate_3, tz_0, _r4), _r4), _r4), _r4)
+    _s16 = _add(_add(_add(_add(_multiply(lift_0, nx_3, _r7), _multiply(lift_1, nx_2, _r9), _r9), _multiply(lift_2, nx_1, _r7), _r7), _multiply(nx_0, _s8, _r9), _r9), _multiply(_k60, _add(_add(_add(_multiply(turn_rate_0, _s10, _r7), _multiply(turn_rate_1, tx_2, _r1), _r1), _multiply(turn_rate_2, tx_1, _r7), _r7), _multiply(turn_rate_3, tx_0, _r1), _r1), _r1), _r1)
+    _s17 = _add(_add(_add(_add(_multiply(lift_0, ny_3, _r9), _multiply(lift_1, ny_2, _r7), _r7), _multiply(lift_2, ny_1, _r9), _r9), _multiply(ny_0, _s8, _r7), _r7), _multiply(_k60, _add(_add(_add(_multiply(turn_rate_0, _s13, _r9), _multiply(turn_rate_1, ty_2, _r0), _r0), _multiply(turn_rate_2, ty_1, _r9), _r9), _multiply(turn_rate_3, ty_0, _r0), _r0), _r0), _r0)
+    _s18 = _add(_add(_add(_add(_multiply(lift_0, nz_3, _r7), _multiply(lift_1, nz_2, _r9), _r9), _multiply(lift_2, nz_1, _r7), _r7), _multiply(nz_0, _s8, _r9), _r9), _multiply(_k60, _add(_add(_add(_multiply(turn_rate_0, _s15, _r7), _multiply(turn_rate_1, tz_2, _r4), _r4), _multiply(turn_rate_2, tz_1, _r7), _r7), _multiply(turn_rate_3, tz_0, _r4), _r4), _r4), _r4)
     _s19 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_3, _r9), _multiply(tx_1, vx_2, _r7), _r7), _multiply(tx_2, vx_1, _r9), _r9), _multiply(vx_0, _s10, _r7), _r7), _add(_add(_add(_multiply(ty_0, vy_3, _r9), _multiply(ty_1, vy_2, _r8), _r8), _multiply(ty_2, vy_1, _r9), _r9), _multiply(vy_0, _s13, _r8), _r8), _r8), _add(_add(_add(_multiply(tz_0, vz_3, _r7), _multiply(tz_1, vz_2, _r9), _r9), _multiply(tz_2, vz_1, _r7), _r7), _multiply(vz_0, _s15, _r9), _r9), _r9)
-    return _s8, _s10, _s13, _s15, _k26 * _s16, _k26 * _s17, _k26 * _s18, _k26 * _s2, _k26 * _s5, _k26 * _s6, -_multiply(_k26, _s19, _r9)
+    return _s8, _s10, _s13, _s15, _k27 * _s16, _k27 * _s17, _k27 * _s18, _k27 * _s2, _k27 * _s5, _k27 * _s6, -_multiply(_k27, _s19, _r9)
 
 
 def roll_4(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2143,33 +2143,33 @@ def roll_4(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k59, nx_3, _r1)
-    _s2 = _multiply(_k60, nx_4, _r2)
+    _s1 = _multiply(_k63, nx_3, _r1)
+    _s2 = _multiply(_k64, nx_4, _r2)
     _s3 = _multiply(_multiply(bent_x, per_reach, _r3), vx_4, _r3)
     _s4 = _multiply(_k23, ny_2, _r4)
-    _s5 = _multiply(_k59, ny_3, _r5)
-    _s6 = _multiply(_k60, ny_4, _r6)
+    _s5 = _multiply(_k63, ny_3, _r5)
+    _s6 = _multiply(_k64, ny_4, _r6)
     _s7 = _multiply(_multiply(bent_y, per_reach, _r7), vy_4, _r7)
     _s8 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_4, _r8), _multiply(_s0, vx_3, _r9), _r9), _multiply(_s1, vx_2, _r8), _r8), _multiply(_s2, vx_1, _r9), _r9), _multiply(vx_0, _s3, _r8), _r8), _add(_add(_add(_add(_multiply(ny_1, vy_4, _r9), _multiply(_s4, vy_3, _r10), _r10), _multiply(_s5, vy_2, _r9), _r9), _multiply(_s6, vy_1, _r10), _r10), _multiply(vy_0, _s7, _r9), _r9), _r9)
     _s9 = _multiply(_multiply(bent_z, per_reach, _r8), vz_4, _r8)
-    _s10 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r10), _multiply(_multiply(_k23, nz_2, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k59, nz_3, _r10), vz_2, _r10), _r10), _multiply(_multiply(_k60, nz_4, _r11), vz_1, _r11), _r11), _multiply(vz_0, _s9, _r10), _r10)
+    _s10 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r10), _multiply(_multiply(_k23, nz_2, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k63, nz_3, _r10), vz_2, _r10), _r10), _multiply(_multiply(_k64, nz_4, _r11), vz_1, _r11), _r11), _multiply(vz_0, _s9, _r10), _r10)
     _s11 = _multiply(0.6 * p_gravity, nz_4, _r11) - _add(_s8, _s10, _r10)
-    _s12 = _add(_add(_add(_add(_multiply(ny_0, _s9, _r10), _multiply(_multiply(_k60, ny_1, _r11), nz_4, _r11), _r11), _multiply(_multiply(_k59, ny_2, _r10), nz_3, _r10), _r10), _multiply(_multiply(_k23, ny_3, _r11), nz_2, _r11), _r11), _multiply(ny_4, nz_1, _r10), _r10)
+    _s12 = _add(_add(_add(_add(_multiply(ny_0, _s9, _r10), _multiply(_multiply(_k64, ny_1, _r11), nz_4, _r11), _r11), _multiply(_multiply(_k63, ny_2, _r10), nz_3, _r10), _r10), _multiply(_multiply(_k23, ny_3, _r11), nz_2, _r11), _r11), _multiply(ny_4, nz_1, _r10), _r10)
     _s13 = _s12 - _add(_add(_add(_add(_multiply(ny_1, nz_4, _r11), _multiply(_s4, nz_3, _r4), _r4), _multiply(_s5, nz_2, _r5), _r5), _multiply(_s6, nz_1, _r6), _r6), _multiply(nz_0, _s7, _r5), _r5)
-    _s14 = _multiply(_k60, nx_1, _r5)
-    _s15 = _multiply(_k59, nx_2, _r10)
+    _s14 = _multiply(_k64, nx_1, _r5)
+    _s15 = _multiply(_k63, nx_2, _r10)
     _s16 = _multiply(_k23, nx_3, _r6)
     _s17 = _add(_add(_add(_add(_multiply(nx_1, nz_4, _r4), _multiply(_s0, nz_3, _r11), _r11), _multiply(_s1, nz_2, _r4), _r4), _multiply(_s2, nz_1, _r11), _r11), _multiply(nz_0, _s3, _r4), _r4) - _add(_add(_add(_add(_multiply(nx_0, _s9, _r11), _multiply(_s14, nz_4, _r9), _r9), _multiply(_s15, nz_3, _r11), _r11), _multiply(_s16, nz_2, _r9), _r9), _multiply(nx_4, nz_1, _r11), _r11)
     _s18 = _add(_add(_add(_add(_multiply(nx_0, _s7, _r11), _multiply(_s14, ny_4, _r5), _r5), _multiply(_s15, ny_3, _r10), _r10), _multiply(_s16, ny_2, _r6), _r6), _multiply(nx_4, ny_1, _r10), _r10) - _add(_add(_add(_add(_multiply(nx_1, ny_4, _r6), _multiply(_s0, ny_3, _r0), _r0), _multiply(_s1, ny_2, _r1), _r1), _multiply(_s2, ny_1, _r2), _r2), _multiply(ny_0, _s3, _r1), _r1)
-    _s19 = _multiply(_k56, _add(_add(_add(_add(_multiply(turn_rate_0, _s13, _r1), _multiply(turn_rate_1, tx_3, _r10), _r10), _multiply(turn_rate_2, tx_2, _r1), _r1), _multiply(turn_rate_3, tx_1, _r10), _r10), _multiply(turn_rate_4, tx_0, _r1), _r1), _r1)
+    _s19 = _multiply(_k60, _add(_add(_add(_add(_multiply(turn_rate_0, _s13, _r1), _multiply(turn_rate_1, tx_3, _r10), _r10), _multiply(turn_rate_2, tx_2, _r1), _r1), _multiply(turn_rate_3, tx_1, _r10), _r10), _multiply(turn_rate_4, tx_0, _r1), _r1), _r1)
     _s20 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_4, _r10), _multiply(lift_1, nx_3, _r2), _r2), _multiply(lift_2, nx_2, _r10), _r10), _multiply(lift_3, nx_1, _r2), _r2), _multiply(nx_0, _s11, _r10), _r10), _s19, _r1)
-    _s21 = _multiply(_k56, _add(_add(_add(_add(_multiply(turn_rate_0, _s17, _r10), _multiply(turn_rate_1, ty_3, _r2), _r2), _multiply(turn_rate_2, ty_2, _r10), _r10), _multiply(turn_rate_3, ty_1, _r2), _r2), _multiply(turn_rate_4, ty_0, _r10), _r10), _r10)
+    _s21 = _multiply(_k60, _add(_add(_add(_add(_multiply(turn_rate_0, _s17, _r10), _multiply(turn_rate_1, ty_3, _r2), _r2), _multiply(turn_rate_2, ty_2, _r10), _r10), _multiply(turn_rate_3, ty_1, _r2), _r2), _multiply(turn_rate_4, ty_0, _r10), _r10), _r10)
     _s22 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_4, _r2), _multiply(lift_1, ny_3, _r0), _r0), _multiply(lift_2, ny_2, _r2), _r2), _multiply(lift_3, ny_1, _r0), _r0), _multiply(ny_0, _s11, _r2), _r2), _s21, _r10)
-    _s23 = _multiply(_k56, _add(_add(_add(_add(_multiply(turn_rate_0, _s18, _r2), _multiply(turn_rate_1, tz_3, _r0), _r0), _multiply(turn_rate_2, tz_2, _r2), _r2), _multiply(turn_rate_3, tz_1, _r0), _r0), _multiply(turn_rate_4, tz_0, _r2), _r2), _r2)
+    _s23 = _multiply(_k60, _add(_add(_add(_add(_multiply(turn_rate_0, _s18, _r2), _multiply(turn_rate_1, tz_3, _r0), _r0), _multiply(turn_rate_2, tz_2, _r2), _r2), _multiply(turn_rate_3, tz_1, _r0), _r0), _multiply(turn_rate_4, tz_0, _r2), _r2), _r2)
     _s24 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_4, _r0), _multiply(lift_1, nz_3, _r6), _r6), _multiply(lift_2, nz_2, _r0), _r0), _multiply(lift_3, nz_1, _r6), _r6), _multiply(nz_0, _s11, _r0), _r0), _s23, _r2)
     _s25 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_4, _r0), _multiply(tx_1, vx_3, _r6), _r6), _multiply(tx_2, vx_2, _r0), _r0), _multiply(tx_3, vx_1, _r6), _r6), _multiply(vx_0, _s13, _r0), _r0), _add(_add(_add(_add(_multiply(ty_0, vy_4, _r6), _multiply(ty_1, vy_3, _r5), _r5), _multiply(ty_2, vy_2, _r6), _r6), _multiply(ty_3, vy_1, _r5), _r5), _multiply(vy_0, _s17, _r6), _r6), _r6)
     _s26 = _add(_s25, _add(_add(_add(_add(_multiply(tz_0, vz_4, _r0), _multiply(tz_1, vz_3, _r5), _r5), _multiply(tz_2, vz_2, _r0), _r0), _multiply(tz_3, vz_1, _r5), _r5), _multiply(vz_0, _s18, _r0), _r0), _r0)
-    return _s11, _s13, _s17, _s18, _k61 * _s20, _k61 * _s22, _k61 * _s24, _k61 * _s3, _k61 * _s7, _k61 * _s9, -_multiply(_k61, _s26, _r0)
+    return _s11, _s13, _s17, _s18, _k65 * _s20, _k65 * _s22, _k65 * _s24, _k65 * _s3, _k65 * _s7, _k65 * _s9, -_multiply(_k65, _s26, _r0)
 
 
 def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2180,28 +2180,28 @@ def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14 = _room[:15]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k59, nx_3, _r1)
-    _s2 = _multiply(_k60, nx_4, _r2)
-    _s3 = _multiply(_k63, nx_5, _r3)
+    _s1 = _multiply(_k63, nx_3, _r1)
+    _s2 = _multiply(_k64, nx_4, _r2)
+    _s3 = _multiply(_k67, nx_5, _r3)
     _s4 = _multiply(_multiply(bent_x, per_reach, _r4), vx_5, _r4)
     _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_5, _r5), _multiply(_s0, vx_4, _r6), _r6), _multiply(_s1, vx_3, _r5), _r5), _multiply(_s2, vx_2, _r6), _r6), _multiply(_s3, vx_1, _r5), _r5), _multiply(vx_0, _s4, _r6), _r6)
     _s6 = _multiply(_k23, ny_2, _r5)
-    _s7 = _multiply(_k59, ny_3, _r7)
-    _s8 = _multiply(_k60, ny_4, _r8)
-    _s9 = _multiply(_k63, ny_5, _r9)
+    _s7 = _multiply(_k63, ny_3, _r7)
+    _s8 = _multiply(_k64, ny_4, _r8)
+    _s9 = _multiply(_k67, ny_5, _r9)
     _s10 = _multiply(_multiply(bent_y, per_reach, _r10), vy_5, _r10)
     _s11 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_5, _r11), _multiply(_s6, vy_4, _r12), _r12), _multiply(_s7, vy_3, _r11), _r11), _multiply(_s8, vy_2, _r12), _r12), _multiply(_s9, vy_1, _r11), _r11), _multiply(vy_0, _s10, _r12), _r12)
-    _s12 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(_k23, nz_2, _r13), vz_4, _r13), _r13), _multiply(_multiply(_k59, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k60, nz_4, _r13), vz_2, _r13), _r13), _multiply(_multiply(_k63, nz_5, _r11), vz_1, _r11), _r11)
+    _s12 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(_k23, nz_2, _r13), vz_4, _r13), _r13), _multiply(_multiply(_k63, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k64, nz_4, _r13), vz_2, _r13), _r13), _multiply(_multiply(_k67, nz_5, _r11), vz_1, _r11), _r11)
     _s13 = _multiply(_multiply(bent_z, per_reach, _r13), vz_5, _r13)
     _s14 = _multiply(0.6 * p_gravity, nz_5, _r14) - _add(_add(_s5, _s11, _r12), _add(_s12, _multiply(vz_0, _s13, _r6), _r6), _r6)
     _s15 = _multiply(_s7, nz_3, _r7)
-    _s16 = _add(_add(_add(_add(_multiply(ny_0, _s13, _r6), _multiply(_multiply(_k63, ny_1, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k60, ny_2, _r6), nz_4, _r6), _r6), _s15, _r6), _multiply(_multiply(_k23, ny_4, _r14), nz_2, _r14), _r14)
+    _s16 = _add(_add(_add(_add(_multiply(ny_0, _s13, _r6), _multiply(_multiply(_k67, ny_1, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k64, ny_2, _r6), nz_4, _r6), _r6), _s15, _r6), _multiply(_multiply(_k23, ny_4, _r14), nz_2, _r14), _r14)
     _s17 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_5, _r6), _multiply(_s6, nz_4, _r5), _r5), _s15, _r5), _multiply(_s8, nz_2, _r8), _r8), _multiply(_s9, nz_1, _r9), _r9), _multiply(nz_0, _s10, _r8), _r8)
     _s18 = _add(_s16, _multiply(ny_5, nz_1, _r9), _r9) - _s17
     _s19 = _multiply(_s1, nz_3, _r8)
     _s20 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_5, _r9), _multiply(_s0, nz_4, _r14), _r14), _s19, _r14), _multiply(_s2, nz_2, _r9), _r9), _multiply(_s3, nz_1, _r14), _r14), _multiply(nz_0, _s4, _r9), _r9)
-    _s21 = _multiply(_k63, nx_1, _r14)
-    _s22 = _multiply(_k60, nx_2, _r5)
+    _s21 = _multiply(_k67, nx_1, _r14)
+    _s22 = _multiply(_k64, nx_2, _r5)
     _s23 = _multiply(_k23, nx_4, _r7)
     _s24 = _add(_add(_add(_add(_add(_multiply(nx_0, _s13, _r6), _multiply(_s21, nz_5, _r12), _r12), _multiply(_s22, nz_4, _r6), _r6), _s19, _r6), _multiply(_s23, nz_2, _r8), _r8), _multiply(nx_5, nz_1, _r6), _r6)
     _s25 = _s20 - _s24
@@ -2218,7 +2218,7 @@ def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s36 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_5, _r2), _multiply(tx_1, vx_4, _r6), _r6), _multiply(tx_2, vx_3, _r2), _r2), _multiply(tx_3, vx_2, _r6), _r6), _multiply(tx_4, vx_1, _r2), _r2), _multiply(vx_0, _s18, _r6), _r6)
     _s37 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_5, _r2), _multiply(ty_1, vy_4, _r9), _r9), _multiply(ty_2, vy_3, _r2), _r2), _multiply(ty_3, vy_2, _r9), _r9), _multiply(ty_4, vy_1, _r2), _r2), _multiply(vy_0, _s25, _r9), _r9)
     _s38 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_5, _r2), _multiply(tz_1, vz_4, _r8), _r8), _multiply(tz_2, vz_3, _r2), _r2), _multiply(tz_3, vz_2, _r8), _r8), _multiply(tz_4, vz_1, _r2), _r2), _multiply(vz_0, _s29, _r8), _r8)
-    return _s14, _s18, _s25, _s29, _k64 * _add(_s30, _multiply(_k56, _s31, _r3), _r3), _k64 * _add(_s32, _multiply(_k56, _s33, _r1), _r1), _k64 * _add(_s34, _multiply(_k56, _s35, _r14), _r14), _k64 * _s4, _k64 * _s10, _k64 * _s13, -_multiply(_k64, _add(_add(_s36, _s37, _r9), _s38, _r8), _r8)
+    return _s14, _s18, _s25, _s29, _k68 * _add(_s30, _multiply(_k60, _s31, _r3), _r3), _k68 * _add(_s32, _multiply(_k60, _s33, _r1), _r1), _k68 * _add(_s34, _multiply(_k60, _s35, _r14), _r14), _k68 * _s4, _k68 * _s10, _k68 * _s13, -_multiply(_k68, _add(_add(_s36, _s37, _r9), _s38, _r8), _r8)
 
 
 def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2229,30 +2229,30 @@ def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _room[:18]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k59, nx_3, _r1)
-    _s2 = _multiply(_k60, nx_4, _r2)
-    _s3 = _multiply(_k63, nx_5, _r3)
+    _s1 = _multiply(_k63, nx_3, _r1)
+    _s2 = _multiply(_k64, nx_4, _r2)
+    _s3 = _multiply(_k67, nx_5, _r3)
     _s4 = _multiply(_k7, nx_6, _r4)
     _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_6, _r5), _multiply(_s0, vx_5, _r6), _r6), _multiply(_s1, vx_4, _r5), _r5), _multiply(_s2, vx_3, _r6), _r6), _multiply(_s3, vx_2, _r5), _r5), _multiply(_s4, vx_1, _r6), _r6)
     _s6 = _multiply(_multiply(bent_x, per_reach, _r5), vx_6, _r5)
     _s7 = _multiply(_k23, ny_2, _r7)
-    _s8 = _multiply(_k59, ny_3, _r8)
-    _s9 = _multiply(_k60, ny_4, _r9)
-    _s10 = _multiply(_k63, ny_5, _r10)
+    _s8 = _multiply(_k63, ny_3, _r8)
+    _s9 = _multiply(_k64, ny_4, _r9)
+    _s10 = _multiply(_k67, ny_5, _r10)
     _s11 = _multiply(_k7, ny_6, _r11)
     _s12 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_6, _r12), _multiply(_s7, vy_5, _r13), _r13), _multiply(_s8, vy_4, _r12), _r12), _multiply(_s9, vy_3, _r13), _r13), _multiply(_s10, vy_2, _r12), _r12), _multiply(_s11, vy_1, _r13), _r13)
     _s13 = _multiply(_multiply(bent_y, per_reach, _r12), vy_6, _r12)
-    _s14 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r14), _multiply(_multiply(_k23, nz_2, _r15), vz_5, _r15), _r15), _multiply(_multiply(_k59, nz_3, _r14), vz_4, _r14), _r14), _multiply(_multiply(_k60, nz_4, _r15), vz_3, _r15), _r15), _multiply(_multiply(_k63, nz_5, _r14), vz_2, _r14), _r14)
+    _s14 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r14), _multiply(_multiply(_k23, nz_2, _r15), vz_5, _r15), _r15), _multiply(_multiply(_k63, nz_3, _r14), vz_4, _r14), _r14), _multiply(_multiply(_k64, nz_4, _r15), vz_3, _r15), _r15), _multiply(_multiply(_k67, nz_5, _r14), vz_2, _r14), _r14)
     _s15 = _multiply(_multiply(bent_z, per_reach, _r15), vz_6, _r15)
     _s16 = _multiply(0.6 * p_gravity, nz_6, _r16) - _add(_add(_add(_s5, _multiply(vx_0, _s6, _r17), _r17), _add(_s12, _multiply(vy_0, _s13, _r6), _r6), _r6), _add(_add(_s14, _multiply(_multiply(_k7, nz_6, _r17), vz_1, _r17), _r17), _multiply(vz_0, _s15, _r14), _r14), _r14)
-    _s17 = _add(_add(_add(_add(_multiply(ny_0, _s15, _r14), _multiply(_multiply(_k7, ny_1, _r16), nz_6, _r16), _r16), _multiply(_multiply(_k63, ny_2, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k60, ny_3, _r16), nz_4, _r16), _r16), _multiply(_multiply(_k59, ny_4, _r14), nz_3, _r14), _r14)
+    _s17 = _add(_add(_add(_add(_multiply(ny_0, _s15, _r14), _multiply(_multiply(_k7, ny_1, _r16), nz_6, _r16), _r16), _multiply(_multiply(_k67, ny_2, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k64, ny_3, _r16), nz_4, _r16), _r16), _multiply(_multiply(_k63, ny_4, _r14), nz_3, _r14), _r14)
     _s18 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_6, _r16), _multiply(_s7, nz_5, _r7), _r7), _multiply(_s8, nz_4, _r8), _r8), _multiply(_s9, nz_3, _r9), _r9), _multiply(_s10, nz_2, _r10), _r10), _multiply(_s11, nz_1, _r11), _r11)
     _s19 = _add(_add(_s17, _multiply(_multiply(_k23, ny_5, _r10), nz_2, _r10), _r10), _multiply(ny_6, nz_1, _r14), _r14) - _add(_s18, _multiply(nz_0, _s13, _r10), _r10)
     _s20 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_6, _r10), _multiply(_s0, nz_5, _r14), _r14), _multiply(_s1, nz_4, _r10), _r10), _multiply(_s2, nz_3, _r14), _r14), _multiply(_s3, nz_2, _r10), _r10), _multiply(_s4, nz_1, _r14), _r14)
     _s21 = _multiply(_k7, nx_1, _r10)
-    _s22 = _multiply(_k63, nx_2, _r11)
-    _s23 = _multiply(_k60, nx_3, _r9)
-    _s24 = _multiply(_k59, nx_4, _r8)
+    _s22 = _multiply(_k67, nx_2, _r11)
+    _s23 = _multiply(_k64, nx_3, _r9)
+    _s24 = _multiply(_k63, nx_4, _r8)
     _s25 = _multiply(_k23, nx_5, _r7)
     _s26 = _add(_add(_add(_add(_add(_multiply(nx_0, _s15, _r16), _multiply(_s21, nz_6, _r6), _r6), _multiply(_s22, nz_5, _r16), _r16), _multiply(_s23, nz_4, _r6), _r6), _multiply(_s24, nz_3, _r16), _r16), _multiply(_s25, nz_2, _r6), _r6)
     _s27 = _add(_s20, _multiply(nz_0, _s6, _r16), _r16) - _add(_s26, _multiply(nx_6, nz_1, _r14), _r14)
@@ -2268,8 +2268,8 @@ def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s37 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_6, _r7), _multiply(tx_1, vx_5, _r9), _r9), _multiply(tx_2, vx_4, _r7), _r7), _multiply(tx_3, vx_3, _r9), _r9), _multiply(tx_4, vx_2, _r7), _r7), _multiply(tx_5, vx_1, _r9), _r9)
     _s38 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_6, _r7), _multiply(ty_1, vy_5, _r11), _r11), _multiply(ty_2, vy_4, _r7), _r7), _multiply(ty_3, vy_3, _r11), _r11), _multiply(ty_4, vy_2, _r7), _r7), _multiply(ty_5, vy_1, _r11), _r11)
     _s39 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_6, _r7), _multiply(tz_1, vz_5, _r10), _r10), _multiply(tz_2, vz_4, _r7), _r7), _multiply(tz_3, vz_3, _r10), _r10), _multiply(tz_4, vz_2, _r7), _r7), _multiply(tz_5, vz_1, _r10), _r10)
-    _s40 = -_multiply(_k67, _add(_add(_add(_s37, _multiply(vx_0, _s19, _r7), _r7), _add(_s38, _multiply(vy_0, _s27, _r9), _r9), _r9), _add(_s39, _multiply(vz_0, _s30, _r7), _r7), _r7), _r7)
-    return _s16, _s19, _s27, _s30, _k67 * _add(_add(_s31, _multiply(nx_0, _s16, _r7), _r7), _multiply(_k56, _add(_s32, _multiply(turn_rate_6, tx_0, _r3), _r3), _r3), _r3), _k67 * _add(_add(_s33, _multiply(ny_0, _s16, _r3), _r3), _multiply(_k56, _add(_s34, _multiply(turn_rate_6, ty_0, _r2), _r2), _r2), _r2), _k67 * _add(_add(_s35, _multiply(nz_0, _s16, _r2), _r2), _multiply(_k56, _add(_s36, _multiply(turn_rate_6, tz_0, _r0), _r0), _r0), _r0), _k67 * _s6, _k67 * _s13, _k67 * _s15, _s40
+    _s40 = -_multiply(_k71, _add(_add(_add(_s37, _multiply(vx_0, _s19, _r7), _r7), _add(_s38, _multiply(vy_0, _s27, _r9), _r9), _r9), _add(_s39, _multiply(vz_0, _s30, _r7), _r7), _r7), _r7)
+    return _s16, _s19, _s27, _s30, _k71 * _add(_add(_s31, _multiply(nx_0, _s16, _r7), _r7), _multiply(_k60, _add(_s32, _multiply(turn_rate_6, tx_0, _r3), _r3), _r3), _r3), _k71 * _add(_add(_s33, _multiply(ny_0, _s16, _r3), _r3), _multiply(_k60, _add(_s34, _multiply(turn_rate_6, ty_0, _r2), _r2), _r2), _r2), _k71 * _add(_add(_s35, _multiply(nz_0, _s16, _r2), _r2), _multiply(_k60, _add(_s36, _multiply(turn_rate_6, tz_0, _r0), _r0), _r0), _r0), _k71 * _s6, _k71 * _s13, _k71 * _s15, _s40
 
 
 def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2280,35 +2280,35 @@ def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k59, nx_3, _r1)
-    _s2 = _multiply(_k60, nx_4, _r2)
-    _s3 = _multiply(_k63, nx_5, _r3)
+    _s1 = _multiply(_k63, nx_3, _r1)
+    _s2 = _multiply(_k64, nx_4, _r2)
+    _s3 = _multiply(_k67, nx_5, _r3)
     _s4 = _multiply(_k7, nx_6, _r4)
     _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_7, _r5), _multiply(_s0, vx_6, _r6), _r6), _multiply(_s1, vx_5, _r5), _r5), _multiply(_s2, vx_4, _r6), _r6), _multiply(_s3, vx_3, _r5), _r5), _multiply(_s4, vx_2, _r6), _r6)
-    _s6 = _multiply(_k69, nx_7, _r5)
+    _s6 = _multiply(_k73, nx_7, _r5)
     _s7 = _multiply(_multiply(bent_x, per_reach, _r7), vx_7, _r7)
     _s8 = _multiply(_k23, ny_2, _r8)
-    _s9 = _multiply(_k59, ny_3, _r9)
-    _s10 = _multiply(_k60, ny_4, _r10)
-    _s11 = _multiply(_k63, ny_5, _r11)
+    _s9 = _multiply(_k63, ny_3, _r9)
+    _s10 = _multiply(_k64, ny_4, _r10)
+    _s11 = _multiply(_k67, ny_5, _r11)
     _s12 = _multiply(_k7, ny_6, _r12)
     _s13 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_7, _r13), _multiply(_s8, vy_6, _r14), _r14), _multiply(_s9, vy_5, _r13), _r13), _multiply(_s10, vy_4, _r14), _r14), _multiply(_s11, vy_3, _r13), _r13), _multiply(_s12, vy_2, _r14), _r14)
-    _s14 = _multiply(_k69, ny_7, _r13)
+    _s14 = _multiply(_k73, ny_7, _r13)
     _s15 = _multiply(_multiply(bent_y, per_reach, _r15), vy_7, _r15)
-    _s16 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(_k23, nz_2, _r17), vz_6, _r17), _r17), _multiply(_multiply(_k59, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(_k60, nz_4, _r17), vz_4, _r17), _r17), _multiply(_multiply(_k63, nz_5, _r16), vz_3, _r16), _r16)
+    _s16 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(_k23, nz_2, _r17), vz_6, _r17), _r17), _multiply(_multiply(_k63, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(_k64, nz_4, _r17), vz_4, _r17), _r17), _multiply(_multiply(_k67, nz_5, _r16), vz_3, _r16), _r16)
     _s17 = _multiply(_multiply(bent_z, per_reach, _r17), vz_7, _r17)
-    _s18 = _add(_add(_add(_add(_s5, _multiply(_s6, vx_1, _r18), _r18), _multiply(vx_0, _s7, _r6), _r6), _add(_add(_s13, _multiply(_s14, vy_1, _r18), _r18), _multiply(vy_0, _s15, _r14), _r14), _r14), _add(_add(_add(_s16, _multiply(_multiply(_k7, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(_k69, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s17, _r6), _r6), _r6)
+    _s18 = _add(_add(_add(_add(_s5, _multiply(_s6, vx_1, _r18), _r18), _multiply(vx_0, _s7, _r6), _r6), _add(_add(_s13, _multiply(_s14, vy_1, _r18), _r18), _multiply(vy_0, _s15, _r14), _r14), _r14), _add(_add(_add(_s16, _multiply(_multiply(_k7, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(_k73, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s17, _r6), _r6), _r6)
     _s19 = _multiply(0.6 * p_gravity, nz_7, _r14) - _s18
     _s20 = _multiply(_s10, nz_4, _r10)
-    _s21 = _add(_add(_add(_add(_multiply(ny_0, _s17, _r6), _multiply(_multiply(_k69, ny_1, _r14), nz_7, _r14), _r14), _multiply(_multiply(_k7, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(_k63, ny_3, _r14), nz_5, _r14), _r14), _s20, _r14)
+    _s21 = _add(_add(_add(_add(_multiply(ny_0, _s17, _r6), _multiply(_multiply(_k73, ny_1, _r14), nz_7, _r14), _r14), _multiply(_multiply(_k7, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(_k67, ny_3, _r14), nz_5, _r14), _r14), _s20, _r14)
     _s22 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_7, _r6), _multiply(_s8, nz_6, _r8), _r8), _multiply(_s9, nz_5, _r9), _r9), _s20, _r9), _multiply(_s11, nz_3, _r11), _r11), _multiply(_s12, nz_2, _r12), _r12)
-    _s23 = _add(_add(_add(_s21, _multiply(_multiply(_k59, ny_5, _r11), nz_3, _r11), _r11), _multiply(_multiply(_k23, ny_6, _r14), nz_2, _r14), _r14), _multiply(ny_7, nz_1, _r11), _r11) - _add(_add(_s22, _multiply(_s14, nz_1, _r13), _r13), _multiply(nz_0, _s15, _r12), _r12)
+    _s23 = _add(_add(_add(_s21, _multiply(_multiply(_k63, ny_5, _r11), nz_3, _r11), _r11), _multiply(_multiply(_k23, ny_6, _r14), nz_2, _r14), _r14), _multiply(ny_7, nz_1, _r11), _r11) - _add(_add(_s22, _multiply(_s14, nz_1, _r13), _r13), _multiply(nz_0, _s15, _r12), _r12)
     _s24 = _multiply(_s2, nz_4, _r12)
     _s25 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_7, _r11), _multiply(_s0, nz_6, _r13), _r13), _multiply(_s1, nz_5, _r11), _r11), _s24, _r11), _multiply(_s3, nz_3, _r13), _r13), _multiply(_s4, nz_2, _r11), _r11)
-    _s26 = _multiply(_k69, nx_1, _r13)
+    _s26 = _multiply(_k73, nx_1, _r13)
     _s27 = _multiply(_k7, nx_2, _r14)
-    _s28 = _multiply(_k63, nx_3, _r9)
-    _s29 = _multiply(_k59, nx_5, _r10)
+    _s28 = _multiply(_k67, nx_3, _r9)
+    _s29 = _multiply(_k63, nx_5, _r10)
     _s30 = _add(_add(_add(_add(_add(_multiply(nx_0, _s17, _r8), _multiply(_s26, nz_7, _r6), _r6), _multiply(_s27, nz_6, _r8), _r8), _multiply(_s28, nz_5, _r6), _r6), _s24, _r6), _multiply(_s29, nz_3, _r12), _r12)
     _s31 = _multiply(_k23, nx_6, _r6)
     _s32 = _add(_add(_s25, _multiply(_s6, nz_1, _r8), _r8), _multiply(nz_0, _s7, _r11), _r11) - _add(_add(_s30, _multiply(_s31, nz_2, _r8), _r8), _multiply(nx_7, nz_1, _r12), _r12)
@@ -2318,18 +2318,18 @@ def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s36 = _add(_add(_s34, _multiply(_s31, ny_2, _r6), _r6), _multiply(nx_7, ny_1, _r10), _r10) - _add(_add(_s35, _multiply(_s6, ny_1, _r5), _r5), _multiply(ny_0, _s7, _r4), _r4)
     _s37 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_7, _r4), _multiply(lift_1, nx_6, _r10), _r10), _multiply(lift_2, nx_5, _r4), _r4), _multiply(lift_3, nx_4, _r10), _r10), _multiply(lift_4, nx_3, _r4), _r4), _multiply(lift_5, nx_2, _r10), _r10)
     _s38 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s23, _r4), _multiply(turn_rate_1, tx_6, _r5), _r5), _multiply(turn_rate_2, tx_5, _r4), _r4), _multiply(turn_rate_3, tx_4, _r5), _r5), _multiply(turn_rate_4, tx_3, _r4), _r4), _multiply(turn_rate_5, tx_2, _r5), _r5)
-    _s39 = _k70 * _add(_add(_add(_s37, _multiply(lift_6, nx_1, _r4), _r4), _multiply(nx_0, _s19, _r10), _r10), _multiply(_k56, _add(_add(_s38, _multiply(turn_rate_6, tx_1, _r4), _r4), _multiply(turn_rate_7, tx_0, _r5), _r5), _r5), _r5)
+    _s39 = _k29 * _add(_add(_add(_s37, _multiply(lift_6, nx_1, _r4), _r4), _multiply(nx_0, _s19, _r10), _r10), _multiply(_k60, _add(_add(_s38, _multiply(turn_rate_6, tx_1, _r4), _r4), _multiply(turn_rate_7, tx_0, _r5), _r5), _r5), _r5)
     _s40 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_7, _r5), _multiply(lift_1, ny_6, _r10), _r10), _multiply(lift_2, ny_5, _r5), _r5), _multiply(lift_3, ny_4, _r10), _r10), _multiply(lift_4, ny_3, _r5), _r5), _multiply(lift_5, ny_2, _r10), _r10)
     _s41 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s32, _r5), _multiply(turn_rate_1, ty_6, _r4), _r4), _multiply(turn_rate_2, ty_5, _r5), _r5), _multiply(turn_rate_3, ty_4, _r4), _r4), _multiply(turn_rate_4, ty_3, _r5), _r5), _multiply(turn_rate_5, ty_2, _r4), _r4)
-    _s42 = _k70 * _add(_add(_add(_s40, _multiply(lift_6, ny_1, _r5), _r5), _multiply(ny_0, _s19, _r10), _r10), _multiply(_k56, _add(_add(_s41, _multiply(turn_rate_6, ty_1, _r5), _r5), _multiply(turn_rate_7, ty_0, _r4), _r4), _r4), _r4)
+    _s42 = _k29 * _add(_add(_add(_s40, _multiply(lift_6, ny_1, _r5), _r5), _multiply(ny_0, _s19, _r10), _r10), _multiply(_k60, _add(_add(_s41, _multiply(turn_rate_6, ty_1, _r5), _r5), _multiply(turn_rate_7, ty_0, _r4), _r4), _r4), _r4)
     _s43 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_7, _r4), _multiply(lift_1, nz_6, _r10), _r10), _multiply(lift_2, nz_5, _r4), _r4), _multiply(lift_3, nz_4, _r10), _r10), _multiply(lift_4, nz_3, _r4), _r4), _multiply(lift_5, nz_2, _r10), _r10)
     _s44 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s36, _r4), _multiply(turn_rate_1, tz_6, _r5), _r5), _multiply(turn_rate_2, tz_5, _r4), _r4), _multiply(turn_rate_3, tz_4, _r5), _r5), _multiply(turn_rate_4, tz_3, _r4), _r4), _multiply(turn_rate_5, tz_2, _r5), _r5)
-    _s45 = _k70 * _add(_add(_add(_s43, _multiply(lift_6, nz_1, _r4), _r4), _multiply(nz_0, _s19, _r10), _r10), _multiply(_k56, _add(_add(_s44, _multiply(turn_rate_6, tz_1, _r4), _r4), _multiply(turn_rate_7, tz_0, _r5), _r5), _r5), _r5)
+    _s45 = _k29 * _add(_add(_add(_s43, _multiply(lift_6, nz_1, _r4), _r4), _multiply(nz_0, _s19, _r10), _r10), _multiply(_k60, _add(_add(_s44, _multiply(turn_rate_6, tz_1, _r4), _r4), _multiply(turn_rate_7, tz_0, _r5), _r5), _r5), _r5)
     _s46 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_7, _r5), _multiply(tx_1, vx_6, _r10), _r10), _multiply(tx_2, vx_5, _r5), _r5), _multiply(tx_3, vx_4, _r10), _r10), _multiply(tx_4, vx_3, _r5), _r5), _multiply(tx_5, vx_2, _r10), _r10)
     _s47 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_7, _r5), _multiply(ty_1, vy_6, _r4), _r4), _multiply(ty_2, vy_5, _r5), _r5), _multiply(ty_3, vy_4, _r4), _r4), _multiply(ty_4, vy_3, _r5), _r5), _multiply(ty_5, vy_2, _r4), _r4)
     _s48 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_7, _r5), _multiply(tz_1, vz_6, _r6), _r6), _multiply(tz_2, vz_5, _r5), _r5), _multiply(tz_3, vz_4, _r6), _r6), _multiply(tz_4, vz_3, _r5), _r5), _multiply(tz_5, vz_2, _r6), _r6)
-    _s49 = _multiply(_k70, _add(_add(_add(_add(_s46, _multiply(tx_6, vx_1, _r5), _r5), _multiply(vx_0, _s23, _r10), _r10), _add(_add(_s47, _multiply(ty_6, vy_1, _r5), _r5), _multiply(vy_0, _s32, _r4), _r4), _r4), _add(_add(_s48, _multiply(tz_6, vz_1, _r10), _r10), _multiply(vz_0, _s36, _r6), _r6), _r6), _r6)
-    return _s19, _s23, _s32, _s36, _s39, _s42, _s45, _k70 * _s7, _k70 * _s15, _k70 * _s17, -_s49
+    _s49 = _multiply(_k29, _add(_add(_add(_add(_s46, _multiply(tx_6, vx_1, _r5), _r5), _multiply(vx_0, _s23, _r10), _r10), _add(_add(_s47, _multiply(ty_6, vy_1, _r5), _r5), _multiply(vy_0, _s32, _r4), _r4), _r4), _add(_add(_s48, _multiply(tz_6, vz_1, _r10), _r10), _multiply(vz_0, _s36, _r6), _r6), _r6), _r6)
+    return _s19, _s23, _s32, _s36, _s39, _s42, _s45, _k29 * _s7, _k29 * _s15, _k29 * _s17, -_s49
 
 
 def anew() -> tuple[Any, ...]:
@@ -2366,20 +2366,20 @@ def roll_moved(t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tur
     Returns x, vx, y, vy, z, vz, turn_rate.
     """
     _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
-    _s0 = _multiply(_k73, t, _r0)
-    _s1 = _add(_multiply(_k64, vx_5, _r1), _multiply(t, _add(_multiply(_k67, vx_6, _r2), _multiply(t, _add(_multiply(_k70, vx_7, _r3), _multiply(_s0, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s2 = _add(_multiply(_k57, vx_2, _r1), _multiply(t, _add(_multiply(_k26, vx_3, _r2), _multiply(t, _add(_multiply(_k61, vx_4, _r3), _multiply(t, _s1, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s3 = x + _multiply(t, _add(vx_0, _multiply(t, _add(_multiply(_k40, vx_1, _r1), _multiply(t, _s2, _r4), _r4), _r4), _r4), _r4)
+    _s0 = _multiply(_k75, t, _r0)
+    _s1 = _add(_multiply(_k68, vx_5, _r1), _multiply(t, _add(_multiply(_k71, vx_6, _r2), _multiply(t, _add(_multiply(_k29, vx_7, _r3), _multiply(_s0, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s2 = _add(_multiply(_k61, vx_2, _r1), _multiply(t, _add(_multiply(_k27, vx_3, _r2), _multiply(t, _add(_multiply(_k65, vx_4, _r3), _multiply(t, _s1, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s3 = x + _multiply(t, _add(vx_0, _multiply(t, _add(_multiply(_k44, vx_1, _r1), _multiply(t, _s2, _r4), _r4), _r4), _r4), _r4)
     _s4 = _add(vx_5, _multiply(t, _add(vx_6, _multiply(t, _add(vx_7, _multiply(t, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
     _s5 = _add(vx_2, _multiply(t, _add(vx_3, _multiply(t, _add(vx_4, _multiply(t, _s4, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s6 = _add(_multiply(_k64, vy_5, _r1), _multiply(t, _add(_multiply(_k67, vy_6, _r2), _multiply(t, _add(_multiply(_k70, vy_7, _r3), _multiply(_s0, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
-    _s7 = _add(_multiply(_k57, vy_2, _r1), _multiply(t, _add(_multiply(_k26, vy_3, _r2), _multiply(t, _add(_multiply(_k61, vy_4, _r3), _multiply(t, _s6, _r5), _r5), _r5), _r5), _r5), _r5)
-    _s8 = y + _multiply(t, _add(vy_0, _multiply(t, _add(_multiply(_k40, vy_1, _r1), _multiply(t, _s7, _r5), _r5), _r5), _r5), _r5)
+    _s6 = _add(_multiply(_k68, vy_5, _r1), _multiply(t, _add(_multiply(_k71, vy_6, _r2), _multiply(t, _add(_multiply(_k29, vy_7, _r3), _multiply(_s0, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
+    _s7 = _add(_multiply(_k61, vy_2, _r1), _multiply(t, _add(_multiply(_k27, vy_3, _r2), _multiply(t, _add(_multiply(_k65, vy_4, _r3), _multiply(t, _s6, _r5), _r5), _r5), _r5), _r5), _r5)
+    _s8 = y + _multiply(t, _add(vy_0, _multiply(t, _add(_multiply(_k44, vy_1, _r1), _multiply(t, _s7, _r5), _r5), _r5), _r5), _r5)
     _s9 = _add(vy_5, _multiply(t, _add(vy_6, _multiply(t, _add(vy_7, _multiply(t, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
     _s10 = _add(vy_2, _multiply(t, _add(vy_3, _multiply(t, _add(vy_4, _multiply(t, _s9, _r5), _r5), _r5), _r5), _r5), _r5)
-    _s11 = _add(_multiply(_k64, vz_5, _r1), _multiply(t, _add(_multiply(_k67, vz_6, _r2), _multiply(t, _add(_multiply(_k70, vz_7, _r3), _multiply(_s0, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s12 = _add(_multiply(_k57, vz_2, _r1), _multiply(t, _add(_multiply(_k26, vz_3, _r2), _multiply(t, _add(_multiply(_k61, vz_4, _r3), _multiply(t, _s11, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s13 = z + _multiply(t, _add(vz_0, _multiply(t, _add(_multiply(_k40, vz_1, _r1), _multiply(t, _s12, _r0), _r0), _r0), _r0), _r0)
+    _s11 = _add(_multiply(_k68, vz_5, _r1), _multiply(t, _add(_multiply(_k71, vz_6, _r2), _multiply(t, _add(_multiply(_k29, vz_7, _r3), _multiply(_s0, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s12 = _add(_multiply(_k61, vz_2, _r1), _multiply(t, _add(_multiply(_k27, vz_3, _r2), _multiply(t, _add(_multiply(_k65, vz_4, _r3), _multiply(t, _s11, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s13 = z + _multiply(t, _add(vz_0, _multiply(t, _add(_multiply(_k44, vz_1, _r1), _multiply(t, _s12, _r0), _r0), _r0), _r0), _r0)
     _s14 = _add(vz_5, _multiply(t, _add(vz_6, _multiply(t, _add(vz_7, _multiply(t, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
     _s15 = _add(vz_2, _multiply(t, _add(vz_3, _multiply(t, _add(vz_4, _multiply(t, _s14, _r0), _r0), _r0), _r0), _r0), _r0)
     _s16 = _add(turn_rate_5, _multiply(t, _add(turn_rate_6, _multiply(t, _add(turn_rate_7, _multiply(t, turn_rate_8, _r1), _r1), _r1), _r1), _r1), _r1)
@@ -2416,25 +2416,25 @@ def roll_pace(p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any
     _s4 = _add(_add(_add(_absolute(turn_rate_8, _r3), _absolute(vx_8, _r5), _r5), _absolute(vy_8, _r3), _r3), _absolute(vz_8, _r5), _r5)
     _s5 = _add(_multiply(_add(_multiply(_s2, _s0, _r3), _sqrt(_multiply(p_gravity, _s2, _r2), _r2), _r2), _s3, _r2), _s4, _r2)
     _s6 = _multiply(_s1, _add(_add(_absolute(nx_8, _r3), _absolute(ny_8, _r6), _r6), _absolute(nz_8, _r3), _r3), _r3)
-    _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(_k24, _s1, _r0), _select(_s5 < _s6, _s6, _s5, _r6), _r0), _r0), _r0), _r0)
+    _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(_k25, _s1, _r0), _select(_s5 < _s6, _s6, _s5, _r6), _r0), _r0), _r0), _r0)
     _s8 = _result(_s7 < _k22, _s7, _k22, _r0)
     _s9 = _multiply(_multiply(_k23, _add(_add(_add(_absolute(turn_rate_2, _r6), _absolute(vx_2, _r3), _r3), _absolute(vy_2, _r6), _r6), _absolute(vz_2, _r3), _r3), _r3), _s8, _r3)
     _s10 = _multiply(_s8, _s8, _r6)
-    _s11 = _multiply(_multiply(_k59, _add(_add(_add(_absolute(turn_rate_3, _r2), _absolute(vx_3, _r7), _r7), _absolute(vy_3, _r2), _r2), _absolute(vz_3, _r7), _r7), _r7), _s10, _r7)
+    _s11 = _multiply(_multiply(_k63, _add(_add(_add(_absolute(turn_rate_3, _r2), _absolute(vx_3, _r7), _r7), _absolute(vy_3, _r2), _r2), _absolute(vz_3, _r7), _r7), _r7), _s10, _r7)
     _s12 = _multiply(_s8, _s10, _r2)
-    _s13 = _multiply(_multiply(_k60, _add(_add(_add(_absolute(turn_rate_4, _r8), _absolute(vx_4, _r9), _r9), _absolute(vy_4, _r8), _r8), _absolute(vz_4, _r9), _r9), _r9), _s12, _r9)
+    _s13 = _multiply(_multiply(_k64, _add(_add(_add(_absolute(turn_rate_4, _r8), _absolute(vx_4, _r9), _r9), _absolute(vy_4, _r8), _r8), _absolute(vz_4, _r9), _r9), _r9), _s12, _r9)
     _s14 = _multiply(_s10, _s10, _r8)
-    _s15 = _multiply(_multiply(_k63, _add(_add(_add(_absolute(turn_rate_5, _r10), _absolute(vx_5, _r11), _r11), _absolute(vy_5, _r10), _r10), _absolute(vz_5, _r11), _r11), _r11), _s14, _r11)
+    _s15 = _multiply(_multiply(_k67, _add(_add(_add(_absolute(turn_rate_5, _r10), _absolute(vx_5, _r11), _r11), _absolute(vy_5, _r10), _r10), _absolute(vz_5, _r11), _r11), _r11), _s14, _r11)
     _s16 = _multiply(_s8, _s14, _r10)
     _s17 = _multiply(_multiply(_k7, _add(_add(_add(_absolute(turn_rate_6, _r12), _absolute(vx_6, _r13), _r13), _absolute(vy_6, _r12), _r12), _absolute(vz_6, _r13), _r13), _r13), _s16, _r13)
-    _s18 = _add(_add(_add(_add(_add(_add(_s9, _s11, _r7), _s13, _r9), _s15, _r11), _s17, _r13), _multiply(_multiply(_k69, _s3, _r4), _multiply(_s10, _s14, _r11), _r4), _r4), _multiply(_multiply(_k25, _s4, _r5), _multiply(_s12, _s14, _r13), _r5), _r5)
+    _s18 = _add(_add(_add(_add(_add(_add(_s9, _s11, _r7), _s13, _r9), _s15, _r11), _s17, _r13), _multiply(_multiply(_k73, _s3, _r4), _multiply(_s10, _s14, _r11), _r4), _r4), _multiply(_multiply(_k26, _s4, _r5), _multiply(_s12, _s14, _r13), _r5), _r5)
     _s19 = _s18 + _add(_add(_add(_absolute(turn_rate_1, _r4), _absolute(vx_1, _r13), _r13), _absolute(vy_1, _r4), _r4), _absolute(vz_1, _r13), _r13)
     _s20 = 0.4 * p_gravity
-    _s21 = _add(_multiply(_multiply(_k7, _absolute(_add(lift_3, _multiply(_s20, nz_3, _r13), _r13), _r13), _r13), _s8, _r13), _multiply(_multiply(_k75, _absolute(_add(lift_4, _multiply(_s20, nz_4, _r5), _r5), _r5), _r5), _s10, _r5), _r5)
-    _s22 = _add(_s21, _multiply(_multiply(_k76, _absolute(_add(lift_5, _multiply(_s20, nz_5, _r13), _r13), _r13), _r13), _s12, _r13), _r13)
-    _s23 = _add(_s22, _multiply(_multiply(_k77, _absolute(_add(lift_6, _multiply(_s20, nz_6, _r5), _r5), _r5), _r5), _s14, _r5), _r5)
-    _s24 = _add(_s23, _multiply(_multiply(_k78, _absolute(_add(lift_7, _multiply(_s20, nz_7, _r13), _r13), _r13), _r13), _s16, _r13), _r13)
-    return _s8, _s19, _multiply(_s19, _s8, _r0) + _s0, lift_0 + _multiply(_s20, nz_0, _r0), lift_1 + _multiply(_s20, nz_1, _r0), _s24 + _multiply(_k23, _absolute(_add(lift_2, _multiply(_s20, nz_2, _r0), _r0), _r0), _r0), -_multiply(_k79, _negative(_multiply(p_gravity, nz_1, _r0), _r0), _r0)
+    _s21 = _add(_multiply(_multiply(_k7, _absolute(_add(lift_3, _multiply(_s20, nz_3, _r13), _r13), _r13), _r13), _s8, _r13), _multiply(_multiply(_k77, _absolute(_add(lift_4, _multiply(_s20, nz_4, _r5), _r5), _r5), _r5), _s10, _r5), _r5)
+    _s22 = _add(_s21, _multiply(_multiply(_k78, _absolute(_add(lift_5, _multiply(_s20, nz_5, _r13), _r13), _r13), _r13), _s12, _r13), _r13)
+    _s23 = _add(_s22, _multiply(_multiply(_k79, _absolute(_add(lift_6, _multiply(_s20, nz_6, _r5), _r5), _r5), _r5), _s14, _r5), _r5)
+    _s24 = _add(_s23, _multiply(_multiply(_k80, _absolute(_add(lift_7, _multiply(_s20, nz_7, _r13), _r13), _r13), _r13), _s16, _r13), _r13)
+    return _s8, _s19, _multiply(_s19, _s8, _r0) + _s0, lift_0 + _multiply(_s20, nz_0, _r0), lift_1 + _multiply(_s20, nz_1, _r0), _s24 + _multiply(_k23, _absolute(_add(lift_2, _multiply(_s20, nz_2, _r0), _r0), _r0), _r0), -_multiply(_k81, _negative(_multiply(p_gravity, nz_1, _r0), _r0), _r0)
 
 
 def roll_turn_rate(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -2457,9 +2457,9 @@ def pressed_on(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, ro
     _s1 = _negative(_s0, _r0) - _add(_add(_multiply(rolled_x, turning_x, _r1), _multiply(rolled_y, turning_y, _r2), _r2), _multiply(rolled_z, turning_z, _r1), _r1)
     _s2 = _add(_add(_multiply(nx, wx, _r1), _multiply(ny, wy, _r0), _r0), _multiply(nz, wz, _r1), _r1)
     _s3 = 0.4 * p_ball_radius
-    _s4 = _add(_multiply(_multiply(_k56, ny, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(nz, turning_x, _r2), _multiply(nx, turning_z, _r3), _r3), _r3), _s2, _r3), _r3)
-    _s5 = _add(_multiply(_multiply(_k56, nx, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(ny, turning_z, _r2), _multiply(nz, turning_y, _r4), _r4), _r4), _s2, _r4), _r4)
-    _s6 = _add(_add(0.4 * p_gravity, _multiply(_multiply(_k56, nz, _r0), _s0, _r0), _r0), _multiply(_multiply(_s3, _subtract(_multiply(nx, turning_y, _r2), _multiply(ny, turning_x, _r5), _r5), _r5), _s2, _r5), _r5)
+    _s4 = _add(_multiply(_multiply(_k60, ny, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(nz, turning_x, _r2), _multiply(nx, turning_z, _r3), _r3), _r3), _s2, _r3), _r3)
+    _s5 = _add(_multiply(_multiply(_k60, nx, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(ny, turning_z, _r2), _multiply(nz, turning_y, _r4), _r4), _r4), _s2, _r4), _r4)
+    _s6 = _add(_add(0.4 * p_gravity, _multiply(_multiply(_k60, nz, _r0), _s0, _r0), _r0), _multiply(_multiply(_s3, _subtract(_multiply(nx, turning_y, _r2), _multiply(ny, turning_x, _r5), _r5), _r5), _s2, _r5), _r5)
     return _s1, _s0, _sqrt(_add(_add(_multiply(_s4, _s4, _r0), _multiply(_s5, _s5, _r1), _r1), _multiply(_s6, _s6, _r0), _r0)), _multiply(nx, _s1, _r0) + _s5, _multiply(ny, _s1, _r0) + _s4, _add(_multiply(nz, _s1, _r0), _s6, _r0) - p_gravity
 
 
@@ -2511,7 +2511,7 @@ def gripped(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz:
     _s4 = _subtract(_s3, _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r4), _multiply(nz, wx, _r5), _r5), _r5), _r5)
     _s5 = _subtract(vz, _multiply(nz, _s0, _r4), _r4)
     _s6 = _subtract(_s5, _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r6), _multiply(nx, wy, _r7), _r7), _r7), _r7)
-    return _s1 - _multiply(_k56, _s2, _r6), _s3 - _multiply(_k56, _s4, _r6), _s5 - _multiply(_k56, _s6, _r6), _sqrt(_add(_add(_multiply(_s6, _s6, _r7), _multiply(_s4, _s4, _r5), _r5), _multiply(_s2, _s2, _r3), _r3)), _result(_k6 < _s0, _s0, _k6, _r0)
+    return _s1 - _multiply(_k60, _s2, _r6), _s3 - _multiply(_k60, _s4, _r6), _s5 - _multiply(_k60, _s6, _r6), _sqrt(_add(_add(_multiply(_s6, _s6, _r7), _multiply(_s4, _s4, _r5), _r5), _multiply(_s2, _s2, _r3), _r3)), _result(_k6 < _s0, _s0, _k6, _r0)
 
 
 def alone() -> tuple[Any, ...]:
@@ -2532,8 +2532,8 @@ def neared_body(facing: Any, gap: Any, nearest: Any, nearing: Any, press: Any, s
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = _absolute(gap, _r0)
     _s1 = _absolute(swerve, _r1)
-    _s2 = _multiply(_k88, press, _r2)
-    _s3 = _select(_logical_and((swerve < _multiply(_k89, press, _r3)), (facing < _k90)), _add(_divide(_multiply(_k40, _multiply(nearing, nearing, _r3), _r3), _select(_s1 < _s2, _s2, _s1, _r4), _r3), _s0, _r3), _k8, _r4)
+    _s2 = _multiply(_k90, press, _r2)
+    _s3 = _select(_logical_and((swerve < _multiply(_k91, press, _r3)), (facing < _k92)), _add(_divide(_multiply(_k44, _multiply(nearing, nearing, _r3), _r3), _select(_s1 < _s2, _s2, _s1, _r4), _r3), _s0, _r3), _k8, _r4)
     return _result(_s0 < nearest, _s0, nearest, _r0), _result(_s3 < wedge, _s3, wedge, _r0)
 
 
@@ -2572,7 +2572,7 @@ def leaving_force(p_ball_radius: Any, brace: Any, doubt: Any, fastest: Any, forc
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _absolute(per_reach, _r0)
     _s1 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), _s0, _r1), _r1)
-    _s2 = _multiply(_k95, _s1, _r2)
+    _s2 = _multiply(_k97, _s1, _r2)
     _s3 = force_rate < _k6
     _s4 = _logical_or((force < _negative(_s2, _r3)), _logical_and((force <= _s2), _s3))
     _s5 = _negative(_add(brace, force_rate, _r3), _r3)
@@ -2581,14 +2581,14 @@ def leaving_force(p_ball_radius: Any, brace: Any, doubt: Any, fastest: Any, forc
     _s8 = _logical_and(_s4, _logical_not(_s7))
     _s9 = _logical_and((_add(_add(_absolute(vx, _r3), _absolute(vy, _r5), _r5), _absolute(vz, _r3), _r3) <= (5.684341886080802e-14 * _sqrt((p_ball_radius * p_gravity)))), (_add(_add(_absolute(vx_1, _r3), _absolute(vy_1, _r5), _r5), _absolute(vz_1, _r3), _r3) <= (5.684341886080802e-14 * p_gravity)))
     _s10 = _multiply(force_rate, force_rate, _r3)
-    _s11 = _add(force_bend, _multiply(_k89, _s1, _r5), _r5)
+    _s11 = _add(force_bend, _multiply(_k91, _s1, _r5), _r5)
     _s12 = _select(_s7, _s6, _select(force < _k6, _k6, force, _r6), _r7)
     _s13 = _add(_s10, _multiply(_multiply(_k23, _s11, _r8), _s12, _r8), _r8)
     _s14 = _sqrt(_s13, _r9)
     _s15 = _select(_k6 <= _s13, _divide(_select(_s3, _multiply(_k23, _s12, _r7), _add(force_rate, _s14, _r6), _r4), _select(_s3, _subtract(_s14, force_rate, _r9), _select(_k6 < _s11, _s11, _k6, _r8), _r10), _r4), _k8, _r6)
-    _s16 = _add(_multiply(_multiply(_k25, _s0, _r0), _add(_multiply(fastest, velocity_error, _r7), _multiply(position_error, _s1, _r1), _r1), _r0), _s2, _r0)
-    _s17 = _logical_or(_s7, _logical_and((_absolute(force, _r2) <= _s16), _logical_not((_multiply(_multiply(_k25, _s11, _r5), _s16, _r5) < _s10))))
-    return _result(_logical_or(_s8, _s9), _k6, _select(_s15 < stride, _s15, stride, _r5), _r0), _result(_logical_and(_s8, (which == _k46)), _k7, which, _r0), _logical_and(_s9, _logical_not(_s8)), _result(_s17, _k6, doubt, _r0)
+    _s16 = _add(_multiply(_multiply(_k26, _s0, _r0), _add(_multiply(fastest, velocity_error, _r7), _multiply(position_error, _s1, _r1), _r1), _r0), _s2, _r0)
+    _s17 = _logical_or(_s7, _logical_and((_absolute(force, _r2) <= _s16), _logical_not((_multiply(_multiply(_k26, _s11, _r5), _s16, _r5) < _s10))))
+    return _result(_logical_or(_s8, _s9), _k6, _select(_s15 < stride, _s15, stride, _r5), _r0), _result(_logical_and(_s8, (which == _k50)), _k7, which, _r0), _logical_and(_s9, _logical_not(_s8)), _result(_s17, _k6, doubt, _r0)
 
 
 def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2598,7 +2598,7 @@ def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     Returns stride, which, doubt, late.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _multiply(_k97, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s0 = _multiply(_k99, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = gap <= _s0
     _s2 = nearing < _k6
     _s3 = _logical_and(_s1, _s2)
@@ -2608,10 +2608,10 @@ def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     _s7 = _add(_s4, _multiply(_multiply(_k23, _s5, _r4), _s6, _r4), _r4)
     _s8 = _sqrt(_s7, _r5)
     _s9 = _select(_k6 <= _s7, _divide(_select(_s2, _multiply(_k23, _s6, _r3), _add(nearing, _s8, _r4), _r6), _select(_s2, _subtract(_s8, nearing, _r5), _select(_k6 < _s5, _s5, _k6, _r7), _r8), _r6), _k8, _r4)
-    _s10 = which == _k46
+    _s10 = which == _k50
     _s11 = _logical_and(_s3, _s10)
     _s12 = _add(_multiply(_k23, position_error, _r3), _s0, _r3)
-    _s13 = _logical_or(_logical_and(_logical_and((gap <= _s12), (_negative(_s12, _r0) <= gap)), _logical_not((_multiply(_multiply(_k25, _s12, _r0), _s5, _r0) < _s4))), _logical_and(_s3, _logical_not(_s10)))
+    _s13 = _logical_or(_logical_and(_logical_and((gap <= _s12), (_negative(_s12, _r0) <= gap)), _logical_not((_multiply(_multiply(_k26, _s12, _r0), _s5, _r0) < _s4))), _logical_and(_s3, _logical_not(_s10)))
     return _result(_s3, _k6, _select(_s9 < stride, _s9, stride, _r0), _r0), _result(_s11, index, which, _r0), _result(_s13, _k6, doubt, _r0), _result(_s11, _divide(_multiply(_k23, _s12, _r3), _absolute(nearing, _r0), _r3), late, _r0)
 
 
@@ -2622,7 +2622,7 @@ def beside_gate(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     Returns stride, which, doubt, late.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _multiply(_k97, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s0 = _multiply(_k99, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = nearing < _k6
     _s2 = _logical_and(_logical_and((gap <= _s0), _s1), (_negative(_s0, _r1) <= gap))
     _s3 = _multiply(nearing, nearing, _r1)
@@ -2631,10 +2631,10 @@ def beside_gate(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     _s6 = _add(_s3, _multiply(_multiply(_k23, _s4, _r4), _s5, _r4), _r4)
     _s7 = _sqrt(_s6, _r5)
     _s8 = _select(_k6 < gap, _select(_k6 <= _s6, _divide(_select(_s1, _multiply(_k23, _s5, _r3), _add(nearing, _s7, _r4), _r6), _select(_s1, _subtract(_s7, nearing, _r5), _select(_k6 < _s4, _s4, _k6, _r7), _r8), _r6), _k8, _r4), _k8, _r3)
-    _s9 = which == _k46
+    _s9 = which == _k50
     _s10 = _logical_and(_s2, _s9)
     _s11 = _add(_multiply(_k23, position_error, _r8), _s0, _r8)
-    _s12 = _logical_or(_logical_and(_logical_and((gap <= _s11), (_negative(_s11, _r0) <= gap)), _logical_not((_multiply(_multiply(_k25, _s11, _r0), _s4, _r0) < _s3))), _logical_and(_s2, _logical_not(_s9)))
+    _s12 = _logical_or(_logical_and(_logical_and((gap <= _s11), (_negative(_s11, _r0) <= gap)), _logical_not((_multiply(_multiply(_k26, _s11, _r0), _s4, _r0) < _s3))), _logical_and(_s2, _logical_not(_s9)))
     return _result(_s2, _k6, _select(_s8 < stride, _s8, stride, _r0), _r0), _result(_s10, index, which, _r0), _result(_s12, _k6, doubt, _r0), _result(_s10, _divide(_multiply(_k23, _s11, _r8), _absolute(nearing, _r0), _r8), late, _r0)
 
 
@@ -2648,7 +2648,7 @@ def beside_seam(fastest: Any, gap: Any, near: Any, nearing: Any, stride: Any, st
     _s0 = _absolute(gap, _r0)
     _s1 = _s0 <= near
     _s2 = _select(_s1, _k6, _s0, _r1)
-    _s3 = _select(_s1, _add(_multiply(_k88, fastest, _r2), _absolute(nearing, _r3), _r3), _select(_k6 < gap, nearing, _negative(nearing, _r2), _r4), _r5)
+    _s3 = _select(_s1, _add(_multiply(_k90, fastest, _r2), _absolute(nearing, _r3), _r3), _select(_k6 < gap, nearing, _negative(nearing, _r2), _r4), _r5)
     _s4 = _add(_multiply(_multiply(_k23, strongest, _r6), _s2, _r6), _multiply(_s3, _s3, _r7), _r7)
     _s5 = _sqrt(_s4, _r6)
     _s6 = _s3 < _k6
@@ -2725,26 +2725,26 @@ def parted(doubt: Any, p_gravity: Any, lift: Any, per_reach: Any, position_error
     Returns when, doubt.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
-    _s0 = _multiply(_k26, spare, _r0)
+    _s0 = _multiply(_k27, spare, _r0)
     _s1 = _add(_add(_add(0.0078125 * p_gravity, _absolute(vx, _r1), _r1), _absolute(vy, _r2), _r2), _absolute(vz, _r1), _r1)
     _s2 = _absolute(per_reach, _r2)
     _s3 = _add(p_gravity, _multiply(_multiply(_s1, _s1, _r3), _s2, _r3), _r3)
     _s4 = _add(_add(_k22, _multiply(_s1, _s2, _r4), _r4), _sqrt(_multiply(p_gravity, _s2, _r5), _r5), _r5)
-    _s5 = _multiply(_multiply(_k37, _s3, _r4), _multiply(_s4, _multiply(_s4, _s4, _r6), _r6), _r4)
-    _s6 = _multiply(_k40, surge, _r6)
+    _s5 = _multiply(_multiply(_k41, _s3, _r4), _multiply(_s4, _multiply(_s4, _s4, _r6), _r6), _r4)
+    _s6 = _multiply(_k44, surge, _r6)
     _s7 = _sqrt(_divide(_s6, _s5, _r7), _r7)
-    _s8 = _multiply(_k47, _s5, _r8)
+    _s8 = _multiply(_k51, _s5, _r8)
     _s9 = _add(_absolute(snap, _r9), _s8, _r9)
     _s10 = _divide(_s6, _s9, _r6)
     _s11 = _select(_k6 < lift, lift, _k6, _r10)
-    _s12 = _sqrt(_divide(_multiply(_k100, _s11, _r11), _s5, _r11), _r11)
-    _s13 = _sqrt(_divide(_multiply(_k40, _s11, _r4), _s9, _r4), _r4)
-    _s14 = _divide(_s11, _add(_multiply(_k60, _absolute(surge, _r9), _r9), _s8, _r9), _r9)
+    _s12 = _sqrt(_divide(_multiply(_k102, _s11, _r11), _s5, _r11), _r11)
+    _s13 = _sqrt(_divide(_multiply(_k44, _s11, _r4), _s9, _r4), _r4)
+    _s14 = _divide(_s11, _add(_multiply(_k64, _absolute(surge, _r9), _r9), _s8, _r9), _r9)
     _s15 = _select(_s13 < _s14, _s13, _s14, _r10)
     _s16 = _select(_k6 < surge, _select(_s7 < _s10, _s7, _s10, _r8), _select(_s12 < _s15, _s12, _s15, _r12), _r13)
-    _s17 = _select(_s16 < _k101, _s16, _k101, _r14)
+    _s17 = _select(_s16 < _k103, _s16, _k103, _r14)
     _s18 = _select(_s0 < _s17, _s0, _s17, _r15)
-    _s19 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(_k35, _add(_multiply(position_error, _s3, _r3), _multiply(velocity_error, _s1, _r1), _r1), _r1), _s2, _r1), _r1)
+    _s19 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(_k39, _add(_multiply(position_error, _s3, _r3), _multiply(velocity_error, _s1, _r1), _r1), _r1), _s2, _r1), _r1)
     return _result(_k6 < _s18, _s18, _k6, _r0), _result(_logical_or((_multiply(_s19, _s4, _r5) < surge), (_s19 < lift)), doubt, _k6, _r0)
 
 
@@ -2767,7 +2767,7 @@ def apart(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, 
     _s9 = _absolute(dy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dz, _r11)
-    _s12 = _add(_add(1.1102230246251565e-16 * p_ball_radius, _multiply(_k70, _add(_multiply(p_ball_radius, _select(_s2 < _s3, _s3, _s2, _r12), _r12), _select(_s6 < _s7, _s7, _s6, _r3), _r3), _r3), _r3), _select(_s10 < _s11, _s11, _s10, _r7), _r7)
+    _s12 = _add(_add(1.1102230246251565e-16 * p_ball_radius, _multiply(_k29, _add(_multiply(p_ball_radius, _select(_s2 < _s3, _s3, _s2, _r12), _r12), _select(_s6 < _s7, _s7, _s6, _r3), _r3), _r3), _r3), _select(_s10 < _s11, _s11, _s10, _r7), _r7)
     return (2.384185791015625e-07 * p_ball_radius) / _s12,
 
 
@@ -2816,11 +2816,11 @@ def carry_hop(dvx: Any, dvy: Any, dvz: Any, dx: Any, dy: Any, dz: Any, vx: Any, 
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _add(dx, _multiply(dvx, when, _r0), _r0)
     _s1 = _multiply(_k23, when, _r1)
-    _s2 = _multiply(_k24, _add(_multiply(_s1, _absolute(vx, _r2), _r2), _absolute(x, _r3), _r3), _r3)
+    _s2 = _multiply(_k25, _add(_multiply(_s1, _absolute(vx, _r2), _r2), _absolute(x, _r3), _r3), _r3)
     _s3 = _add(dy, _multiply(dvy, when, _r2), _r2)
-    _s4 = _multiply(_k24, _add(_multiply(_s1, _absolute(vy, _r4), _r4), _absolute(y, _r5), _r5), _r5)
+    _s4 = _multiply(_k25, _add(_multiply(_s1, _absolute(vy, _r4), _r4), _absolute(y, _r5), _r5), _r5)
     _s5 = _add(dz, _multiply(dvz, when, _r4), _r4)
-    _s6 = _multiply(_k24, _add(_multiply(_s1, _absolute(vz, _r6), _r6), _absolute(z, _r1), _r1), _r1)
+    _s6 = _multiply(_k25, _add(_multiply(_s1, _absolute(vz, _r6), _r6), _absolute(z, _r1), _r1), _r1)
     return _s0 + _select(_s0 < _k6, _negative(_s2, _r6), _s2, _r7), _s3 + _select(_s3 < _k6, _negative(_s4, _r7), _s4, _r6), _s5 + _select(_s5 < _k6, _negative(_s6, _r6), _s6, _r7)
 
 
@@ -2923,14 +2923,14 @@ def kept_on(began: Any, body: Any, clock: Any, doubt: Any, ends: Any, held: Any,
     Returns body, reached, doubt, ends, hopped, last, mode, held, rolls.
     """
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
-    _s0 = which == _k63
-    _s1 = _multiply(_k23, _select(held == _k23, _k23, _select(held == _k22, _k22, _select(held == _k6, _k6, _k46, _r0), _r1), _r2), _r2)
+    _s0 = which == _k67
+    _s1 = _multiply(_k23, _select(held == _k23, _k23, _select(held == _k22, _k22, _select(held == _k6, _k6, _k50, _r0), _r1), _r2), _r2)
     _s2 = which == _k7
-    _s3 = which == _k69
-    _s4 = which == _k25
-    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k104))
-    _s6 = _k60 < which
-    return _result(_s0, _add(_k60, _s1, _r1), _select(_s2, _add(_k63, _s1, _r2), _select(_s3, _k46, _select(_s4, _k59, body, _r0), _r3), _r4), _r0), _result(_s5, _k23, _select(_s4, _k7, _select(rests, _k63, _select(_logical_or(_s6, rolling), _k46, reached, _r4), _r3), _r0), _r0), _result(_s5, _k6, doubt, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k46, last, _r0), _result(_logical_or(_s0, rolling), _k23, _select(_s2, _k59, _k6, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k46, _r0), _result(_s0, _add(_k22, rolls, _r0), rolls, _r0)
+    _s3 = which == _k73
+    _s4 = which == _k26
+    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k106))
+    _s6 = _k64 < which
+    return _result(_s0, _add(_k64, _s1, _r1), _select(_s2, _add(_k67, _s1, _r2), _select(_s3, _k50, _select(_s4, _k63, body, _r0), _r3), _r4), _r0), _result(_s5, _k23, _select(_s4, _k7, _select(rests, _k67, _select(_logical_or(_s6, rolling), _k50, reached, _r4), _r3), _r0), _r0), _result(_s5, _k6, doubt, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k50, last, _r0), _result(_logical_or(_s0, rolling), _k23, _select(_s2, _k63, _k6, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k50, _r0), _result(_s0, _add(_k22, rolls, _r0), rolls, _r0)
 
 
 def settled(index: Any, lodges: Any, nearly: Any, outcome: Any, parts: Any, settles: Any, slides: Any, uncertain: Any, unsure: Any) -> tuple[Any, ...]:
@@ -2950,18 +2950,18 @@ def pulled(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _negative(_multiply(p_gravity, nz_0, _r0), _r0)
-    _s1 = _multiply(_k56, nx_0, _r1)
-    _s2 = _multiply(_k56, turn_rate_0, _r2)
+    _s1 = _multiply(_k60, nx_0, _r1)
+    _s2 = _multiply(_k60, turn_rate_0, _r2)
     _s3 = _add(_multiply(_s1, _s0, _r3), _multiply(_s2, tx_0, _r4), _r4)
-    _s4 = _multiply(_k56, ny_0, _r3)
+    _s4 = _multiply(_k60, ny_0, _r3)
     _s5 = _add(_multiply(_s4, _s0, _r5), _multiply(_s2, ty_0, _r6), _r6)
-    _s6 = _multiply(_k56, nz_0, _r5)
+    _s6 = _multiply(_k60, nz_0, _r5)
     _s7 = _add(_add(0.4 * p_gravity, _multiply(_s6, _s0, _r7), _r7), _multiply(_s2, tz_0, _r8), _r8)
     _s8 = _negative(_multiply(p_gravity, nz_1, _r7), _r7)
-    _s9 = _multiply(_k56, turn_rate_1, _r9)
-    _s10 = _multiply(_multiply(_k23, _s3, _r10), _add(_add(_add(_multiply(_s1, _s8, _r1), _multiply(_multiply(_k56, nx_1, _r11), _s0, _r11), _r11), _multiply(_s2, tx_1, _r1), _r1), _multiply(_s9, tx_0, _r11), _r11), _r10)
-    _s11 = _multiply(_multiply(_k23, _s5, _r11), _add(_add(_add(_multiply(_s4, _s8, _r3), _multiply(_multiply(_k56, ny_1, _r1), _s0, _r1), _r1), _multiply(_s2, ty_1, _r3), _r3), _multiply(_s9, ty_0, _r1), _r1), _r11)
-    _s12 = _multiply(_multiply(_k23, _s7, _r1), _add(_add(_add(_multiply(_s6, _s8, _r7), _multiply(_multiply(_k56, nz_1, _r5), _s0, _r5), _r5), _multiply(_s2, tz_1, _r2), _r2), _multiply(_s9, tz_0, _r9), _r9), _r1)
+    _s9 = _multiply(_k60, turn_rate_1, _r9)
+    _s10 = _multiply(_multiply(_k23, _s3, _r10), _add(_add(_add(_multiply(_s1, _s8, _r1), _multiply(_multiply(_k60, nx_1, _r11), _s0, _r11), _r11), _multiply(_s2, tx_1, _r1), _r1), _multiply(_s9, tx_0, _r11), _r11), _r10)
+    _s11 = _multiply(_multiply(_k23, _s5, _r11), _add(_add(_add(_multiply(_s4, _s8, _r3), _multiply(_multiply(_k60, ny_1, _r1), _s0, _r1), _r1), _multiply(_s2, ty_1, _r3), _r3), _multiply(_s9, ty_0, _r1), _r1), _r11)
+    _s12 = _multiply(_multiply(_k23, _s7, _r1), _add(_add(_add(_multiply(_s6, _s8, _r7), _multiply(_multiply(_k60, nz_1, _r5), _s0, _r5), _r5), _multiply(_s2, tz_1, _r2), _r2), _multiply(_s9, tz_0, _r9), _r9), _r1)
     return _add(_multiply(_s3, _s3, _r4), _multiply(_s5, _s5, _r6), _r6) + _multiply(_s7, _s7, _r8), _add(_s10, _s11, _r11) + _s12, -_inf, 0.0
 
 
@@ -2998,8 +2998,8 @@ def lost_grip(clock: Any, strain: Any, strain_rate: Any, taut: Any, taut_clock: 
     _s5 = _multiply(strain_rate, _s0, _r5)
     _s6 = _multiply(taut_rate, _s0, _r6)
     _s7 = _subtract(_add(_s5, _s6, _r7), _multiply(_k23, _s1, _r8), _r8)
-    _s8 = _multiply(_k59, _s7, _r7)
-    _s9 = _subtract(_subtract(_multiply(_k59, _s1, _r9), _s5, _r9), _multiply(_k23, _s6, _r5), _r5)
+    _s8 = _multiply(_k63, _s7, _r7)
+    _s9 = _subtract(_subtract(_multiply(_k63, _s1, _r9), _s5, _r9), _multiply(_k23, _s6, _r5), _r5)
     _s10 = _multiply(_k23, _s9, _r9)
     _s11 = _add(_multiply(_add(_multiply(_s8, _s4, _r10), _s10, _r10), _s4, _r10), _s6, _r10)
     _s12 = _add(taut, _multiply(_add(_multiply(_add(_multiply(_s7, _s4, _r11), _s9, _r11), _s4, _r11), _s6, _r11), _s4, _r11), _r11)
@@ -3059,7 +3059,7 @@ def ring_impact_doubt(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     _s8 = _absolute(dvy, _r6)
     _s9 = _select(_s7 < _s8, _s8, _s7, _r7)
     _s10 = _absolute(dvz, _r8)
-    _s11 = _multiply(_k37, _add(_add(_add(_multiply(p_ball_radius, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _multiply(turn, _s6, _r3), _r3), _select(_s9 < _s10, _s10, _s9, _r9), _r9), _multiply(_k17, _s6, _r5), _r5), _r5)
+    _s11 = _multiply(_k41, _add(_add(_add(_multiply(p_ball_radius, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _multiply(turn, _s6, _r3), _r3), _select(_s9 < _s10, _s10, _s9, _r9), _r9), _multiply(_k17, _s6, _r5), _r5), _r5)
     _s12 = _add(_add(_multiply(nx, vx, _r9), _multiply(ny, vy, _r8), _r8), _multiply(nz, vz, _r9), _r9)
     _s13 = _subtract(_subtract(vz, _multiply(nz, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r6), _r6), _r6), _r6)
     _s14 = _subtract(_subtract(vy, _multiply(ny, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r7), _multiply(nz, wx, _r4), _r4), _r4), _r4)
@@ -3084,35 +3084,35 @@ def ring_impact_settling(p_ball_radius: Any, bounce: Any, drag: Any, lift: Any, 
     _s4 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r2), _absolute(wy, _r3), _r3), _absolute(wz, _r2), _r2), _r2), _absolute(rolled_x, _r3), _r3), _absolute(rolled_y, _r2), _r2)
     _s5 = _add(_s4, _absolute(rolled_z, _r3), _r3)
     _s6 = _absolute(weight, _r2)
-    _s7 = _multiply(_multiply(_k25, _add(_multiply(_s3, _s5, _r4), _s6, _r4), _r4), _s3, _r4)
+    _s7 = _multiply(_multiply(_k26, _add(_multiply(_s3, _s5, _r4), _s6, _r4), _r4), _s3, _r4)
     _s8 = _s0 * _s0
     _s9 = _add(_sqrt(_multiply(p_ball_radius, _s6, _r2), _r2), _s5, _r2)
-    _s10 = _multiply(_k106, _s9, _r5)
+    _s10 = _multiply(_k108, _s9, _r5)
     _s11 = _multiply(_k23, drag, _r6)
     _s12 = 1.0 + p_ring_restitution
     _s13 = p_ring_friction * _s12
     _s14 = _multiply(press, _s13, _r7)
-    _s15 = _logical_and(_logical_and(_logical_and(_logical_and((_k6 < press), _s1), (_multiply(_multiply(_k59, _s2, _r8), _s7, _r8) < _multiply(press, _s8, _r9))), (slip <= _add(_multiply(_multiply(_k25, drag, _r9), _s2, _r9), _s10, _r9))), (_s11 <= _s14))
-    _s16 = _multiply(_k40, bounce, _r9)
+    _s15 = _logical_and(_logical_and(_logical_and(_logical_and((_k6 < press), _s1), (_multiply(_multiply(_k63, _s2, _r8), _s7, _r8) < _multiply(press, _s8, _r9))), (slip <= _add(_multiply(_multiply(_k26, drag, _r9), _s2, _r9), _s10, _r9))), (_s11 <= _s14))
+    _s16 = _multiply(_k44, bounce, _r9)
     _s17 = _s12 * _s0
-    _s18 = _multiply(_k60, drag, _r8)
-    _s19 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(_k107, slip, _r10), _s2, _r10), _s0, _r10), _r10)
+    _s18 = _multiply(_k64, drag, _r8)
+    _s19 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(_k109, slip, _r10), _s2, _r10), _s0, _r10), _r10)
     _s20 = 3.637978807091713e-12 * p_ball_radius
     _s21 = _logical_and(_s15, (_s19 <= _s20))
     _s22 = 3.725290298461914e-09 * p_ball_radius
     _s23 = wedge <= _s22
-    _s24 = _divide(_multiply(_multiply(_k35, _s2, _r0), _s5, _r0), _s0, _r0)
+    _s24 = _divide(_multiply(_multiply(_k39, _s2, _r0), _s5, _r0), _s0, _r0)
     _s25 = _add(_s22, _s24, _r11) < nearest
     _s26 = _s24 <= _s22
     _s27 = _negative(lift, _r0)
     _s28 = _select(_s27 < press, _s27, press, _r11)
     _s29 = _divide(bounce, _s28, _r12)
-    _s30 = _logical_and(_logical_and(_logical_and((_k6 < _s28), _s1), (_multiply(_multiply(_k59, _s29, _r13), _s7, _r13) < _multiply(_s8, _s28, _r11))), (_add(_s22, _divide(_multiply(_multiply(_k35, _s29, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
+    _s30 = _logical_and(_logical_and(_logical_and((_k6 < _s28), _s1), (_multiply(_multiply(_k63, _s29, _r13), _s7, _r13) < _multiply(_s8, _s28, _r11))), (_add(_s22, _divide(_multiply(_multiply(_k39, _s29, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
     _s31 = _logical_and(_s30, (_add(_multiply(_s16, _s29, _r9), _divide(_multiply(_s18, _multiply(_s29, _s29, _r11), _r11), _s17, _r11), _r11) <= _s20))
     _s32 = _k6 < bounce
-    _s33 = _add(_divide(_multiply(_k63, _add(_multiply(_s11, _s29, _r12), _select(_s32, _multiply(bounce, _s13, _r11), _k6, _r9), _r9), _r9), _s0, _r9), _multiply(_k108, _s9, _r2), _r2)
-    _s34 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k60, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s19, _s20, _r10), _r10), _r10) <= _multiply(_multiply(_k23, velocity_error, _r11), _s20, _r11)), _s32))
-    _s35 = _multiply(_k35, velocity_error, _r11)
+    _s33 = _add(_divide(_multiply(_k67, _add(_multiply(_s11, _s29, _r12), _select(_s32, _multiply(bounce, _s13, _r11), _k6, _r9), _r9), _r9), _s0, _r9), _multiply(_k110, _s9, _r2), _r2)
+    _s34 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k64, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s19, _s20, _r10), _r10), _r10) <= _multiply(_multiply(_k23, velocity_error, _r11), _s20, _r11)), _s32))
+    _s35 = _multiply(_k39, velocity_error, _r11)
     _s36 = _logical_and(_s31, _logical_or((_absolute(_subtract(slip, _s33, _r10), _r10) < _s35), (_absolute(_subtract(_s11, _s14, _r10), _r10) < _multiply(_s35, _add(_multiply(_s13, _s3, _r9), _s3, _r9), _r9))))
     return _logical_and(_logical_and(_s21, _logical_not(_s23)), _logical_or(_s25, _s26)), _logical_and(_s21, _s23), _logical_and(_s31, _logical_or((_s33 < slip), (_s14 < _s11))), _logical_and((bounce <= _s10), (_k6 <= lift)), _result(_logical_or(_logical_and(_s15, _s25), _s30), _k22, _k6, _r0), _logical_or(_logical_or(_s34, _s36), _logical_and(_logical_and(_s21, _s26), _logical_not(_s25)))
 
@@ -3146,24 +3146,24 @@ def ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, n
     _s9 = _divide(p_ring_restitution, _subtract(_k22, _divide(_s0, p_restitution_speed, _r8), _r8), _r8)
     _s10 = _negative(_multiply(p_ring_friction, _multiply(_add(_k22, _s9, _r9), _s0, _r9), _r9), _r9)
     _s11 = _select(0.0 < p_ring_friction, _select(p_ring_friction < _inf, _select(_multiply(_s7, _s8 * _s8, _r10) <= _multiply(_s10, _s10, _r11), _s8, _divide(_s10, _sqrt(_s7, _r6), _r6), _r9), _s8, _r11), _k6, _r10)
-    _s12 = _divide(_multiply(_k112, _s11, _r12), p_ball_radius, _r12)
+    _s12 = _divide(_multiply(_k114, _s11, _r12), p_ball_radius, _r12)
     return _subtract(_s1, _multiply(_s2, _s11, _r13), _r13) - _multiply(_multiply(nx, _s9, _r1), _s0, _r1), _subtract(_s5, _multiply(_s6, _s11, _r1), _r1) - _multiply(_multiply(ny, _s9, _r4), _s0, _r4), _subtract(_s3, _multiply(_s4, _s11, _r10), _r10) - _multiply(_multiply(nz, _s9, _r8), _s0, _r8), wx + _multiply(_s12, _subtract(_multiply(ny, _s4, _r8), _multiply(nz, _s6, _r10), _r10), _r10), wy + _multiply(_s12, _subtract(_multiply(nz, _s2, _r10), _multiply(nx, _s4, _r5), _r5), _r5), wz + _multiply(_s12, _subtract(_multiply(nx, _s6, _r7), _multiply(ny, _s2, _r3), _r3), _r3)
 
 
 def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, lifting: Any, p_ball_radius: Any, p_ring_restitution: Any, p_ring_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of velocity and spin after a contact, from those before it.
 
-    derivative of the contact with friction, with roundings. 315 operations: 41 additions, 56 subtractions, 126 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections.
+    derivative of the contact with friction, with roundings. 312 operations: 60 additions, 38 subtractions, 128 multiplications, 10 divisions, 1 square root, 13 negations, 18 absolute values, 19 comparisons, 25 selections.
     Returns dvx, dvy, dvz, dwx, dwy, dwz.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32 = _room[:33]
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
-    _s1 = _add(_add(_add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dny, vy, _r2), _r2), _multiply(dnz, vz, _r1), _r1), _multiply(dvx, nx, _r2), _r2), _multiply(dvy, ny, _r1), _r1), _multiply(dvz, nz, _r2), _r2)
-    _s2 = _subtract(_subtract(dvx, _multiply(dnx, _s0, _r1), _r1), _multiply(nx, _s1, _r3), _r3)
-    _s3 = _subtract(_subtract(vx, _multiply(nx, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r4), _multiply(ny, wz, _r5), _r5), _r5), _r5)
-    _s4 = _subtract(_subtract(vz, _multiply(nz, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r4), _multiply(nx, wy, _r6), _r6), _r6), _r6)
-    _s5 = _subtract(_subtract(vy, _multiply(ny, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r4), _multiply(nz, wx, _r7), _r7), _r7), _r7)
-    _s6 = _add(_add(_multiply(_s4, _s4, _r1), _multiply(_s5, _s5, _r4), _r4), _multiply(_s3, _s3, _r1), _r1)
+    _s1 = _add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dvx, nx, _r2), _r2), _add(_multiply(dny, vy, _r1), _multiply(dvy, ny, _r3), _r3), _r3), _add(_multiply(dnz, vz, _r2), _multiply(dvz, nz, _r1), _r1), _r1)
+    _s2 = _subtract(dvx, _add(_multiply(dnx, _s0, _r3), _multiply(nx, _s1, _r2), _r2), _r2)
+    _s3 = _subtract(_subtract(vx, _multiply(nx, _s0, _r3), _r3), _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r4), _multiply(ny, wz, _r5), _r5), _r5), _r5)
+    _s4 = _subtract(_subtract(vz, _multiply(nz, _s0, _r3), _r3), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r4), _multiply(nx, wy, _r6), _r6), _r6), _r6)
+    _s5 = _subtract(_subtract(vy, _multiply(ny, _s0, _r3), _r3), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r4), _multiply(nz, wx, _r7), _r7), _r7), _r7)
+    _s6 = _add(_add(_multiply(_s4, _s4, _r3), _multiply(_s5, _s5, _r4), _r4), _multiply(_s3, _s3, _r3), _r3)
     _s7 = 0.4 + (0.4 * p_tangential_restitution)
     _s8 = _subtract(_k22, _divide(_s0, p_restitution_speed, _r4), _r4)
     _s9 = _divide(p_ring_restitution, _s8, _r8)
@@ -3171,56 +3171,61 @@ def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     _s11 = _negative(_multiply(p_ring_friction, _multiply(_s10, _s0, _r10), _r10), _r10)
     _s12 = _negative(_divide(_multiply(p_ring_restitution, _negative(_divide(_s1, p_restitution_speed, _r11), _r11), _r11), _multiply(_s8, _s8, _r4), _r11), _r11)
     _s13 = _sqrt(_s6, _r4)
-    _s14 = _subtract(_subtract(dvz, _multiply(dnz, _s0, _r12), _r12), _multiply(nz, _s1, _r13), _r13)
-    _s15 = _subtract(_s14, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dny, wx, _r12), _multiply(dwx, ny, _r14), _r14), _multiply(dnx, wy, _r12), _r12), _multiply(dwy, nx, _r14), _r14), _r14), _r14)
-    _s16 = _subtract(_subtract(dvy, _multiply(dny, _s0, _r12), _r12), _multiply(ny, _s1, _r15), _r15)
-    _s17 = _subtract(_s16, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dnx, wz, _r12), _multiply(dwz, nx, _r16), _r16), _multiply(dnz, wx, _r12), _r12), _multiply(dwx, nz, _r16), _r16), _r16), _r16)
-    _s18 = _subtract(_s2, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dnz, wy, _r12), _multiply(dwy, nz, _r17), _r17), _multiply(dny, wz, _r12), _r12), _multiply(dwz, ny, _r17), _r17), _r17), _r17)
-    _s19 = _divide(_multiply(_multiply(_k40, _s11, _r12), _add(_add(_multiply(_multiply(_k23, _s4, _r18), _s15, _r18), _multiply(_multiply(_k23, _s5, _r19), _s17, _r19), _r19), _multiply(_multiply(_k23, _s3, _r18), _s18, _r18), _r18), _r12), _multiply(_s13, _s6, _r18), _r12)
-    _s20 = _subtract(_divide(_negative(_multiply(p_ring_friction, _add(_multiply(_s10, _s1, _r9), _multiply(_s12, _s0, _r18), _r18), _r18), _r18), _s13, _r18), _s19, _r12)
-    _s21 = _multiply(_s6, _s7 * _s7, _r1) <= _multiply(_s11, _s11, _r18)
+    _s14 = _subtract(dvz, _add(_multiply(dnz, _s0, _r12), _multiply(nz, _s1, _r13), _r13), _r13)
+    _s15 = _subtract(_s14, _multiply(p_ball_radius, _subtract(_add(_multiply(dny, wx, _r12), _multiply(dwx, ny, _r14), _r14), _add(_multiply(dnx, wy, _r12), _multiply(dwy, nx, _r15), _r15), _r15), _r15), _r15)
+    _s16 = _subtract(dvy, _add(_multiply(dny, _s0, _r14), _multiply(ny, _s1, _r12), _r12), _r12)
+    _s17 = _subtract(_s16, _multiply(p_ball_radius, _subtract(_add(_multiply(dnx, wz, _r14), _multiply(dwz, nx, _r16), _r16), _add(_multiply(dnz, wx, _r14), _multiply(dwx, nz, _r17), _r17), _r17), _r17), _r17)
+    _s18 = _subtract(_s2, _multiply(p_ball_radius, _subtract(_add(_multiply(dnz, wy, _r16), _multiply(dwy, nz, _r14), _r14), _add(_multiply(dny, wz, _r16), _multiply(dwz, ny, _r18), _r18), _r18), _r18), _r18)
+    _s19 = _divide(_multiply(_multiply(_k44, _s11, _r14), _add(_add(_multiply(_multiply(_k23, _s4, _r16), _s15, _r16), _multiply(_multiply(_k23, _s5, _r19), _s17, _r19), _r19), _multiply(_multiply(_k23, _s3, _r16), _s18, _r16), _r16), _r14), _multiply(_s13, _s6, _r16), _r14)
+    _s20 = _subtract(_divide(_negative(_multiply(p_ring_friction, _add(_multiply(_s10, _s1, _r9), _multiply(_s12, _s0, _r16), _r16), _r16), _r16), _s13, _r16), _s19, _r14)
+    _s21 = _multiply(_s6, _s7 * _s7, _r3) <= _multiply(_s11, _s11, _r16)
     _s22 = p_ring_friction < _inf
     _s23 = 0.0 < p_ring_friction
-    _s24 = _select(_s23, _select(_s22, _select(_s21, _k6, _s20, _r18), _k6, _r1), _k6, _r9)
+    _s24 = _select(_s23, _select(_s22, _select(_s21, _k6, _s20, _r16), _k6, _r3), _k6, _r9)
     _s25 = _select(_s23, _select(_s22, _select(_s21, _s7, _divide(_s11, _s13, _r4), _r10), _s7, _r19), _k6, _r20)
-    _s26 = _subtract(_subtract(_subtract(_subtract(_subtract(_s2, _multiply(_s3, _s24, _r21), _r21), _multiply(_s18, _s25, _r3), _r3), _multiply(_multiply(dnx, _s9, _r21), _s0, _r21), _r21), _multiply(_multiply(nx, _s9, _r3), _s1, _r3), _r3), _multiply(_multiply(nx, _s12, _r21), _s0, _r21), _r21)
-    _s27 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r3), _absolute(wy, _r22), _r22), _absolute(wz, _r3), _r3), _r3), _absolute(vx, _r22), _r22), _absolute(vy, _r3), _r3)
-    _s28 = _add(_s27, _absolute(vz, _r22), _r22)
-    _s29 = _multiply(_k33, _s28, _r3)
-    _s30 = _negative(_s29, _r23)
-    _s31 = _add(_s26, _select(_s26 < _k6, _s30, _s29, _r24), _r24)
-    _s32 = _absolute(dwx, _r21)
-    _s33 = _absolute(dwy, _r25)
-    _s34 = _select(_s32 < _s33, _s33, _s32, _r26)
-    _s35 = _absolute(dwz, _r27)
-    _s36 = _absolute(dvx, _r28)
-    _s37 = _absolute(dvy, _r29)
-    _s38 = _select(_s36 < _s37, _s37, _s36, _r30)
-    _s39 = _absolute(dvz, _r31)
-    _s40 = _add(_add(_multiply(p_ball_radius, _select(_s34 < _s35, _s35, _s34, _r32), _r32), _multiply(turn, _s28, _r22), _r22), _select(_s38 < _s39, _s39, _s38, _r32), _r32)
-    _s41 = _divide(_s40, lifting, _r31)
-    _s42 = _negative(_s41, _r30)
-    _s43 = _select(_absolute(_s31, _r29) < _s41, _select(_s31 < _k6, _s42, _s41, _r29), _s31, _r28)
-    _s44 = _subtract(_subtract(_subtract(_subtract(_subtract(_s16, _multiply(_s5, _s24, _r22), _r22), _multiply(_s17, _s25, _r15), _r15), _multiply(_multiply(dny, _s9, _r22), _s0, _r22), _r22), _multiply(_multiply(ny, _s9, _r15), _s1, _r15), _r15), _multiply(_multiply(ny, _s12, _r22), _s0, _r22), _r22)
-    _s45 = _add(_s44, _select(_s44 < _k6, _s30, _s29, _r15), _r15)
-    _s46 = _select(_absolute(_s45, _r22) < _s41, _select(_s45 < _k6, _s42, _s41, _r22), _s45, _r27)
-    _s47 = _subtract(_subtract(_subtract(_subtract(_subtract(_s14, _multiply(_s4, _s24, _r26), _r26), _multiply(_s15, _s25, _r13), _r13), _multiply(_multiply(dnz, _s9, _r26), _s0, _r26), _r26), _multiply(_multiply(nz, _s9, _r8), _s1, _r8), _r8), _multiply(_multiply(nz, _s12, _r11), _s0, _r11), _r11)
-    _s48 = _add(_s47, _select(_s47 < _k6, _s30, _s29, _r8), _r8)
-    _s49 = _select(_absolute(_s48, _r11) < _s41, _select(_s48 < _k6, _s42, _s41, _r11), _s48, _r23)
-    _s50 = _add(_add(_multiply(nx, _subtract(_s43, _s31, _r0), _r0), _multiply(ny, _subtract(_s46, _s45, _r26), _r26), _r26), _multiply(nz, _subtract(_s49, _s48, _r0), _r0), _r0)
-    _s51 = _divide(_multiply(_k112, _s24, _r9), p_ball_radius, _r9)
-    _s52 = _divide(_multiply(_k112, _s25, _r20), p_ball_radius, _r20)
-    _s53 = _add(_add(dwx, _multiply(_s51, _subtract(_multiply(ny, _s4, _r19), _multiply(nz, _s5, _r10), _r10), _r10), _r10), _multiply(_s52, _subtract(_subtract(_add(_multiply(dny, _s4, _r19), _multiply(ny, _s15, _r4), _r4), _multiply(dnz, _s5, _r19), _r19), _multiply(nz, _s17, _r4), _r4), _r4), _r4)
-    _s54 = _divide(_s29, p_ball_radius, _r3)
-    _s55 = _negative(_s54, _r10)
-    _s56 = _add(_s53, _select(_s53 < _k6, _s55, _s54, _r19), _r19)
-    _s57 = _divide(_s40, _multiply(p_ball_radius, lifting, _r4), _r4)
-    _s58 = _negative(_s57, _r32)
-    _s59 = _add(_add(dwy, _multiply(_s51, _subtract(_multiply(nz, _s3, _r1), _multiply(nx, _s4, _r18), _r18), _r18), _r18), _multiply(_s52, _subtract(_subtract(_add(_multiply(dnz, _s3, _r1), _multiply(nz, _s18, _r12), _r12), _multiply(dnx, _s4, _r6), _r6), _multiply(nx, _s15, _r14), _r14), _r14), _r14)
-    _s60 = _add(_s59, _select(_s59 < _k6, _s55, _s54, _r18), _r18)
-    _s61 = _add(_add(dwz, _multiply(_s51, _subtract(_multiply(nx, _s5, _r14), _multiply(ny, _s3, _r6), _r6), _r6), _r6), _multiply(_s52, _subtract(_subtract(_add(_multiply(dnx, _s5, _r7), _multiply(nx, _s17, _r16), _r16), _multiply(dny, _s3, _r5), _r5), _multiply(ny, _s18, _r17), _r17), _r17), _r17)
-    _s62 = _add(_s61, _select(_s61 < _k6, _s55, _s54, _r6), _r6)
-    return _s43 - _multiply(nx, _s50, _r17), _s46 - _multiply(ny, _s50, _r17), _s49 - _multiply(nz, _s50, _r0), _result(_absolute(_s56, _r0) < _s57, _select(_s56 < _k6, _s58, _s57, _r0), _s56, _r0), _result(_absolute(_s60, _r0) < _s57, _select(_s60 < _k6, _s58, _s57, _r0), _s60, _r0), _result(_absolute(_s62, _r0) < _s57, _select(_s62 < _k6, _s58, _s57, _r0), _s62, _r0)
+    _s26 = _subtract(_subtract(_s2, _add(_multiply(_s3, _s24, _r21), _multiply(_s18, _s25, _r22), _r22), _r22), _add(_add(_multiply(_multiply(dnx, _s9, _r2), _s0, _r2), _multiply(_multiply(nx, _s9, _r21), _s1, _r21), _r21), _multiply(_multiply(nx, _s12, _r2), _s0, _r2), _r2), _r2)
+    _s27 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r22), _absolute(wy, _r21), _r21), _absolute(wz, _r22), _r22), _r22), _absolute(vx, _r21), _r21), _absolute(vy, _r22), _r22)
+    _s28 = _add(_s27, _absolute(vz, _r21), _r21)
+    _s29 = _add(_k24, _multiply(_k37, _s28, _r22), _r22)
+    _s30 = _add(_absolute(_s26, _r23), _s29, _r23)
+    _s31 = _absolute(dwx, _r24)
+    _s32 = _absolute(dwy, _r25)
+    _s33 = _select(_s31 < _s32, _s32, _s31, _r26)
+    _s34 = _absolute(dwz, _r27)
+    _s35 = _absolute(dvx, _r28)
+    _s36 = _absolute(dvy, _r29)
+    _s37 = _select(_s35 < _s36, _s36, _s35, _r30)
+    _s38 = _absolute(dvz, _r31)
+    _s39 = _multiply(lifting, _add(_add(_multiply(p_ball_radius, _select(_s33 < _s34, _s34, _s33, _r32), _r32), _multiply(turn, _s28, _r21), _r21), _select(_s37 < _s38, _s38, _s37, _r32), _r32), _r32)
+    _s40 = _select(_s30 < _s39, _s39, _s30, _r31)
+    _s41 = _s26 < _k6
+    _s42 = _subtract(_s40, _s30, _r2)
+    _s43 = _subtract(_subtract(_s16, _add(_multiply(_s5, _s24, _r30), _multiply(_s17, _s25, _r29), _r29), _r29), _add(_add(_multiply(_multiply(dny, _s9, _r12), _s0, _r12), _multiply(_multiply(ny, _s9, _r30), _s1, _r30), _r30), _multiply(_multiply(ny, _s12, _r12), _s0, _r12), _r12), _r12)
+    _s44 = _add(_absolute(_s43, _r29), _s29, _r29)
+    _s45 = _select(_s44 < _s39, _s39, _s44, _r30)
+    _s46 = _subtract(_s45, _s44, _r28)
+    _s47 = _s43 < _k6
+    _s48 = _subtract(_subtract(_s14, _add(_multiply(_s4, _s24, _r12), _multiply(_s15, _s25, _r21), _r21), _r21), _add(_add(_multiply(_multiply(dnz, _s9, _r13), _s0, _r13), _multiply(_multiply(nz, _s9, _r8), _s1, _r8), _r8), _multiply(_multiply(nz, _s12, _r11), _s0, _r11), _r11), _r11)
+    _s49 = _add(_absolute(_s48, _r21), _s29, _r21)
+    _s50 = _select(_s49 < _s39, _s39, _s49, _r8)
+    _s51 = _subtract(_s50, _s49, _r0)
+    _s52 = _s48 < _k6
+    _s53 = _add(_add(_multiply(nx, _select(_s41, _negative(_s42, _r11), _s42, _r13), _r13), _multiply(ny, _select(_s47, _negative(_s46, _r11), _s46, _r2), _r2), _r2), _multiply(nz, _select(_s52, _negative(_s51, _r13), _s51, _r11), _r11), _r11)
+    _s54 = _divide(_multiply(_k114, _s24, _r9), p_ball_radius, _r9)
+    _s55 = _divide(_multiply(_k114, _s25, _r20), p_ball_radius, _r20)
+    _s56 = _add(dwx, _add(_multiply(_s54, _subtract(_multiply(ny, _s4, _r19), _multiply(nz, _s5, _r10), _r10), _r10), _multiply(_s55, _subtract(_add(_multiply(dny, _s4, _r19), _multiply(ny, _s15, _r4), _r4), _add(_multiply(dnz, _s5, _r19), _multiply(nz, _s17, _r3), _r3), _r3), _r3), _r3), _r3)
+    _s57 = 1.0 / p_ball_radius
+    _s58 = _multiply(_s57, _s29, _r22)
+    _s59 = _add(_absolute(_s56, _r10), _s58, _r10)
+    _s60 = _multiply(_s57, _s39, _r4)
+    _s61 = _select(_s59 < _s60, _s60, _s59, _r19)
+    _s62 = _add(dwy, _add(_multiply(_s54, _subtract(_multiply(nz, _s3, _r16), _multiply(nx, _s4, _r14), _r14), _r14), _multiply(_s55, _subtract(_add(_multiply(dnz, _s3, _r16), _multiply(nz, _s18, _r2), _r2), _add(_multiply(dnx, _s4, _r6), _multiply(nx, _s15, _r15), _r15), _r15), _r15), _r15), _r15)
+    _s63 = _add(_absolute(_s62, _r14), _s58, _r14)
+    _s64 = _select(_s63 < _s60, _s60, _s63, _r2)
+    _s65 = _add(dwz, _add(_multiply(_s54, _subtract(_multiply(nx, _s5, _r6), _multiply(ny, _s3, _r16), _r16), _r16), _multiply(_s55, _subtract(_add(_multiply(dnx, _s5, _r7), _multiply(nx, _s17, _r17), _r17), _add(_multiply(dny, _s3, _r5), _multiply(ny, _s18, _r18), _r18), _r18), _r18), _r18), _r18)
+    _s66 = _add(_absolute(_s65, _r16), _s58, _r16)
+    _s67 = _select(_s66 < _s60, _s60, _s66, _r22)
+    return _select(_s41, _negative(_s40, _r20), _s40, _r17) - _multiply(nx, _s53, _r5), _select(_s47, _negative(_s45, _r5), _s45, _r17) - _multiply(ny, _s53, _r20), _select(_s52, _negative(_s50, _r20), _s50, _r17) - _multiply(nz, _s53, _r11), _result(_s56 < _k6, _negative(_s61, _r3), _s61, _r0), _result(_s62 < _k6, _negative(_s64, _r15), _s64, _r0), _result(_s65 < _k6, _negative(_s67, _r18), _s67, _r0)
 
 
 def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3296,20 +3301,20 @@ def ring_curvature(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -
 def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Error of the normal, from that of the position.
 
-    derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
+    derivative of Table 2's normal. 34 operations: 6 additions, 3 subtractions, 18 multiplications, 3 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
     Returns dnx, dny, dnz, turn.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = 1.0 / _s0
     _s2 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s3 = _subtract(_s2, p_ring_radius, _r0)
-    _s4 = _divide(_k22, _s2, _r2)
-    _s5 = _multiply(_multiply(_s1, _s3, _r3), _s4, _r3)
-    _s6 = _divide(_multiply(_k40, _add(_multiply(_multiply(_k23, dx, _r4), x, _r4), _multiply(_multiply(_k23, dy, _r5), y, _r5), _r5), _r5), _s2, _r5)
-    _s7 = _add(_multiply(_multiply(_s6, _s1, _r1), _s4, _r1), _multiply(_multiply(_negative(_multiply(_s6, _multiply(_s4, _s4, _r2), _r2), _r2), _s1, _r2), _s3, _r2), _r2)
+    _s4 = _divide(_k22, _s2, _r1)
+    _s5 = _multiply(_multiply(_s1, _s3, _r2), _s4, _r2)
+    _s6 = _multiply(_add(_multiply(dx, x, _r3), _multiply(dy, y, _r4), _r4), _s4, _r4)
+    _s7 = _multiply(_s1, _add(_multiply(_s6, _s4, _r3), _multiply(_negative(_multiply(_s6, _multiply(_s4, _s4, _r1), _r1), _r1), _s3, _r1), _r1), _r1)
     _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius
-    return _multiply(dx, _s5, _r1) + _multiply(x, _s7, _r0), _multiply(dy, _s5, _r3) + _multiply(y, _s7, _r2), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
+    return _multiply(dx, _s5, _r3) + _multiply(x, _s7, _r0), _multiply(dy, _s5, _r2) + _multiply(y, _s7, _r1), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
 
 
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3355,8 +3360,8 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s33 = _add(x, _multiply(horizon, vx, _r6), _r6)
     _s34 = _add(y, _multiply(horizon, vy, _r7), _r7)
     _s35 = _select(_subtract(_add(_add(_s20, _multiply(_s33, _s33, _r6), _r6), _multiply(_s34, _s34, _r7), _r7), _s26, _r7) < _k6, _k22, _select(_subtract(_multiply(_s22, _s20 + _s26, _r7), _s30, _r7) < _k6, _k22, _k6, _r7), _r14)
-    _s36 = _select(_subtract(_multiply(_multiply(_k60, _multiply(_s32, _s32, _r9), _r9), _s27, _r9), _multiply(_multiply(_multiply(_k23, _s31, _r6), _s15, _r6), _s21, _r6), _r6) < _k6, _s35, _k6, _r6)
-    _s37 = _select(horizon < _subtract(_s12, _multiply(_k47, horizon, _r9), _r9), _k22, _select(_k6 < _s21, _select(_k6 < _s31, _s36, _k6, _r11), _k6, _r12), _r9)
+    _s36 = _select(_subtract(_multiply(_multiply(_k64, _multiply(_s32, _s32, _r9), _r9), _s27, _r9), _multiply(_multiply(_multiply(_k23, _s31, _r6), _s15, _r6), _s21, _r6), _r6) < _k6, _s35, _k6, _r6)
+    _s37 = _select(horizon < _subtract(_s12, _multiply(_k51, horizon, _r9), _r9), _k22, _select(_k6 < _s21, _select(_k6 < _s31, _s36, _k6, _r11), _k6, _r12), _r9)
     _s38 = _add(_multiply(vx, x, _r3), _multiply(vy, y, _r8), _r8)
     _s39 = _add(_multiply(_s11, _s22, _r13), _s38, _r13)
     _s40 = _select(_s39 < _k6, _select(_s19 < _add(_multiply(_s11, _add(_s38, _s39, _r13), _r13), _add(_multiply(x, x, _r8), _multiply(y, y, _r3), _r3), _r3), _s37, _k6, _r3), _k6, _r13)
@@ -3381,36 +3386,36 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = _multiply(_k44, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s10 = _multiply(_k48, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
     _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
-    _s14 = _multiply(_k41, _add(_absolute(vz, _r8), _s13, _r8), _r8)
+    _s14 = _multiply(_k45, _add(_absolute(vz, _r8), _s13, _r8), _r8)
     _s15 = _k6 <= _s11
     _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _k8, _r9)
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = _multiply(_multiply(_k41, _s1, _r10), _add(_s18, _s6, _r11), _r10)
+    _s19 = _multiply(_multiply(_k45, _s1, _r10), _add(_s18, _s6, _r11), _r10)
     _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
     _s21 = _add(_multiply(vx, x, _r12), _multiply(vy, y, _r13), _r13)
     _s22 = _sqrt(_s20, _r12)
-    _s23 = _multiply(_k41, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
+    _s23 = _multiply(_k45, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
     _s24 = _divide(_k22, _s1, _r14)
     _s25 = _k6 <= _s20
-    _s26 = _k121 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k122, _r16)
+    _s26 = _k123 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k124, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k6, _k6, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k122, _r10), _k8, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k124, _r10), _k8, _r18)
     _s35 = _k6 < _select(_s26, _s32, _k6, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k6, _k6, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k122, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k124, _r0)
     _s40 = _k6 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -3454,9 +3459,9 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(_k63, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k33, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k15 * _add(_add(_multiply(_multiply(_k124, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
-    return _k15 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k15 * _add(_multiply(_k124, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k67, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k37, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k15 * _add(_add(_multiply(_multiply(_k126, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
+    return _k15 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k15 * _add(_multiply(_k126, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3514,7 +3519,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s23 = _subtract(_add(_s16, _s17, _r8), steady, _r8)
     _s24 = _s20 < _k6
     _s25 = _multiply(_k23, _s22, _r10)
-    _s26 = _select(_k6 < _select(_k6 <= _s20, _s22, _k6, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k60, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k6 < _s23, _s23, _k6, _r14), _r15), _r12), _r11)
+    _s26 = _select(_k6 < _select(_k6 <= _s20, _s22, _k6, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k64, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k6 < _s23, _s23, _k6, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
     _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k6, _k6, _s13, _r8), _r8), _s8, _r8), _r8)
@@ -3525,13 +3530,13 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s34 = _where(_s32 < _s33, _s33, _s32)
     _s35 = _divide(_k22, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k89, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k91, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
     _s38 = _add(_multiply(_multiply(_k23, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
     _s40 = _select(_k6 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k6 < _s37, _s37, _k6, _r5), _r1), _r7), _k8, _r9)
     _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
     _s42 = _negative(_add(rate_margin, _s14, _r1), _r1)
-    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(_k6 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k25, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
+    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(_k6 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k26, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
 
 
 def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3555,73 +3560,73 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k128 * (p_ball_radius + p_wire_radius)
-    _s2 = _k129 * p_gravity
-    _s3 = _multiply(_k130, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s1 = _k130 * (p_ball_radius + p_wire_radius)
+    _s2 = _k131 * p_gravity
+    _s3 = _multiply(_k132, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = _k131 / p_gravity
+    _s5 = _k133 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k132, _add(_absolute(vz, _r4), _s6, _r4), _r4)
-    _s8 = _k133 <= _s4
-    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k134, _r5)
+    _s7 = _multiply(_k134, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s8 = _k135 <= _s4
+    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k136, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k132, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k134, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k132, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_k135, _s10, _r13)
-    _s21 = _k133 <= _s16
-    _s22 = _k136 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k134, _r14), _k137, _r15)
+    _s19 = _multiply(_k134, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k137, _s10, _r13)
+    _s21 = _k135 <= _s16
+    _s22 = _k138 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k136, _r14), _k139, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
-    _s25 = _select(_k133 < _s24, _s24, _k133, _r17)
-    _s26 = _select(_k133 < _s25, _s25, _k133, _r18)
+    _s25 = _select(_k135 < _s24, _s24, _k135, _r17)
+    _s26 = _select(_k135 < _s25, _s25, _k135, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k138 * p_ring_radius
+    _s28 = _k140 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
-    _s31 = _sqrt(_select(_s30 < _k133, _k133, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k137, _r6), _k134, _r19)
-    _s33 = _k133 < _select(_s22, _s30, _k133, _r20)
+    _s31 = _sqrt(_select(_s30 < _k135, _k135, _s30, _r9), _r9)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k139, _r6), _k136, _r19)
+    _s33 = _k135 < _select(_s22, _s30, _k135, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
-    _s36 = _sqrt(_select(_s35 < _k133, _k133, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k137, _r0)
-    _s38 = _k133 < _s35
+    _s36 = _sqrt(_select(_s35 < _k135, _k135, _s35, _r1), _r1)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k139, _r0)
+    _s38 = _k135 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k139, horizon, _r24)
+    _s41 = _multiply(_k141, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
-    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k134, _r13)
+    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k136, _r13)
     _s45 = _select(_s44 < _s34, _s34, _s44, _r8)
     _s46 = _select(_s9 < _s45, _s45, _s9, _r12)
     _s47 = _select(_s32 < _s39, _s32, _s39, _r26)
-    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k134, _r4)
+    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k136, _r4)
     _s49 = _select(_s48 < _s39, _s39, _s48, _r27)
     _s50 = _s46 <= _s47
     _s51 = _select(_s50, _s46, _select(_s49 < _s23, _s23, _s49, _r28), _r29)
-    _s52 = _result(_k133 < _s51, _s51, _k133, _r0)
-    _s53 = _select(_k133 < _s52, _s52, _k133, _r30)
+    _s52 = _result(_k135 < _s51, _s51, _k135, _r0)
+    _s53 = _select(_k135 < _s52, _s52, _k135, _r30)
     _s54 = _select(_s50, _s47, _select(_s34 < _s37, _s34, _s37, _r31), _r32)
     _s55 = _result(_s54 < _s41, _s54, _s41, _r0)
     _s56 = _s53 < _s55
     _s57 = _select(_s49 < _s45, _s45, _s49, _r33)
-    _s58 = _result(_k133 < _s57, _s57, _k133, _r0)
-    _s59 = _select(_k133 < _s58, _s58, _k133, _r34)
+    _s58 = _result(_k135 < _s57, _s57, _k135, _r0)
+    _s59 = _select(_k135 < _s58, _s58, _k135, _r34)
     _s60 = _select(_s32 < _s37, _s32, _s37, _r35)
     _s61 = _result(_s60 < _s41, _s60, _s41, _r0)
     _s62 = _s59 < _s61
-    _s63 = _select(_k133 < _s40, _s40, _k133, _r36)
+    _s63 = _select(_k135 < _s40, _s40, _k135, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k140 * _s29)), (_s11 <= ((_k140 * p_ball_radius) + (_k140 * p_wire_radius)))), (_s11 <= _k141)), (_k142 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k133, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k133, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k141)), (_k142 <= p_gravity)), (extent <= _k143)), (speed <= _k143))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k142 * _s29)), (_s11 <= ((_k142 * p_ball_radius) + (_k142 * p_wire_radius)))), (_s11 <= _k143)), (_k144 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k135, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k135, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k143)), (_k144 <= p_gravity)), (extent <= _k145)), (speed <= _k145))
 
 
 def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3653,33 +3658,33 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
-    _s0 = _k133 < leaving
+    _s0 = _k135 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k128 * _s2
+    _s3 = _k130 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k138 * p_ring_radius
+    _s5 = _k140 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(_k131 < _s7, _s7, _k131)
+    _s8 = _where(_k133 < _s7, _s7, _k133)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k151, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k152, parting, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k153, _s12, _k153, _r5)
-    _s14 = _result(_s0, _select(_k154 < _s13, _s13, _k154, _r6), _k153, _r0)
-    _s15 = _add(_multiply(_k155, _multiply(vz, vz, _r7), _r7), _multiply(_k156 * p_gravity, z, _r8), _r8) + _multiply(_k155, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k153, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k154, parting, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k155, _s12, _k155, _r5)
+    _s14 = _result(_s0, _select(_k156 < _s13, _s13, _k156, _r6), _k155, _r0)
+    _s15 = _add(_multiply(_k157, _multiply(vz, vz, _r7), _r7), _multiply(_k158 * p_gravity, z, _r8), _r8) + _multiply(_k157, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
-    _s17 = (_k129 * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = _k131 / _s6
+    _s17 = (_k131 * p_ring_radius) * _multiply(_s16, _s16, _r8)
+    _s18 = _k133 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k157 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k159 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k132, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k158, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k144, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k159 * _s20, (_k160 * _s2) * _s24, _result(_s0, _multiply(_k159, _add(_multiply(_k130, _absolute(parting, _r12), _r12), _multiply(_add(_k161, _s14, _r2), _s11, _r2), _r2), _r2), _k134, _r0), _k159 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k162 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k151 * _add(_multiply(_multiply(_k159, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k163, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k164 * p_ball_radius) + (_k164 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k133))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k134, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k160, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k146, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k161 * _s20, (_k162 * _s2) * _s24, _result(_s0, _multiply(_k161, _add(_multiply(_k132, _absolute(parting, _r12), _r12), _multiply(_add(_k163, _s14, _r2), _s11, _r2), _r2), _r2), _k136, _r0), _k161 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k164 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k153 * _add(_multiply(_multiply(_k161, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k165, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k166 * p_ball_radius) + (_k166 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k135))
 
 
 def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3726,66 +3731,66 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s7 = _add(y, _multiply(t, vy, _r5), _r5)
     _s8 = _sqrt(_add(_multiply(_s6, _s6, _r6), _multiply(_s7, _s7, _r7), _r7), _r7)
     _s9 = _add(rho_start, _s8, _r6)
-    _s10 = _divide(_k135, _multiply(_s9, _s8, _r8), _r8)
+    _s10 = _divide(_k137, _multiply(_s9, _s8, _r8), _r8)
     _s11 = _multiply(_s8, _s10, _r9)
-    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_k155, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
-    _s13 = _subtract(vz, _multiply(_k171 * p_gravity, t, _r10), _r10)
-    _s14 = _add(_add(_multiply(_multiply(_multiply(_k155, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
+    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_k157, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
+    _s13 = _subtract(vz, _multiply(_k173 * p_gravity, t, _r10), _r10)
+    _s14 = _add(_add(_multiply(_multiply(_multiply(_k157, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
     _s15 = _add(parting, _multiply(t, _subtract(_s14, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
     _s16 = _multiply(_s9, _s10, _r8)
     _s17 = _multiply(_s16, _add(_multiply(vx, _s6, _r3), _multiply(vy, _s7, _r5), _r5), _r5)
     _s18 = _subtract(_s8, p_ring_radius, _r3)
     _s19 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
     _s20 = _add(z, _multiply(t, _s13, _r10), _r10)
-    _s21 = _select(_s4, _subtract(_multiply(_k155, _s15, _r11), parting, _r11), _multiply(_k155, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
-    _s22 = _select(_s4, _add(_s3, _multiply(_k155, _s0, _r0), _r0), rate_margin, _r2)
+    _s21 = _select(_s4, _subtract(_multiply(_k157, _s15, _r11), parting, _r11), _multiply(_k157, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
+    _s22 = _select(_s4, _add(_s3, _multiply(_k157, _s0, _r0), _r0), rate_margin, _r2)
     _s23 = _negative(_add(_s21, _s22, _r4), _r4)
     _s24 = _select(_s2, _s1, flat, _r14)
     _s25 = p_ball_radius + p_wire_radius
     _s26 = _subtract(_select(_s2, _multiply(t, _s15, _r12), _subtract(_add(_multiply(_s18, _s18, _r3), _multiply(_s20, _s20, _r15), _r15), _s25 * _s25, _r15), _r3), _s24, _r3)
-    _s27 = _select(_s26 < _k133, _k133, _s26, _r15)
-    _s28 = _multiply(_k155, _add(_multiply(_k155, _s24, _r12), _s27, _r12), _r12)
+    _s27 = _select(_s26 < _k135, _k135, _s26, _r15)
+    _s28 = _multiply(_k157, _add(_multiply(_k157, _s24, _r12), _s27, _r12), _r12)
     _s29 = _subtract(_s21, _s22, _r2)
-    _s30 = _k173 * p_gravity
+    _s30 = _k175 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(swing, _multiply(_s16, _multiply(_s16, _s16, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), steady, _r17)
-    _s34 = _s29 < _k133
-    _s35 = _multiply(_k155, _s27, _r18)
-    _s36 = _select(_k133 < _select(_k133 <= _s29, _s27, _k133, _r19), _k134, _divide(_select(_s34, _add(_multiply(_k174, _s24, _r19), _s35, _r19), _multiply(_k175, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k133 < _s33, _s33, _k133, _r23), _r24), _r21), _r20)
+    _s34 = _s29 < _k135
+    _s35 = _multiply(_k157, _s27, _r18)
+    _s36 = _select(_k135 < _select(_k135 <= _s29, _s27, _k135, _r19), _k136, _divide(_select(_s34, _add(_multiply(_k176, _s24, _r19), _s35, _r19), _multiply(_k177, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k135 < _s33, _s33, _k135, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k128 * _s25
-    _s40 = _add((_k138 * p_ball_radius) + (_k138 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k133, _k133, _s19, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k130 * _s25
+    _s40 = _add((_k140 * p_ball_radius) + (_k140 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k135, _k135, _s19, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k133 < _s17, _k133, _s17, _r23), _r23), _s8, _r23), _multiply(_k176, _s42, _r7), _r7), _k146 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k135 < _s17, _k135, _s17, _r23), _r23), _s8, _r23), _multiply(_k178, _s42, _r7), _r7), _k148 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k138 * p_ring_radius
+    _s45 = _k140 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_k135, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k137, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(swing, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(steady, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k177, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k179, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
     _s51 = _negative(_s19, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k142 * p_ball_radius) + (_k142 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k133, _k133, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k178, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(steady, _add(_s52, _multiply(_k179, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k144 * p_ball_radius) + (_k144 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k135, _k135, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k180, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(steady, _add(_s52, _multiply(_k181, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k174, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
-    _s56 = _k133 < _select(_k133 < _s23, _s55, _s23, _r16)
-    _s57 = _add(_multiply(_multiply(_k155, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
+    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k176, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
+    _s56 = _k135 < _select(_k135 < _s23, _s55, _s23, _r16)
+    _s57 = _add(_multiply(_multiply(_k157, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
-    _s59 = _select(_k133 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k133 < _s50, _s50, _k133, _r2), _r4), _r8), _k134, _r15)
+    _s59 = _select(_k135 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k135 < _s50, _s50, _k135, _r2), _r4), _r8), _k136, _r15)
     _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
     _s61 = _add(t, _s60, _r2)
-    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _k133), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
+    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _k135), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
     _s63 = _logical_not(_logical_or(_s56, _s62))
     _s64 = _logical_and(_s63, (_s37 <= _s60))
     _s65 = _select(end < low1, low1, end, _r4)
     _s66 = _s65 < high1
     _s67 = _select(end < low2, low2, end, _r15)
     _s68 = _s67 < high2
-    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k134, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k136, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3826,31 +3831,32 @@ def ring_beside(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: An
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _r0)
     _s3 = 2.0 * p_ring_radius
-    _s4 = _add(_multiply(_multiply(_k23, vz, _r2), z, _r2), _divide(_multiply(_multiply(_k40, _subtract(_multiply(_k23, _s0, _r3), _s3, _r3), _r3), _add(_multiply(_multiply(_k23, vx, _r4), x, _r4), _multiply(_multiply(_k23, vy, _r5), y, _r5), _r5), _r3), _s0, _r3), _r3)
+    _s4 = _add(_multiply(_multiply(_k23, vz, _r2), z, _r2), _divide(_multiply(_multiply(_k44, _subtract(_multiply(_k23, _s0, _r3), _s3, _r3), _r3), _add(_multiply(_multiply(_k23, vx, _r4), x, _r4), _multiply(_multiply(_k23, vy, _r5), y, _r5), _r5), _r3), _s0, _r3), _r3)
     _s5 = _subtract(_divide(_s3, _s0, _r1), _k22, _r1)
-    return _subtract(_s2, p_ball_radius, _r2) - p_wire_radius, _multiply(_k40, _s4, _r3) / _s2, _select(_k6 < _s5, _s5, _k6, _r3) / (p_ball_radius + p_wire_radius)
+    return _subtract(_s2, p_ball_radius, _r2) - p_wire_radius, _multiply(_k44, _s4, _r3) / _s2, _select(_k6 < _s5, _s5, _k6, _r3) / (p_ball_radius + p_wire_radius)
 
 
 def ring_closing(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The distance, its rate and its second derivative, of a ball that rolls on something else.
 
-    derivatives of Table 2's distance. 75 operations: 12 additions, 5 subtractions, 48 multiplications, 8 divisions, 2 square roots.
+    derivatives of Table 2's distance. 73 operations: 14 additions, 3 subtractions, 50 multiplications, 2 divisions, 2 square roots, 2 negations.
     Returns gap, nearing, swerve, facing.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
-    _s0 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
-    _s1 = _sqrt(_s0, _r0)
-    _s2 = _subtract(_s1, p_ring_radius, _r2)
-    _s3 = _add(_multiply(z, z, _r3), _multiply(_s2, _s2, _r4), _r4)
-    _s4 = _sqrt(_s3, _r3)
-    _s5 = _add(_multiply(_multiply(_k23, rolled_x, _r5), x, _r5), _multiply(_multiply(_k23, rolled_y, _r6), y, _r6), _r6)
-    _s6 = _divide(_multiply(_k40, _s5, _r5), _s1, _r5)
-    _s7 = _add(_multiply(_multiply(_k23, rolled_z, _r7), z, _r7), _multiply(_multiply(_k23, _s6, _r8), _s2, _r8), _r8)
-    _s8 = _divide(_multiply(_k40, _add(_add(_multiply(_k23, _multiply(rolled_x, rolled_x, _r7), _r7), _multiply(_multiply(_k23, thrust_x, _r9), x, _r9), _r9), _add(_multiply(_k23, _multiply(rolled_y, rolled_y, _r7), _r7), _multiply(_multiply(_k23, thrust_y, _r10), y, _r10), _r10), _r10), _r10), _s1, _r10)
-    _s9 = _add(_multiply(_multiply(_k23, _s2, _r9), _subtract(_s8, _divide(_multiply(_k26, _multiply(_s5, _s5, _r6), _r6), _multiply(_s1, _s0, _r1), _r6), _r6), _r9), _multiply(_k23, _multiply(_s6, _s6, _r5), _r5), _r5)
-    _s10 = _divide(_multiply(_k40, _add(_add(_multiply(_k23, _multiply(rolled_z, rolled_z, _r9), _r9), _multiply(_multiply(_k23, thrust_z, _r6), z, _r6), _r6), _s9, _r5), _r5), _s4, _r5)
-    _s11 = _multiply(_k23, _divide(_multiply(_k40, _add(_multiply(_multiply(_k23, nx, _r6), x, _r6), _multiply(_multiply(_k23, ny, _r9), y, _r9), _r9), _r9), _s1, _r9), _r9)
-    return _subtract(_s4, p_ball_radius, _r0) - p_wire_radius, _multiply(_k40, _s7, _r0) / _s4, _s10 - _divide(_multiply(_k26, _multiply(_s7, _s7, _r8), _r8), _multiply(_s4, _s3, _r4), _r8), _multiply(_k40, _add(_multiply(_multiply(_k23, nz, _r8), z, _r8), _multiply(_s11, _s2, _r9), _r9), _r9) / _s4
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
+    _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
+    _s1 = _subtract(_s0, p_ring_radius, _r0)
+    _s2 = _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
+    _s3 = _add(_multiply(_multiply(_k23, rolled_x, _r2), x, _r2), _multiply(_multiply(_k23, rolled_y, _r4), y, _r4), _r4)
+    _s4 = _divide(_k22, _s0, _r1)
+    _s5 = _multiply(_multiply(_k44, _s3, _r2), _s4, _r2)
+    _s6 = _add(_multiply(_multiply(_k23, rolled_z, _r5), z, _r5), _multiply(_multiply(_k23, _s5, _r6), _s1, _r6), _r6)
+    _s7 = _divide(_k22, _s2, _r5)
+    _s8 = _multiply(_k44, _s6, _r7) * _s7
+    _s9 = _add(_multiply(_negative(_multiply(_s5, _multiply(_s4, _s4, _r7), _r7), _r7), _s3, _r7), _multiply(_add(_multiply(_k23, _add(_multiply(rolled_x, rolled_x, _r4), _multiply(thrust_x, x, _r8), _r8), _r8), _multiply(_k23, _add(_multiply(rolled_y, rolled_y, _r4), _multiply(thrust_y, y, _r9), _r9), _r9), _r9), _s4, _r9), _r9)
+    _s10 = _multiply(_add(_multiply(_k23, _add(_multiply(rolled_z, rolled_z, _r7), _multiply(thrust_z, z, _r8), _r8), _r8), _multiply(_k23, _add(_multiply(_s1, _multiply(_k44, _s9, _r9), _r9), _multiply(_s5, _s5, _r2), _r2), _r2), _r2), _s7, _r2)
+    _s11 = _k44 * _add(_multiply(_negative(_multiply(_s8, _multiply(_s7, _s7, _r8), _r8), _r8), _s6, _r8), _s10, _r2)
+    _s12 = _multiply(_k23, _multiply(_multiply(_k44, _add(_multiply(_multiply(_k23, nx, _r2), x, _r2), _multiply(_multiply(_k23, ny, _r8), y, _r8), _r8), _r8), _s4, _r8), _r8)
+    return _subtract(_s2, p_ball_radius, _r3) - p_wire_radius, _s8, _s11, _multiply(_k44, _add(_multiply(_multiply(_k23, nz, _r3), z, _r3), _multiply(_s12, _s1, _r8), _r8), _r8) * _s7
 
 
 def ring_off(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3876,53 +3882,65 @@ def ring_tube(p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
 def ring_turning(p_ball_radius: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, p_wire_radius: Any, x: Any, y: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The rate at which the normal turns.
 
-    derivative of Table 2's normal. 32 operations: 6 additions, 1 subtraction, 20 multiplications, 3 divisions, 1 square root, 1 negation.
+    derivative of Table 2's normal. 28 operations: 6 additions, 1 subtraction, 17 multiplications, 2 divisions, 1 square root, 1 negation.
     Returns turning_x, turning_y, turning_z.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s2 = _subtract(_s1, p_ring_radius, _r0)
-    _s3 = _divide(_k22, _s1, _r2)
-    _s4 = _multiply(_multiply(_s0, _s2, _r3), _s3, _r3)
-    _s5 = _divide(_multiply(_k40, _add(_multiply(_multiply(_k23, rolled_x, _r4), x, _r4), _multiply(_multiply(_k23, rolled_y, _r5), y, _r5), _r5), _r5), _s1, _r5)
-    _s6 = _add(_multiply(_multiply(_s5, _s0, _r1), _s3, _r1), _multiply(_multiply(_negative(_multiply(_s5, _multiply(_s3, _s3, _r2), _r2), _r2), _s0, _r2), _s2, _r2), _r2)
-    return _multiply(rolled_x, _s4, _r1) + _multiply(x, _s6, _r0), _multiply(rolled_y, _s4, _r3) + _multiply(y, _s6, _r2), rolled_z * _s0
+    _s3 = _divide(_k22, _s1, _r1)
+    _s4 = _multiply(_multiply(_s0, _s2, _r2), _s3, _r2)
+    _s5 = _multiply(_add(_multiply(rolled_x, x, _r3), _multiply(rolled_y, y, _r4), _r4), _s3, _r4)
+    _s6 = _multiply(_s0, _add(_multiply(_s5, _s3, _r3), _multiply(_negative(_multiply(_s5, _multiply(_s3, _s3, _r1), _r1), _r1), _s2, _r1), _r1), _r1)
+    return _multiply(rolled_x, _s4, _r3) + _multiply(x, _s6, _r0), _multiply(rolled_y, _s4, _r2) + _multiply(y, _s6, _r1), rolled_z * _s0
 
 
 def ring_parting(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The second to the fourth derivative of the distance along a flight.
 
-    derivatives of Table 2's distance. 120 operations: 14 additions, 11 subtractions, 74 multiplications, 18 divisions, 2 square roots, 1 negation.
+    derivatives of Table 2's distance. 148 operations: 41 additions, 2 subtractions, 94 multiplications, 2 divisions, 2 square roots, 7 negations.
     Returns lift, surge, snap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
-    _s0 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
-    _s1 = _sqrt(_s0, _r0)
-    _s2 = _subtract(_s1, p_ring_radius, _r2)
-    _s3 = _add(_multiply(z, z, _r3), _multiply(_s2, _s2, _r4), _r4)
-    _s4 = _sqrt(_s3, _r3)
-    _s5 = _add(_multiply(_k23, _multiply(vx, vx, _r5), _r5), _multiply(_k23, _multiply(vy, vy, _r6), _r6), _r6)
-    _s6 = _multiply(_s1, _s0, _r5)
-    _s7 = _add(_multiply(_multiply(_k23, vx, _r7), x, _r7), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8)
-    _s8 = _multiply(_s7, _s7, _r7)
-    _s9 = _subtract(_divide(_multiply(_k40, _s5, _r9), _s1, _r9), _divide(_multiply(_k26, _s8, _r10), _s6, _r10), _r10)
-    _s10 = _multiply(_k23, _s2, _r9)
-    _s11 = _divide(_multiply(_k40, _s7, _r11), _s1, _r11)
-    _s12 = _add(_subtract(_multiply(_k23, _multiply(vz, vz, _r12), _r12), _multiply(2.0 * p_gravity, z, _r13), _r13), _add(_multiply(_s10, _s9, _r12), _multiply(_k23, _multiply(_s11, _s11, _r14), _r14), _r14), _r14)
-    _s13 = _multiply(_s4, _s3, _r13)
-    _s14 = _add(_multiply(_multiply(_k23, vz, _r12), z, _r12), _multiply(_multiply(_k23, _s11, _r15), _s2, _r15), _r15)
-    _s15 = _multiply(_s14, _s14, _r12)
-    _s16 = _multiply(_s3, _s3, _r4)
-    _s17 = _multiply(_s4, _s16, _r2)
-    _s18 = _multiply(_s0, _s0, _r1)
-    _s19 = _multiply(_s1, _s18, _r0)
-    _s20 = _subtract(_divide(_multiply(_k183, _multiply(_s7, _s8, _r16), _r16), _s19, _r16), _divide(_multiply(_multiply(_k184, _s5, _r17), _s7, _r17), _s6, _r17), _r17)
-    _s21 = _add(_negative(_multiply(6.0 * p_gravity, vz, _r16), _r16), _add(_multiply(_multiply(_k7, _s11, _r8), _s9, _r8), _multiply(_s10, _s20, _r18), _r18), _r18)
-    _s22 = _multiply(_s10, _subtract(_subtract(_divide(_multiply(_multiply(_k185, _s5, _r16), _s8, _r16), _s19, _r16), _divide(_multiply(_k184, _multiply(_s5, _s5, _r6), _r6), _s6, _r6), _r6), _divide(_multiply(_k186, _multiply(_s8, _s8, _r7), _r7), _multiply(_s6, _s18, _r1), _r7), _r7), _r7)
-    _s23 = _multiply(_k40, _add(6.0 * (p_gravity * p_gravity), _add(_add(_multiply(_multiply(_k25, _s11, _r11), _s20, _r11), _s22, _r7), _multiply(_k7, _multiply(_s9, _s9, _r10), _r10), _r10), _r10), _r10)
-    _s24 = _subtract(_subtract(_add(_divide(_s23, _s4, _r10), _divide(_multiply(_multiply(_k185, _s15, _r7), _s12, _r7), _s17, _r7), _r7), _divide(_multiply(_k186, _multiply(_s15, _s15, _r10), _r10), _multiply(_s13, _s16, _r4), _r10), _r10), _divide(_multiply(_k184, _multiply(_s12, _s12, _r7), _r7), _s13, _r7), _r7)
-    return _divide(_multiply(_k40, _s12, _r10), _s4, _r10) - _divide(_multiply(_k26, _s15, _r4), _s13, _r4), _add(_divide(_multiply(_k183, _multiply(_s14, _s15, _r12), _r12), _s17, _r12), _divide(_multiply(_k40, _s21, _r2), _s4, _r2), _r2) - _divide(_multiply(_multiply(_k184, _s14, _r12), _s12, _r12), _s13, _r12), _s24 - _divide(_multiply(_s21, _s14, _r18), _s13, _r18)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23 = _room[:24]
+    _s0 = _add(_multiply(_multiply(_k23, vx, _r0), x, _r0), _multiply(_multiply(_k23, vy, _r1), y, _r1), _r1)
+    _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r2), _r2), _r2)
+    _s2 = _divide(_k22, _s1, _r0)
+    _s3 = _multiply(_multiply(_k44, _s0, _r3), _s2, _r3)
+    _s4 = _subtract(_s1, p_ring_radius, _r2)
+    _s5 = _multiply(_k23, _s3, _r4)
+    _s6 = _add(_multiply(_multiply(_k23, vz, _r5), z, _r5), _multiply(_s5, _s4, _r6), _r6)
+    _s7 = _divide(_k22, _sqrt(_add(_multiply(z, z, _r5), _multiply(_s4, _s4, _r7), _r7), _r7), _r7)
+    _s8 = _multiply(_multiply(_k44, _s6, _r5), _s7, _r5)
+    _s9 = _multiply(_s7, _s7, _r8)
+    _s10 = _negative(_multiply(_s8, _s9, _r9), _r9)
+    _s11 = _multiply(_s2, _s2, _r10)
+    _s12 = _negative(_multiply(_s3, _s11, _r11), _r11)
+    _s13 = _add(_multiply(_k23, _multiply(vx, vx, _r12), _r12), _multiply(_k23, _multiply(vy, vy, _r13), _r13), _r13)
+    _s14 = _multiply(_k44, _add(_multiply(_s12, _s0, _r12), _multiply(_s13, _s2, _r14), _r14), _r14)
+    _s15 = _add(_multiply(_k23, _subtract(_multiply(vz, vz, _r12), _multiply(p_gravity, z, _r15), _r15), _r15), _multiply(_k23, _add(_multiply(_s4, _s14, _r12), _multiply(_s3, _s3, _r16), _r16), _r16), _r16)
+    _s16 = _k44 * _add(_multiply(_s10, _s6, _r15), _multiply(_s15, _s7, _r12), _r12)
+    _s17 = _multiply(_s10, _s15, _r12)
+    _s18 = _multiply(_k23, _s10, _r15)
+    _s19 = _negative(_add(_multiply(_s16, _s9, _r17), _multiply(_multiply(_s18, _s8, _r18), _s7, _r18), _r18), _r18)
+    _s20 = _multiply(_s12, _s13, _r17)
+    _s21 = _multiply(_k23, _s12, _r19)
+    _s22 = _negative(_add(_multiply(_s14, _s11, _r20), _multiply(_multiply(_s21, _s3, _r21), _s2, _r21), _r21), _r21)
+    _s23 = _multiply(_k44, _add(_s20, _add(_s20, _multiply(_s0, _s22, _r20), _r20), _r20), _r20)
+    _s24 = _add(_multiply(_k23, _negative(_multiply(3.0 * p_gravity, vz, _r17), _r17), _r17), _multiply(_k23, _add(_multiply(_s5, _s14, _r4), _add(_multiply(_s3, _s14, _r22), _multiply(_s4, _s23, _r23), _r23), _r23), _r23), _r23)
+    _s25 = _k44 * _add(_add(_s17, _multiply(_s6, _s19, _r17), _r17), _add(_s17, _multiply(_s24, _s7, _r4), _r4), _r4)
+    _s26 = _multiply(_s10, _s24, _r23)
+    _s27 = _multiply(_s3, _s23, _r4)
+    _s28 = _add(_s27, _multiply(_s14, _s14, _r17), _r17)
+    _s29 = _multiply(_s13, _s22, _r13)
+    _s30 = _add(_add(_multiply(_s23, _s11, _r20), _multiply(_multiply(_s21, _s14, _r19), _s2, _r19), _r19), _multiply(_k23, _add(_add(_multiply(_multiply(_s12, _s12, _r20), _s3, _r20), _multiply(_multiply(_s12, _s14, _r14), _s2, _r14), _r14), _multiply(_multiply(_s3, _s22, _r21), _s2, _r21), _r21), _r21), _r21)
+    _s31 = _multiply(_k44, _add(_s29, _add(_s29, _add(_multiply(_s0, _negative(_s30, _r21), _r21), _s29, _r21), _r21), _r21), _r21)
+    _s32 = _add(2.0 * (3.0 * (p_gravity * p_gravity)), _multiply(_k23, _add(_multiply(_k23, _s28, _r13), _add(_add(_s27, _multiply(_s4, _s31, _r21), _r21), _s28, _r21), _r21), _r21), _r21)
+    _s33 = _multiply(_s15, _s19, _r16)
+    _s34 = _add(_s26, _s33, _r13)
+    _s35 = _add(_add(_multiply(_s25, _s9, _r8), _multiply(_multiply(_s18, _s16, _r15), _s7, _r15), _r15), _multiply(_k23, _add(_add(_multiply(_multiply(_s10, _s10, _r8), _s8, _r8), _multiply(_multiply(_s10, _s16, _r9), _s7, _r9), _r9), _multiply(_multiply(_s8, _s19, _r18), _s7, _r18), _r18), _r18), _r18)
+    _s36 = _k44 * _add(_add(_add(_s26, _multiply(_s32, _s7, _r21), _r21), _s34, _r21), _add(_s34, _add(_multiply(_s6, _negative(_s35, _r18), _r18), _s33, _r18), _r18), _r18)
+    return _s16, _s25, _s36
 
 
 def ring_round_start(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4010,28 +4028,28 @@ def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, al
     _s6 = _absolute(along_11, _r5)
     _s7 = _absolute(climb_12, _r6)
     _s8 = _absolute(along_12, _r7)
-    _s9 = _add(_multiply(_multiply(_k26, _add(_multiply(_s5, _s1, _r8), _add(_s6, _absolute(turn_rate_11, _r9), _r9), _r9), _r9), _add(_divide(_s3, _s1, _r3), _sqrt((p_gravity / _s1)), _r3), _r9), _add(_multiply(_s7, _s1, _r3), _add(_s8, _absolute(turn_rate_12, _r8), _r8), _r8), _r8)
+    _s9 = _add(_multiply(_multiply(_k27, _add(_multiply(_s5, _s1, _r8), _add(_s6, _absolute(turn_rate_11, _r9), _r9), _r9), _r9), _add(_divide(_s3, _s1, _r3), _sqrt((p_gravity / _s1)), _r3), _r9), _add(_multiply(_s7, _s1, _r3), _add(_s8, _absolute(turn_rate_12, _r8), _r8), _r8), _r8)
     _s10 = _multiply(_s4, _add(_add(_add(_absolute(cos_12, _r9), _absolute(cosine_12, _r3), _r3), _absolute(sin_12, _r9), _r9), _absolute(sine_12, _r3), _r3), _r3)
-    _s11 = _sqrt(_sqrt(_divide(_multiply(_k41, _s4, _r2), _select(_s9 < _s10, _s10, _s9, _r9), _r2), _r2), _r2)
+    _s11 = _sqrt(_sqrt(_divide(_multiply(_k45, _s4, _r2), _select(_s9 < _s10, _s10, _s9, _r9), _r2), _r2), _r2)
     _s12 = _sqrt(_sqrt(_s11, _r9), _r9)
     _s13 = _multiply(_s12, _sqrt(_sqrt(_s12, _r3), _r3), _r3)
-    _s14 = _add(_divide(_s11, _multiply(_k59, _multiply(_s13, _s13, _r9), _r9), _r9), _multiply(_k191, _s13, _r3), _r3)
-    _s15 = _add(_divide(_s11, _multiply(_k59, _multiply(_s14, _s14, _r9), _r9), _r9), _multiply(_k191, _s14, _r3), _r3)
-    _s16 = _result(_s15 < _k27, _s15, _k27, _r0)
+    _s14 = _add(_divide(_s11, _multiply(_k63, _multiply(_s13, _s13, _r9), _r9), _r9), _multiply(_k185, _s13, _r3), _r3)
+    _s15 = _add(_divide(_s11, _multiply(_k63, _multiply(_s14, _s14, _r9), _r9), _r9), _multiply(_k185, _s14, _r3), _r3)
+    _s16 = _result(_s15 < _k28, _s15, _k28, _r0)
     _s17 = _absolute(climb_10, _r9)
-    _s18 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k75, _s7, _r2), _s16, _r2), _multiply(_k192, _s5, _r8), _r8), _s16, _r8), _multiply(_k193, _s17, _r2), _r2), _s16, _r2)
+    _s18 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k77, _s7, _r2), _s16, _r2), _multiply(_k186, _s5, _r8), _r8), _s16, _r8), _multiply(_k187, _s17, _r2), _r2), _s16, _r2)
     _s19 = _absolute(climb_9, _r8)
     _s20 = _absolute(climb_8, _r10)
     _s21 = _absolute(climb_7, _r11)
-    _s22 = _add(_multiply(_add(_multiply(_add(_s18, _multiply(_k194, _s19, _r12), _r12), _s16, _r12), _multiply(_k25, _s20, _r2), _r2), _s16, _r2), _multiply(_k69, _s21, _r12), _r12)
+    _s22 = _add(_multiply(_add(_multiply(_add(_s18, _multiply(_k188, _s19, _r12), _r12), _s16, _r12), _multiply(_k26, _s20, _r2), _r2), _s16, _r2), _multiply(_k73, _s21, _r12), _r12)
     _s23 = _absolute(climb_6, _r2)
     _s24 = _absolute(climb_5, _r13)
     _s25 = _absolute(climb_4, _r14)
-    _s26 = _add(_multiply(_add(_multiply(_add(_multiply(_s22, _s16, _r12), _multiply(_k7, _s23, _r15), _r15), _s16, _r15), _multiply(_k63, _s24, _r12), _r12), _s16, _r12), _multiply(_k60, _s25, _r15), _r15)
+    _s26 = _add(_multiply(_add(_multiply(_add(_multiply(_s22, _s16, _r12), _multiply(_k7, _s23, _r15), _r15), _s16, _r15), _multiply(_k67, _s24, _r12), _r12), _s16, _r12), _multiply(_k64, _s25, _r15), _r15)
     _s27 = _absolute(climb_3, _r12)
     _s28 = _absolute(climb_2, _r16)
     _s29 = _absolute(climb_1, _r17)
-    _s30 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s16, _r15), _multiply(_k59, _s27, _r18), _r18), _s16, _r18), _multiply(_k23, _s28, _r15), _r15), _s16, _r15), _s29, _r15)
+    _s30 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s16, _r15), _multiply(_k63, _s27, _r18), _r18), _s16, _r18), _multiply(_k23, _s28, _r15), _r15), _s16, _r15), _s29, _r15)
     _s31 = _add(_multiply(_add(_multiply(_add(_multiply(_s7, _s16, _r6), _s5, _r6), _s16, _r6), _s17, _r6), _s16, _r6), _s19, _r6)
     _s32 = _add(_multiply(_add(_multiply(_add(_multiply(_s31, _s16, _r6), _s20, _r6), _s16, _r6), _s21, _r6), _s16, _r6), _s23, _r6)
     _s33 = _add(_multiply(_add(_multiply(_add(_multiply(_s32, _s16, _r6), _s24, _r6), _s16, _r6), _s25, _r6), _s16, _r6), _s27, _r6)
@@ -4052,15 +4070,15 @@ def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, al
     _s48 = _absolute(along_1, _r8)
     _s49 = _add(_multiply(_add(_multiply(_add(_multiply(_s46, _s16, _r17), _s47, _r17), _s16, _r17), _s48, _r17), _s16, _r17), _s2, _r17)
     _s50 = _multiply(_s1, _s34, _r6) + _s49
-    _s51 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k75, _s8, _r7), _s16, _r7), _multiply(_k192, _s6, _r5), _r5), _s16, _r5), _multiply(_k193, _s36, _r0), _r0), _s16, _r0)
-    _s52 = _add(_multiply(_add(_multiply(_add(_s51, _multiply(_k194, _s37, _r15), _r15), _s16, _r15), _multiply(_k25, _s39, _r16), _r16), _s16, _r16), _multiply(_k69, _s40, _r12), _r12)
-    _s53 = _add(_multiply(_add(_multiply(_add(_multiply(_s52, _s16, _r12), _multiply(_k7, _s41, _r14), _r14), _s16, _r14), _multiply(_k63, _s43, _r13), _r13), _s16, _r13), _multiply(_k60, _s44, _r2), _r2)
-    _s54 = _add(_multiply(_add(_multiply(_add(_multiply(_s53, _s16, _r2), _multiply(_k59, _s45, _r11), _r11), _s16, _r11), _multiply(_k23, _s47, _r10), _r10), _s16, _r10), _s48, _r10)
+    _s51 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k77, _s8, _r7), _s16, _r7), _multiply(_k186, _s6, _r5), _r5), _s16, _r5), _multiply(_k187, _s36, _r0), _r0), _s16, _r0)
+    _s52 = _add(_multiply(_add(_multiply(_add(_s51, _multiply(_k188, _s37, _r15), _r15), _s16, _r15), _multiply(_k26, _s39, _r16), _r16), _s16, _r16), _multiply(_k73, _s40, _r12), _r12)
+    _s53 = _add(_multiply(_add(_multiply(_add(_multiply(_s52, _s16, _r12), _multiply(_k7, _s41, _r14), _r14), _s16, _r14), _multiply(_k67, _s43, _r13), _r13), _s16, _r13), _multiply(_k64, _s44, _r2), _r2)
+    _s54 = _add(_multiply(_add(_multiply(_add(_multiply(_s53, _s16, _r2), _multiply(_k63, _s45, _r11), _r11), _s16, _r11), _multiply(_k23, _s47, _r10), _r10), _s16, _r10), _s48, _r10)
     _s55 = _s35 + _add(_multiply(_multiply(_s49, 1.0 / (p_ring_radius - _s1), _r17), _s50, _r17), _s54, _r10)
-    _s56 = _add(_multiply(_add(_multiply(_multiply(_k195, _absolute(force_11, _r10), _r10), _s16, _r10), _multiply(_k196, _absolute(force_10, _r17), _r17), _r17), _s16, _r17), _multiply(_k197, _absolute(force_9, _r10), _r10), _r10)
-    _s57 = _multiply(_add(_multiply(_add(_multiply(_s56, _s16, _r10), _multiply(_k198, _absolute(force_8, _r17), _r17), _r17), _s16, _r17), _multiply(_k78, _absolute(force_7, _r10), _r10), _r10), _s16, _r10)
-    _s58 = _multiply(_add(_multiply(_add(_s57, _multiply(_k77, _absolute(force_6, _r17), _r17), _r17), _s16, _r17), _multiply(_k76, _absolute(force_5, _r10), _r10), _r10), _s16, _r10)
-    _s59 = _multiply(_add(_multiply(_add(_s58, _multiply(_k75, _absolute(force_4, _r17), _r17), _r17), _s16, _r17), _multiply(_k7, _absolute(force_3, _r10), _r10), _r10), _s16, _r10)
+    _s56 = _add(_multiply(_add(_multiply(_multiply(_k189, _absolute(force_11, _r10), _r10), _s16, _r10), _multiply(_k190, _absolute(force_10, _r17), _r17), _r17), _s16, _r17), _multiply(_k191, _absolute(force_9, _r10), _r10), _r10)
+    _s57 = _multiply(_add(_multiply(_add(_multiply(_s56, _s16, _r10), _multiply(_k192, _absolute(force_8, _r17), _r17), _r17), _s16, _r17), _multiply(_k80, _absolute(force_7, _r10), _r10), _r10), _s16, _r10)
+    _s58 = _multiply(_add(_multiply(_add(_s57, _multiply(_k79, _absolute(force_6, _r17), _r17), _r17), _s16, _r17), _multiply(_k78, _absolute(force_5, _r10), _r10), _r10), _s16, _r10)
+    _s59 = _multiply(_add(_multiply(_add(_s58, _multiply(_k77, _absolute(force_4, _r17), _r17), _r17), _s16, _r17), _multiply(_k7, _absolute(force_3, _r10), _r10), _r10), _s16, _r10)
     _s60 = _multiply(_multiply(climb_0, climb_0, _r3), _s1, _r3)
     _s61 = _negative(_add(_add(_multiply(along_0, omega_0, _r17), _multiply(cosine_0, _s60, _r8), _r8), _multiply(_multiply(climb_1, sine_0, _r17), _s1, _r17), _r17), _r17)
     _s62 = _subtract(along_1, _multiply(omega_0, _multiply(_multiply(climb_0, sine_0, _r8), _s1, _r8), _r8), _r8)
@@ -4074,11 +4092,11 @@ def ring_round_pulled(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, 
     Returns drag, drag_rate, strain, strain_rate.
     """
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
-    _s0 = _multiply(_k56, _multiply(climb_0, turn_rate_0, _r0), _r0)
+    _s0 = _multiply(_k60, _multiply(climb_0, turn_rate_0, _r0), _r0)
     _s1 = _add(p_gravity, _multiply(omega_0, turn_rate_0, _r1), _r1)
-    _s2 = _multiply(_k56, _multiply(cosine_0, _s1, _r2), _r2)
-    _s3 = _multiply(_s2, _multiply(_k56, _add(_multiply(cosine_0, _add(_multiply(omega_0, turn_rate_1, _r3), _multiply(omega_1, turn_rate_0, _r4), _r4), _r4), _multiply(cosine_1, _s1, _r1), _r1), _r1), _r1)
-    _s4 = _k23 * _add(_multiply(_s0, _multiply(_k56, _add(_multiply(climb_0, turn_rate_1, _r4), _multiply(climb_1, turn_rate_0, _r3), _r3), _r3), _r3), _s3, _r1)
+    _s2 = _multiply(_k60, _multiply(cosine_0, _s1, _r2), _r2)
+    _s3 = _multiply(_s2, _multiply(_k60, _add(_multiply(cosine_0, _add(_multiply(omega_0, turn_rate_1, _r3), _multiply(omega_1, turn_rate_0, _r4), _r4), _r4), _multiply(cosine_1, _s1, _r1), _r1), _r1), _r1)
+    _s4 = _k23 * _add(_multiply(_s0, _multiply(_k60, _add(_multiply(climb_0, turn_rate_1, _r4), _multiply(climb_1, turn_rate_0, _r3), _r3), _r3), _r3), _s3, _r1)
     return _multiply(_s0, _s0, _r0) + _multiply(_s2, _s2, _r2), _s4, -_inf, 0.0
 
 
@@ -4091,12 +4109,12 @@ def ring_swung(p_ball_radius: Any, berth: Any, circled: Any, climb: Any, climb_0
     _r0, _r1, _r2 = _room[:3]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _multiply(stride, stride, _r0)
-    _s2 = _logical_and(((0.000244140625 * _s0) < _subtract(berth, _multiply(_multiply(_k70, sway, _r1), _s1, _r1), _r1)), ((0.00390625 * p_gravity) < _subtract(_add(force, _multiply(stride, _select(force_rate < _k6, force_rate, _k6, _r1), _r1), _r1), _multiply(_multiply(_k40, force_bend, _r2), _s1, _r2), _r2)))
-    _s3 = _logical_and(_s2, (which == _k46))
+    _s2 = _logical_and(((0.000244140625 * _s0) < _subtract(berth, _multiply(_multiply(_k29, sway, _r1), _s1, _r1), _r1)), ((0.00390625 * p_gravity) < _subtract(_add(force, _multiply(stride, _select(force_rate < _k6, force_rate, _k6, _r1), _r1), _r1), _multiply(_multiply(_k44, force_bend, _r2), _s1, _r2), _r2)))
+    _s3 = _logical_and(_s2, (which == _k50))
     _s4 = _logical_and((_multiply(climb, climb_0, _r2) < _k6), (_multiply(0.015625 * p_gravity, stride, _r2) < _multiply(_absolute(_subtract(climb, climb_0, _r1), _r1), _s0, _r1)))
     _s5 = _logical_and(_logical_and(_s3, _s4), (_k6 < circled))
     _s6 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), 1.0 / _s0, _r1), _r1)
-    _s7 = _logical_not((_multiply(_s6, _multiply(_k206, _add(_multiply(fastest, velocity_error, _r2), _multiply(position_error, _s6, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
+    _s7 = _logical_not((_multiply(_s6, _multiply(_k200, _add(_multiply(fastest, velocity_error, _r2), _multiply(position_error, _s6, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
     return _result(_s3, _select(_s4, _k22, circled, _r0), _k6, _r0), _s5, _result(_logical_and(_s5, _s7), _k6, doubt, _r0)
 
 
@@ -4109,10 +4127,10 @@ def ring_round_0(along_0: Any, p_ball_radius: Any, climb_0: Any, cos_0: Any, cos
     _r0, _r1 = _room[:2]
     _s0 = along_0 * near_0
     _s1 = climb_0 * _s0
-    _s2 = _multiply(along_0, sine_0, _r0) - _multiply(_k56, _multiply(cosine_0, turn_rate_0, _r1), _r1)
+    _s2 = _multiply(along_0, sine_0, _r0) - _multiply(_k60, _multiply(cosine_0, turn_rate_0, _r1), _r1)
     _s3 = along_0 * cosine_0
     _s4 = p_ball_radius + p_wire_radius
-    return _s0, _s1, _s2, _s3, _subtract(_multiply(p_gravity, sine_0, _r1), _multiply(_multiply(climb_0, climb_0, _r0), _s4, _r0), _r0) - _multiply(_s3, _s0, _r1), -_multiply(climb_0, sine_0, _r1), climb_0 * cosine_0, -_divide(_add(_multiply(_multiply(_k209, cosine_0, _r1), p_gravity, _r1), _multiply(_s0, _s2, _r0), _r0), _s4, _r0), _multiply(_multiply(sine_0, _s1, _r0), _s4, _r0) - _multiply(_k56, _multiply(climb_0, turn_rate_0, _r1), _r1), p_ring_radius * _s1, -_multiply(sin_0, _s0, _r1), cos_0 * _s0
+    return _s0, _s1, _s2, _s3, _subtract(_multiply(p_gravity, sine_0, _r1), _multiply(_multiply(climb_0, climb_0, _r0), _s4, _r0), _r0) - _multiply(_s3, _s0, _r1), -_multiply(climb_0, sine_0, _r1), climb_0 * cosine_0, -_divide(_add(_multiply(_multiply(_k203, cosine_0, _r1), p_gravity, _r1), _multiply(_s0, _s2, _r0), _r0), _s4, _r0), _multiply(_multiply(sine_0, _s1, _r0), _s4, _r0) - _multiply(_k60, _multiply(climb_0, turn_rate_0, _r1), _r1), p_ring_radius * _s1, -_multiply(sin_0, _s0, _r1), cos_0 * _s0
 
 
 def ring_round_1(along_0: Any, along_1: Any, around_0: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, cos_0: Any, cos_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, near_0: Any, omega_0: Any, pressed_0: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sine_0: Any, sine_1: Any, tilted_0: Any, turn_rate_0: Any, turn_rate_1: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4126,10 +4144,10 @@ def ring_round_1(along_0: Any, along_1: Any, around_0: Any, p_ball_radius: Any, 
     _s1 = -_multiply(_multiply(near_0, _multiply(cosine_1, near_0, _r0), _r0), _s0, _r0)
     _s2 = _multiply(along_0, _s1, _r0) + _multiply(along_1, near_0, _r1)
     _s3 = _multiply(climb_0, _s2, _r1) + _multiply(climb_1, omega_0, _r0)
-    _s4 = _add(_multiply(along_0, sine_1, _r0), _multiply(along_1, sine_0, _r1), _r1) - _multiply(_k56, _add(_multiply(cosine_0, turn_rate_1, _r0), _multiply(cosine_1, turn_rate_0, _r2), _r2), _r2)
+    _s4 = _add(_multiply(along_0, sine_1, _r0), _multiply(along_1, sine_0, _r1), _r1) - _multiply(_k60, _add(_multiply(cosine_0, turn_rate_1, _r0), _multiply(cosine_1, turn_rate_0, _r2), _r2), _r2)
     _s5 = _multiply(along_0, cosine_1, _r2) + _multiply(along_1, cosine_0, _r1)
-    _s6 = -_divide(_multiply(_k40, _add(_multiply(_multiply(_k209, cosine_1, _r1), p_gravity, _r1), _add(_multiply(omega_0, _s4, _r2), _multiply(tilted_0, _s2, _r0), _r0), _r0), _r0), _s0, _r0)
-    return _s1, _s2, _s3, _s4, _s5, _subtract(_multiply(p_gravity, sine_1, _r0), _multiply(_multiply(_multiply(_k23, climb_0, _r1), climb_1, _r1), _s0, _r1), _r1) - _add(_multiply(omega_0, _s5, _r0), _multiply(pressed_0, _s2, _r2), _r2), -_multiply(_k40, _add(_multiply(climb_0, sine_1, _r2), _multiply(climb_1, sine_0, _r1), _r1), _r1), _k40 * _add(_multiply(climb_0, cosine_1, _r1), _multiply(climb_1, cosine_0, _r2), _r2), _s6, _k40 * _subtract(_multiply(_s0, _add(_multiply(around_0, sine_1, _r2), _multiply(sine_0, _s3, _r1), _r1), _r1), _multiply(_k56, _add(_multiply(climb_0, turn_rate_1, _r2), _multiply(climb_1, turn_rate_0, _r0), _r0), _r0), _r0), (0.5 * p_ring_radius) * _s3, -_multiply(_k40, _add(_multiply(omega_0, sin_1, _r0), _multiply(sin_0, _s2, _r1), _r1), _r1), _k40 * _add(_multiply(cos_0, _s2, _r1), _multiply(cos_1, omega_0, _r0), _r0)
+    _s6 = -_divide(_multiply(_k44, _add(_multiply(_multiply(_k203, cosine_1, _r1), p_gravity, _r1), _add(_multiply(omega_0, _s4, _r2), _multiply(tilted_0, _s2, _r0), _r0), _r0), _r0), _s0, _r0)
+    return _s1, _s2, _s3, _s4, _s5, _subtract(_multiply(p_gravity, sine_1, _r0), _multiply(_multiply(_multiply(_k23, climb_0, _r1), climb_1, _r1), _s0, _r1), _r1) - _add(_multiply(omega_0, _s5, _r0), _multiply(pressed_0, _s2, _r2), _r2), -_multiply(_k44, _add(_multiply(climb_0, sine_1, _r2), _multiply(climb_1, sine_0, _r1), _r1), _r1), _k44 * _add(_multiply(climb_0, cosine_1, _r1), _multiply(climb_1, cosine_0, _r2), _r2), _s6, _k44 * _subtract(_multiply(_s0, _add(_multiply(around_0, sine_1, _r2), _multiply(sine_0, _s3, _r1), _r1), _r1), _multiply(_k60, _add(_multiply(climb_0, turn_rate_1, _r2), _multiply(climb_1, turn_rate_0, _r0), _r0), _r0), _r0), (0.5 * p_ring_radius) * _s3, -_multiply(_k44, _add(_multiply(omega_0, sin_1, _r0), _multiply(sin_0, _s2, _r1), _r1), _r1), _k44 * _add(_multiply(cos_0, _s2, _r1), _multiply(cos_1, omega_0, _r0), _r0)
 
 
 def ring_round_2(along_0: Any, along_1: Any, along_2: Any, around_0: Any, around_1: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, cos_0: Any, cos_1: Any, cos_2: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, p_gravity: Any, near_0: Any, near_1: Any, omega_0: Any, omega_1: Any, pressed_0: Any, pressed_1: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sine_0: Any, sine_1: Any, sine_2: Any, tilted_0: Any, tilted_1: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4143,12 +4161,12 @@ def ring_round_2(along_0: Any, along_1: Any, along_2: Any, around_0: Any, around
     _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_multiply(cosine_1, near_1, _r1), _multiply(cosine_2, near_0, _r2), _r2), _r0)
     _s2 = _add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_1, _r2), _r2) + _multiply(along_2, near_0, _r0)
     _s3 = _add(_multiply(climb_0, _s2, _r0), _multiply(climb_1, omega_1, _r2), _r2) + _multiply(climb_2, omega_0, _r0)
-    _s4 = _add(_add(_multiply(along_0, sine_2, _r0), _multiply(along_1, sine_1, _r2), _r2), _multiply(along_2, sine_0, _r0), _r0) - _multiply(_k56, _add(_add(_multiply(cosine_0, turn_rate_2, _r2), _multiply(cosine_1, turn_rate_1, _r1), _r1), _multiply(cosine_2, turn_rate_0, _r2), _r2), _r2)
+    _s4 = _add(_add(_multiply(along_0, sine_2, _r0), _multiply(along_1, sine_1, _r2), _r2), _multiply(along_2, sine_0, _r0), _r0) - _multiply(_k60, _add(_add(_multiply(cosine_0, turn_rate_2, _r2), _multiply(cosine_1, turn_rate_1, _r1), _r1), _multiply(cosine_2, turn_rate_0, _r2), _r2), _r2)
     _s5 = _add(_multiply(along_0, cosine_2, _r2), _multiply(along_1, cosine_1, _r0), _r0) + _multiply(along_2, cosine_0, _r2)
     _s6 = _subtract(_multiply(p_gravity, sine_2, _r2), _multiply(_s0, _add(_multiply(climb_1, climb_1, _r0), _multiply(_multiply(_k23, climb_0, _r1), climb_2, _r1), _r1), _r1), _r1) - _add(_add(_multiply(omega_0, _s5, _r2), _multiply(omega_1, pressed_1, _r0), _r0), _multiply(pressed_0, _s2, _r2), _r2)
-    _s7 = _divide(_multiply(_k57, _add(_multiply(_multiply(_k209, cosine_2, _r2), p_gravity, _r2), _add(_add(_multiply(omega_0, _s4, _r1), _multiply(omega_1, tilted_1, _r0), _r0), _multiply(tilted_0, _s2, _r1), _r1), _r1), _r1), _s0, _r1)
-    _s8 = _k57 * _subtract(_multiply(_s0, _add(_add(_multiply(around_0, sine_2, _r2), _multiply(around_1, sine_1, _r0), _r0), _multiply(sine_0, _s3, _r2), _r2), _r2), _multiply(_k56, _add(_add(_multiply(climb_0, turn_rate_2, _r0), _multiply(climb_1, turn_rate_1, _r3), _r3), _multiply(climb_2, turn_rate_0, _r0), _r0), _r0), _r0)
-    return _s1, _s2, _s3, _s4, _s5, _s6, -_multiply(_k57, _add(_add(_multiply(climb_0, sine_2, _r0), _multiply(climb_1, sine_1, _r2), _r2), _multiply(climb_2, sine_0, _r0), _r0), _r0), _k57 * _add(_add(_multiply(climb_0, cosine_2, _r0), _multiply(climb_1, cosine_1, _r2), _r2), _multiply(climb_2, cosine_0, _r0), _r0), -_s7, _s8, (0.3333333333333333 * p_ring_radius) * _s3, -_multiply(_k57, _add(_add(_multiply(omega_0, sin_2, _r1), _multiply(omega_1, sin_1, _r0), _r0), _multiply(sin_0, _s2, _r1), _r1), _r1), _k57 * _add(_add(_multiply(cos_0, _s2, _r1), _multiply(cos_1, omega_1, _r0), _r0), _multiply(cos_2, omega_0, _r1), _r1)
+    _s7 = _divide(_multiply(_k61, _add(_multiply(_multiply(_k203, cosine_2, _r2), p_gravity, _r2), _add(_add(_multiply(omega_0, _s4, _r1), _multiply(omega_1, tilted_1, _r0), _r0), _multiply(tilted_0, _s2, _r1), _r1), _r1), _r1), _s0, _r1)
+    _s8 = _k61 * _subtract(_multiply(_s0, _add(_add(_multiply(around_0, sine_2, _r2), _multiply(around_1, sine_1, _r0), _r0), _multiply(sine_0, _s3, _r2), _r2), _r2), _multiply(_k60, _add(_add(_multiply(climb_0, turn_rate_2, _r0), _multiply(climb_1, turn_rate_1, _r3), _r3), _multiply(climb_2, turn_rate_0, _r0), _r0), _r0), _r0)
+    return _s1, _s2, _s3, _s4, _s5, _s6, -_multiply(_k61, _add(_add(_multiply(climb_0, sine_2, _r0), _multiply(climb_1, sine_1, _r2), _r2), _multiply(climb_2, sine_0, _r0), _r0), _r0), _k61 * _add(_add(_multiply(climb_0, cosine_2, _r0), _multiply(climb_1, cosine_1, _r2), _r2), _multiply(climb_2, cosine_0, _r0), _r0), -_s7, _s8, (0.3333333333333333 * p_ring_radius) * _s3, -_multiply(_k61, _add(_add(_multiply(omega_0, sin_2, _r1), _multiply(omega_1, sin_1, _r0), _r0), _multiply(sin_0, _s2, _r1), _r1), _r1), _k61 * _add(_add(_multiply(cos_0, _s2, _r1), _multiply(cos_1, omega_1, _r0), _r0), _multiply(cos_2, omega_0, _r1), _r1)
 
 
 def ring_round_3(along_0: Any, along_1: Any, along_2: Any, along_3: Any, around_0: Any, around_1: Any, around_2: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, omega_0: Any, omega_1: Any, omega_2: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4162,14 +4180,14 @@ def ring_round_3(along_0: Any, along_1: Any, along_2: Any, along_3: Any, around_
     _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_multiply(cosine_1, near_2, _r1), _multiply(cosine_2, near_1, _r2), _r2), _multiply(cosine_3, near_0, _r1), _r1), _r0)
     _s2 = _add(_add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_2, _r1), _r1), _multiply(along_2, near_1, _r0), _r0) + _multiply(along_3, near_0, _r1)
     _s3 = _add(_add(_multiply(climb_0, _s2, _r1), _multiply(climb_1, omega_2, _r0), _r0), _multiply(climb_2, omega_1, _r1), _r1) + _multiply(climb_3, omega_0, _r0)
-    _s4 = _add(_add(_add(_multiply(along_0, sine_3, _r0), _multiply(along_1, sine_2, _r1), _r1), _multiply(along_2, sine_1, _r0), _r0), _multiply(along_3, sine_0, _r1), _r1) - _multiply(_k56, _add(_add(_add(_multiply(cosine_0, turn_rate_3, _r0), _multiply(cosine_1, turn_rate_2, _r2), _r2), _multiply(cosine_2, turn_rate_1, _r0), _r0), _multiply(cosine_3, turn_rate_0, _r2), _r2), _r2)
+    _s4 = _add(_add(_add(_multiply(along_0, sine_3, _r0), _multiply(along_1, sine_2, _r1), _r1), _multiply(along_2, sine_1, _r0), _r0), _multiply(along_3, sine_0, _r1), _r1) - _multiply(_k60, _add(_add(_add(_multiply(cosine_0, turn_rate_3, _r0), _multiply(cosine_1, turn_rate_2, _r2), _r2), _multiply(cosine_2, turn_rate_1, _r0), _r0), _multiply(cosine_3, turn_rate_0, _r2), _r2), _r2)
     _s5 = _add(_add(_multiply(along_0, cosine_3, _r2), _multiply(along_1, cosine_2, _r1), _r1), _multiply(along_2, cosine_1, _r2), _r2) + _multiply(along_3, cosine_0, _r1)
     _s6 = _subtract(_multiply(p_gravity, sine_3, _r1), _multiply(_s0, _add(_multiply(_multiply(_k23, climb_0, _r2), climb_3, _r2), _multiply(_multiply(_k23, climb_1, _r0), climb_2, _r0), _r0), _r0), _r0) - _add(_add(_add(_multiply(omega_0, _s5, _r1), _multiply(omega_1, pressed_2, _r2), _r2), _multiply(omega_2, pressed_1, _r1), _r1), _multiply(pressed_0, _s2, _r2), _r2)
-    _s7 = -_multiply(_k26, _add(_add(_add(_multiply(climb_0, sine_3, _r2), _multiply(climb_1, sine_2, _r0), _r0), _multiply(climb_2, sine_1, _r2), _r2), _multiply(climb_3, sine_0, _r0), _r0), _r0)
-    _s8 = _multiply(_k26, _add(_multiply(_multiply(_k209, cosine_3, _r0), p_gravity, _r0), _add(_add(_add(_multiply(omega_0, _s4, _r2), _multiply(omega_1, tilted_2, _r1), _r1), _multiply(omega_2, tilted_1, _r2), _r2), _multiply(tilted_0, _s2, _r1), _r1), _r1), _r1)
-    _s9 = _subtract(_multiply(_s0, _add(_add(_add(_multiply(around_0, sine_3, _r0), _multiply(around_1, sine_2, _r2), _r2), _multiply(around_2, sine_1, _r0), _r0), _multiply(sine_0, _s3, _r2), _r2), _r2), _multiply(_k56, _add(_add(_add(_multiply(climb_0, turn_rate_3, _r0), _multiply(climb_1, turn_rate_2, _r3), _r3), _multiply(climb_2, turn_rate_1, _r0), _r0), _multiply(climb_3, turn_rate_0, _r3), _r3), _r3), _r3)
-    _s10 = -_multiply(_k26, _add(_add(_add(_multiply(omega_0, sin_3, _r2), _multiply(omega_1, sin_2, _r0), _r0), _multiply(omega_2, sin_1, _r2), _r2), _multiply(sin_0, _s2, _r0), _r0), _r0)
-    return _s1, _s2, _s3, _s4, _s5, _s6, _s7, _k26 * _add(_add(_add(_multiply(climb_0, cosine_3, _r0), _multiply(climb_1, cosine_2, _r2), _r2), _multiply(climb_2, cosine_1, _r0), _r0), _multiply(climb_3, cosine_0, _r2), _r2), -_divide(_s8, _s0, _r1), _k26 * _s9, (0.25 * p_ring_radius) * _s3, _s10, _k26 * _add(_add(_add(_multiply(cos_0, _s2, _r3), _multiply(cos_1, omega_2, _r1), _r1), _multiply(cos_2, omega_1, _r3), _r3), _multiply(cos_3, omega_0, _r1), _r1)
+    _s7 = -_multiply(_k27, _add(_add(_add(_multiply(climb_0, sine_3, _r2), _multiply(climb_1, sine_2, _r0), _r0), _multiply(climb_2, sine_1, _r2), _r2), _multiply(climb_3, sine_0, _r0), _r0), _r0)
+    _s8 = _multiply(_k27, _add(_multiply(_multiply(_k203, cosine_3, _r0), p_gravity, _r0), _add(_add(_add(_multiply(omega_0, _s4, _r2), _multiply(omega_1, tilted_2, _r1), _r1), _multiply(omega_2, tilted_1, _r2), _r2), _multiply(tilted_0, _s2, _r1), _r1), _r1), _r1)
+    _s9 = _subtract(_multiply(_s0, _add(_add(_add(_multiply(around_0, sine_3, _r0), _multiply(around_1, sine_2, _r2), _r2), _multiply(around_2, sine_1, _r0), _r0), _multiply(sine_0, _s3, _r2), _r2), _r2), _multiply(_k60, _add(_add(_add(_multiply(climb_0, turn_rate_3, _r0), _multiply(climb_1, turn_rate_2, _r3), _r3), _multiply(climb_2, turn_rate_1, _r0), _r0), _multiply(climb_3, turn_rate_0, _r3), _r3), _r3), _r3)
+    _s10 = -_multiply(_k27, _add(_add(_add(_multiply(omega_0, sin_3, _r2), _multiply(omega_1, sin_2, _r0), _r0), _multiply(omega_2, sin_1, _r2), _r2), _multiply(sin_0, _s2, _r0), _r0), _r0)
+    return _s1, _s2, _s3, _s4, _s5, _s6, _s7, _k27 * _add(_add(_add(_multiply(climb_0, cosine_3, _r0), _multiply(climb_1, cosine_2, _r2), _r2), _multiply(climb_2, cosine_1, _r0), _r0), _multiply(climb_3, cosine_0, _r2), _r2), -_divide(_s8, _s0, _r1), _k27 * _s9, (0.25 * p_ring_radius) * _s3, _s10, _k27 * _add(_add(_add(_multiply(cos_0, _s2, _r3), _multiply(cos_1, omega_2, _r1), _r1), _multiply(cos_2, omega_1, _r3), _r3), _multiply(cos_3, omega_0, _r1), _r1)
 
 
 def ring_round_4(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4183,19 +4201,19 @@ def ring_round_4(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_multiply(cosine_1, near_3, _r1), _multiply(cosine_2, near_2, _r2), _r2), _multiply(cosine_3, near_1, _r1), _r1), _multiply(cosine_4, near_0, _r2), _r2), _r0)
     _s2 = _add(_add(_add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_3, _r2), _r2), _multiply(along_2, near_2, _r0), _r0), _multiply(along_3, near_1, _r2), _r2) + _multiply(along_4, near_0, _r0)
     _s3 = _add(_add(_add(_multiply(climb_0, _s2, _r0), _multiply(climb_1, omega_3, _r2), _r2), _multiply(climb_2, omega_2, _r0), _r0), _multiply(climb_3, omega_1, _r2), _r2) + _multiply(climb_4, omega_0, _r0)
-    _s4 = _multiply(_k56, _add(_add(_add(_add(_multiply(cosine_0, turn_rate_4, _r0), _multiply(cosine_1, turn_rate_3, _r2), _r2), _multiply(cosine_2, turn_rate_2, _r0), _r0), _multiply(cosine_3, turn_rate_1, _r2), _r2), _multiply(cosine_4, turn_rate_0, _r0), _r0), _r0)
+    _s4 = _multiply(_k60, _add(_add(_add(_add(_multiply(cosine_0, turn_rate_4, _r0), _multiply(cosine_1, turn_rate_3, _r2), _r2), _multiply(cosine_2, turn_rate_2, _r0), _r0), _multiply(cosine_3, turn_rate_1, _r2), _r2), _multiply(cosine_4, turn_rate_0, _r0), _r0), _r0)
     _s5 = _add(_add(_add(_add(_multiply(along_0, sine_4, _r2), _multiply(along_1, sine_3, _r1), _r1), _multiply(along_2, sine_2, _r2), _r2), _multiply(along_3, sine_1, _r1), _r1), _multiply(along_4, sine_0, _r2), _r2) - _s4
     _s6 = _add(_add(_add(_multiply(along_0, cosine_4, _r0), _multiply(along_1, cosine_3, _r2), _r2), _multiply(along_2, cosine_2, _r0), _r0), _multiply(along_3, cosine_1, _r2), _r2) + _multiply(along_4, cosine_0, _r0)
     _s7 = _subtract(_multiply(p_gravity, sine_4, _r0), _multiply(_s0, _add(_add(_multiply(climb_2, climb_2, _r2), _multiply(_multiply(_k23, climb_0, _r1), climb_4, _r1), _r1), _multiply(_multiply(_k23, climb_1, _r2), climb_3, _r2), _r2), _r2), _r2)
     _s8 = _s7 - _add(_add(_add(_add(_multiply(omega_0, _s6, _r0), _multiply(omega_1, pressed_3, _r1), _r1), _multiply(omega_2, pressed_2, _r0), _r0), _multiply(omega_3, pressed_1, _r1), _r1), _multiply(pressed_0, _s2, _r0), _r0)
-    _s9 = _multiply(_k61, _add(_add(_add(_add(_multiply(climb_0, sine_4, _r0), _multiply(climb_1, sine_3, _r2), _r2), _multiply(climb_2, sine_2, _r0), _r0), _multiply(climb_3, sine_1, _r2), _r2), _multiply(climb_4, sine_0, _r0), _r0), _r0)
-    _s10 = _k61 * _add(_add(_add(_add(_multiply(climb_0, cosine_4, _r2), _multiply(climb_1, cosine_3, _r1), _r1), _multiply(climb_2, cosine_2, _r2), _r2), _multiply(climb_3, cosine_1, _r1), _r1), _multiply(climb_4, cosine_0, _r2), _r2)
-    _s11 = _add(_multiply(_multiply(_k209, cosine_4, _r2), p_gravity, _r2), _add(_add(_add(_add(_multiply(omega_0, _s5, _r1), _multiply(omega_1, tilted_3, _r3), _r3), _multiply(omega_2, tilted_2, _r1), _r1), _multiply(omega_3, tilted_1, _r3), _r3), _multiply(tilted_0, _s2, _r1), _r1), _r1)
+    _s9 = _multiply(_k65, _add(_add(_add(_add(_multiply(climb_0, sine_4, _r0), _multiply(climb_1, sine_3, _r2), _r2), _multiply(climb_2, sine_2, _r0), _r0), _multiply(climb_3, sine_1, _r2), _r2), _multiply(climb_4, sine_0, _r0), _r0), _r0)
+    _s10 = _k65 * _add(_add(_add(_add(_multiply(climb_0, cosine_4, _r2), _multiply(climb_1, cosine_3, _r1), _r1), _multiply(climb_2, cosine_2, _r2), _r2), _multiply(climb_3, cosine_1, _r1), _r1), _multiply(climb_4, cosine_0, _r2), _r2)
+    _s11 = _add(_multiply(_multiply(_k203, cosine_4, _r2), p_gravity, _r2), _add(_add(_add(_add(_multiply(omega_0, _s5, _r1), _multiply(omega_1, tilted_3, _r3), _r3), _multiply(omega_2, tilted_2, _r1), _r1), _multiply(omega_3, tilted_1, _r3), _r3), _multiply(tilted_0, _s2, _r1), _r1), _r1)
     _s12 = _multiply(_s0, _add(_add(_add(_add(_multiply(around_0, sine_4, _r2), _multiply(around_1, sine_3, _r3), _r3), _multiply(around_2, sine_2, _r2), _r2), _multiply(around_3, sine_1, _r3), _r3), _multiply(sine_0, _s3, _r2), _r2), _r2)
-    _s13 = _multiply(_k56, _add(_add(_add(_add(_multiply(climb_0, turn_rate_4, _r3), _multiply(climb_1, turn_rate_3, _r4), _r4), _multiply(climb_2, turn_rate_2, _r3), _r3), _multiply(climb_3, turn_rate_1, _r4), _r4), _multiply(climb_4, turn_rate_0, _r3), _r3), _r3)
-    _s14 = _multiply(_k61, _add(_add(_add(_add(_multiply(omega_0, sin_4, _r4), _multiply(omega_1, sin_3, _r5), _r5), _multiply(omega_2, sin_2, _r4), _r4), _multiply(omega_3, sin_1, _r5), _r5), _multiply(sin_0, _s2, _r4), _r4), _r4)
-    _s15 = _k61 * _add(_add(_add(_add(_multiply(cos_0, _s2, _r5), _multiply(cos_1, omega_3, _r6), _r6), _multiply(cos_2, omega_2, _r5), _r5), _multiply(cos_3, omega_1, _r6), _r6), _multiply(cos_4, omega_0, _r5), _r5)
-    return _s1, _s2, _s3, _s5, _s6, _s8, -_s9, _s10, -_divide(_multiply(_k61, _s11, _r1), _s0, _r1), _k61 * _subtract(_s12, _s13, _r3), (0.2 * p_ring_radius) * _s3, -_s14, _s15
+    _s13 = _multiply(_k60, _add(_add(_add(_add(_multiply(climb_0, turn_rate_4, _r3), _multiply(climb_1, turn_rate_3, _r4), _r4), _multiply(climb_2, turn_rate_2, _r3), _r3), _multiply(climb_3, turn_rate_1, _r4), _r4), _multiply(climb_4, turn_rate_0, _r3), _r3), _r3)
+    _s14 = _multiply(_k65, _add(_add(_add(_add(_multiply(omega_0, sin_4, _r4), _multiply(omega_1, sin_3, _r5), _r5), _multiply(omega_2, sin_2, _r4), _r4), _multiply(omega_3, sin_1, _r5), _r5), _multiply(sin_0, _s2, _r4), _r4), _r4)
+    _s15 = _k65 * _add(_add(_add(_add(_multiply(cos_0, _s2, _r5), _multiply(cos_1, omega_3, _r6), _r6), _multiply(cos_2, omega_2, _r5), _r5), _multiply(cos_3, omega_1, _r6), _r6), _multiply(cos_4, omega_0, _r5), _r5)
+    return _s1, _s2, _s3, _s5, _s6, _s8, -_s9, _s10, -_divide(_multiply(_k65, _s11, _r1), _s0, _r1), _k65 * _subtract(_s12, _s13, _r3), (0.2 * p_ring_radius) * _s3, -_s14, _s15
 
 
 def ring_round_5(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4212,19 +4230,19 @@ def ring_round_5(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s4 = _add(_add(_add(_add(_multiply(climb_0, _s3, _r1), _multiply(climb_1, omega_4, _r0), _r0), _multiply(climb_2, omega_3, _r1), _r1), _multiply(climb_3, omega_2, _r0), _r0), _multiply(climb_4, omega_1, _r1), _r1) + _multiply(climb_5, omega_0, _r0)
     _s5 = _add(_add(_add(_add(_add(_multiply(along_0, sine_5, _r0), _multiply(along_1, sine_4, _r1), _r1), _multiply(along_2, sine_3, _r0), _r0), _multiply(along_3, sine_2, _r1), _r1), _multiply(along_4, sine_1, _r0), _r0), _multiply(along_5, sine_0, _r1), _r1)
     _s6 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_5, _r0), _multiply(cosine_1, turn_rate_4, _r2), _r2), _multiply(cosine_2, turn_rate_3, _r0), _r0), _multiply(cosine_3, turn_rate_2, _r2), _r2), _multiply(cosine_4, turn_rate_1, _r0), _r0), _multiply(cosine_5, turn_rate_0, _r2), _r2)
-    _s7 = _s5 - _multiply(_k56, _s6, _r2)
+    _s7 = _s5 - _multiply(_k60, _s6, _r2)
     _s8 = _add(_add(_add(_add(_multiply(along_0, cosine_5, _r2), _multiply(along_1, cosine_4, _r1), _r1), _multiply(along_2, cosine_3, _r2), _r2), _multiply(along_3, cosine_2, _r1), _r1), _multiply(along_4, cosine_1, _r2), _r2) + _multiply(along_5, cosine_0, _r1)
     _s9 = _subtract(_multiply(p_gravity, sine_5, _r1), _multiply(_s0, _add(_add(_multiply(_multiply(_k23, climb_0, _r2), climb_5, _r2), _multiply(_multiply(_k23, climb_1, _r0), climb_4, _r0), _r0), _multiply(_multiply(_k23, climb_2, _r2), climb_3, _r2), _r2), _r2), _r2)
     _s10 = _add(_add(_add(_add(_add(_multiply(omega_0, _s8, _r1), _multiply(omega_1, pressed_4, _r0), _r0), _multiply(omega_2, pressed_3, _r1), _r1), _multiply(omega_3, pressed_2, _r0), _r0), _multiply(omega_4, pressed_1, _r1), _r1), _multiply(pressed_0, _s3, _r0), _r0)
     _s11 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_5, _r1), _multiply(climb_1, sine_4, _r3), _r3), _multiply(climb_2, sine_3, _r1), _r1), _multiply(climb_3, sine_2, _r3), _r3), _multiply(climb_4, sine_1, _r1), _r1), _multiply(climb_5, sine_0, _r3), _r3)
     _s12 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_5, _r1), _multiply(climb_1, cosine_4, _r4), _r4), _multiply(climb_2, cosine_3, _r1), _r1), _multiply(climb_3, cosine_2, _r4), _r4), _multiply(climb_4, cosine_1, _r1), _r1), _multiply(climb_5, cosine_0, _r4), _r4)
     _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s7, _r1), _multiply(omega_1, tilted_4, _r5), _r5), _multiply(omega_2, tilted_3, _r1), _r1), _multiply(omega_3, tilted_2, _r5), _r5), _multiply(omega_4, tilted_1, _r1), _r1), _multiply(tilted_0, _s3, _r5), _r5)
-    _s14 = -_divide(_multiply(_k64, _add(_multiply(_multiply(_k209, cosine_5, _r1), p_gravity, _r1), _s13, _r5), _r5), _s0, _r5)
+    _s14 = -_divide(_multiply(_k68, _add(_multiply(_multiply(_k203, cosine_5, _r1), p_gravity, _r1), _s13, _r5), _r5), _s0, _r5)
     _s15 = _add(_add(_add(_add(_add(_multiply(around_0, sine_5, _r5), _multiply(around_1, sine_4, _r1), _r1), _multiply(around_2, sine_3, _r5), _r5), _multiply(around_3, sine_2, _r1), _r1), _multiply(around_4, sine_1, _r5), _r5), _multiply(sine_0, _s4, _r1), _r1)
     _s16 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_5, _r5), _multiply(climb_1, turn_rate_4, _r6), _r6), _multiply(climb_2, turn_rate_3, _r5), _r5), _multiply(climb_3, turn_rate_2, _r6), _r6), _multiply(climb_4, turn_rate_1, _r5), _r5), _multiply(climb_5, turn_rate_0, _r6), _r6)
     _s17 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_5, _r5), _multiply(omega_1, sin_4, _r7), _r7), _multiply(omega_2, sin_3, _r5), _r5), _multiply(omega_3, sin_2, _r7), _r7), _multiply(omega_4, sin_1, _r5), _r5), _multiply(sin_0, _s3, _r7), _r7)
     _s18 = _add(_add(_add(_add(_add(_multiply(cos_0, _s3, _r5), _multiply(cos_1, omega_4, _r8), _r8), _multiply(cos_2, omega_3, _r5), _r5), _multiply(cos_3, omega_2, _r8), _r8), _multiply(cos_4, omega_1, _r5), _r5), _multiply(cos_5, omega_0, _r8), _r8)
-    return _s2, _s3, _s4, _s7, _s8, _s9 - _s10, -_multiply(_k64, _s11, _r3), _k64 * _s12, _s14, _k64 * _subtract(_multiply(_s0, _s15, _r1), _multiply(_k56, _s16, _r6), _r6), (0.16666666666666666 * p_ring_radius) * _s4, -_multiply(_k64, _s17, _r7), _k64 * _s18
+    return _s2, _s3, _s4, _s7, _s8, _s9 - _s10, -_multiply(_k68, _s11, _r3), _k68 * _s12, _s14, _k68 * _subtract(_multiply(_s0, _s15, _r1), _multiply(_k60, _s16, _r6), _r6), (0.16666666666666666 * p_ring_radius) * _s4, -_multiply(_k68, _s17, _r7), _k68 * _s18
 
 
 def ring_round_6(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4243,7 +4261,7 @@ def ring_round_6(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s6 = _s5 + _multiply(climb_6, omega_0, _r0)
     _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_6, _r0), _multiply(along_1, sine_5, _r1), _r1), _multiply(along_2, sine_4, _r0), _r0), _multiply(along_3, sine_3, _r1), _r1), _multiply(along_4, sine_2, _r0), _r0), _multiply(along_5, sine_1, _r1), _r1)
     _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_6, _r0), _multiply(cosine_1, turn_rate_5, _r2), _r2), _multiply(cosine_2, turn_rate_4, _r0), _r0), _multiply(cosine_3, turn_rate_3, _r2), _r2), _multiply(cosine_4, turn_rate_2, _r0), _r0), _multiply(cosine_5, turn_rate_1, _r2), _r2)
-    _s9 = _add(_s7, _multiply(along_6, sine_0, _r0), _r0) - _multiply(_k56, _add(_s8, _multiply(cosine_6, turn_rate_0, _r1), _r1), _r1)
+    _s9 = _add(_s7, _multiply(along_6, sine_0, _r0), _r0) - _multiply(_k60, _add(_s8, _multiply(cosine_6, turn_rate_0, _r1), _r1), _r1)
     _s10 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_6, _r1), _multiply(along_1, cosine_5, _r0), _r0), _multiply(along_2, cosine_4, _r1), _r1), _multiply(along_3, cosine_3, _r0), _r0), _multiply(along_4, cosine_2, _r1), _r1), _multiply(along_5, cosine_1, _r0), _r0)
     _s11 = _s10 + _multiply(along_6, cosine_0, _r1)
     _s12 = _multiply(_s0, _add(_add(_add(_multiply(climb_3, climb_3, _r1), _multiply(_multiply(_k23, climb_0, _r0), climb_6, _r0), _r0), _multiply(_multiply(_k23, climb_1, _r1), climb_5, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r0), climb_4, _r0), _r0), _r0)
@@ -4251,12 +4269,12 @@ def ring_round_6(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_6, _r1), _multiply(climb_1, sine_5, _r3), _r3), _multiply(climb_2, sine_4, _r1), _r1), _multiply(climb_3, sine_3, _r3), _r3), _multiply(climb_4, sine_2, _r1), _r1), _multiply(climb_5, sine_1, _r3), _r3)
     _s15 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_6, _r1), _multiply(climb_1, cosine_5, _r4), _r4), _multiply(climb_2, cosine_4, _r1), _r1), _multiply(climb_3, cosine_3, _r4), _r4), _multiply(climb_4, cosine_2, _r1), _r1), _multiply(climb_5, cosine_1, _r4), _r4)
     _s16 = _add(_add(_add(_add(_add(_multiply(omega_0, _s9, _r1), _multiply(omega_1, tilted_5, _r5), _r5), _multiply(omega_2, tilted_4, _r1), _r1), _multiply(omega_3, tilted_3, _r5), _r5), _multiply(omega_4, tilted_2, _r1), _r1), _multiply(omega_5, tilted_1, _r5), _r5)
-    _s17 = -_divide(_multiply(_k67, _add(_multiply(_multiply(_k209, cosine_6, _r1), p_gravity, _r1), _add(_s16, _multiply(tilted_0, _s4, _r6), _r6), _r6), _r6), _s0, _r6)
+    _s17 = -_divide(_multiply(_k71, _add(_multiply(_multiply(_k203, cosine_6, _r1), p_gravity, _r1), _add(_s16, _multiply(tilted_0, _s4, _r6), _r6), _r6), _r6), _s0, _r6)
     _s18 = _add(_add(_add(_add(_add(_multiply(around_0, sine_6, _r6), _multiply(around_1, sine_5, _r1), _r1), _multiply(around_2, sine_4, _r6), _r6), _multiply(around_3, sine_3, _r1), _r1), _multiply(around_4, sine_2, _r6), _r6), _multiply(around_5, sine_1, _r1), _r1)
     _s19 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_6, _r6), _multiply(climb_1, turn_rate_5, _r5), _r5), _multiply(climb_2, turn_rate_4, _r6), _r6), _multiply(climb_3, turn_rate_3, _r5), _r5), _multiply(climb_4, turn_rate_2, _r6), _r6), _multiply(climb_5, turn_rate_1, _r5), _r5)
     _s20 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_6, _r6), _multiply(omega_1, sin_5, _r7), _r7), _multiply(omega_2, sin_4, _r6), _r6), _multiply(omega_3, sin_3, _r7), _r7), _multiply(omega_4, sin_2, _r6), _r6), _multiply(omega_5, sin_1, _r7), _r7)
     _s21 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r6), _multiply(cos_1, omega_5, _r8), _r8), _multiply(cos_2, omega_4, _r6), _r6), _multiply(cos_3, omega_3, _r8), _r8), _multiply(cos_4, omega_2, _r6), _r6), _multiply(cos_5, omega_1, _r8), _r8)
-    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_6, _r6), _s12, _r0) - _add(_s13, _multiply(pressed_0, _s4, _r6), _r6), -_multiply(_k67, _add(_s14, _multiply(climb_6, sine_0, _r6), _r6), _r6), _k67 * _add(_s15, _multiply(climb_6, cosine_0, _r6), _r6), _s17, _k67 * _subtract(_multiply(_s0, _add(_s18, _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(_k56, _add(_s19, _multiply(climb_6, turn_rate_0, _r1), _r1), _r1), _r1), (0.14285714285714285 * p_ring_radius) * _s6, -_multiply(_k67, _add(_s20, _multiply(sin_0, _s4, _r1), _r1), _r1), _k67 * _add(_s21, _multiply(cos_6, omega_0, _r1), _r1)
+    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_6, _r6), _s12, _r0) - _add(_s13, _multiply(pressed_0, _s4, _r6), _r6), -_multiply(_k71, _add(_s14, _multiply(climb_6, sine_0, _r6), _r6), _r6), _k71 * _add(_s15, _multiply(climb_6, cosine_0, _r6), _r6), _s17, _k71 * _subtract(_multiply(_s0, _add(_s18, _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(_k60, _add(_s19, _multiply(climb_6, turn_rate_0, _r1), _r1), _r1), _r1), (0.14285714285714285 * p_ring_radius) * _s6, -_multiply(_k71, _add(_s20, _multiply(sin_0, _s4, _r1), _r1), _r1), _k71 * _add(_s21, _multiply(cos_6, omega_0, _r1), _r1)
 
 
 def ring_round_7(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4275,7 +4293,7 @@ def ring_round_7(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s6 = _add(_s5, _multiply(climb_6, omega_1, _r2), _r2) + _multiply(climb_7, omega_0, _r0)
     _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_7, _r0), _multiply(along_1, sine_6, _r2), _r2), _multiply(along_2, sine_5, _r0), _r0), _multiply(along_3, sine_4, _r2), _r2), _multiply(along_4, sine_3, _r0), _r0), _multiply(along_5, sine_2, _r2), _r2)
     _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_7, _r0), _multiply(cosine_1, turn_rate_6, _r1), _r1), _multiply(cosine_2, turn_rate_5, _r0), _r0), _multiply(cosine_3, turn_rate_4, _r1), _r1), _multiply(cosine_4, turn_rate_3, _r0), _r0), _multiply(cosine_5, turn_rate_2, _r1), _r1)
-    _s9 = _add(_add(_s7, _multiply(along_6, sine_1, _r0), _r0), _multiply(along_7, sine_0, _r2), _r2) - _multiply(_k56, _add(_add(_s8, _multiply(cosine_6, turn_rate_1, _r0), _r0), _multiply(cosine_7, turn_rate_0, _r1), _r1), _r1)
+    _s9 = _add(_add(_s7, _multiply(along_6, sine_1, _r0), _r0), _multiply(along_7, sine_0, _r2), _r2) - _multiply(_k60, _add(_add(_s8, _multiply(cosine_6, turn_rate_1, _r0), _r0), _multiply(cosine_7, turn_rate_0, _r1), _r1), _r1)
     _s10 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_7, _r1), _multiply(along_1, cosine_6, _r2), _r2), _multiply(along_2, cosine_5, _r1), _r1), _multiply(along_3, cosine_4, _r2), _r2), _multiply(along_4, cosine_3, _r1), _r1), _multiply(along_5, cosine_2, _r2), _r2)
     _s11 = _add(_s10, _multiply(along_6, cosine_1, _r1), _r1) + _multiply(along_7, cosine_0, _r2)
     _s12 = _multiply(_s0, _add(_add(_add(_multiply(_multiply(_k23, climb_0, _r2), climb_7, _r2), _multiply(_multiply(_k23, climb_1, _r1), climb_6, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r2), climb_5, _r2), _r2), _multiply(_multiply(_k23, climb_3, _r1), climb_4, _r1), _r1), _r1)
@@ -4283,13 +4301,13 @@ def ring_round_7(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_7, _r2), _multiply(climb_1, sine_6, _r3), _r3), _multiply(climb_2, sine_5, _r2), _r2), _multiply(climb_3, sine_4, _r3), _r3), _multiply(climb_4, sine_3, _r2), _r2), _multiply(climb_5, sine_2, _r3), _r3)
     _s15 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_7, _r2), _multiply(climb_1, cosine_6, _r4), _r4), _multiply(climb_2, cosine_5, _r2), _r2), _multiply(climb_3, cosine_4, _r4), _r4), _multiply(climb_4, cosine_3, _r2), _r2), _multiply(climb_5, cosine_2, _r4), _r4)
     _s16 = _add(_add(_add(_add(_add(_multiply(omega_0, _s9, _r2), _multiply(omega_1, tilted_6, _r5), _r5), _multiply(omega_2, tilted_5, _r2), _r2), _multiply(omega_3, tilted_4, _r5), _r5), _multiply(omega_4, tilted_3, _r2), _r2), _multiply(omega_5, tilted_2, _r5), _r5)
-    _s17 = _divide(_multiply(_k70, _add(_multiply(_multiply(_k209, cosine_7, _r2), p_gravity, _r2), _add(_add(_s16, _multiply(omega_6, tilted_1, _r6), _r6), _multiply(tilted_0, _s4, _r5), _r5), _r5), _r5), _s0, _r5)
+    _s17 = _divide(_multiply(_k29, _add(_multiply(_multiply(_k203, cosine_7, _r2), p_gravity, _r2), _add(_add(_s16, _multiply(omega_6, tilted_1, _r6), _r6), _multiply(tilted_0, _s4, _r5), _r5), _r5), _r5), _s0, _r5)
     _s18 = _add(_add(_add(_add(_add(_multiply(around_0, sine_7, _r2), _multiply(around_1, sine_6, _r6), _r6), _multiply(around_2, sine_5, _r2), _r2), _multiply(around_3, sine_4, _r6), _r6), _multiply(around_4, sine_3, _r2), _r2), _multiply(around_5, sine_2, _r6), _r6)
     _s19 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_7, _r2), _multiply(climb_1, turn_rate_6, _r7), _r7), _multiply(climb_2, turn_rate_5, _r2), _r2), _multiply(climb_3, turn_rate_4, _r7), _r7), _multiply(climb_4, turn_rate_3, _r2), _r2), _multiply(climb_5, turn_rate_2, _r7), _r7)
-    _s20 = _k70 * _subtract(_multiply(_s0, _add(_add(_s18, _multiply(around_6, sine_1, _r2), _r2), _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(_k56, _add(_add(_s19, _multiply(climb_6, turn_rate_1, _r2), _r2), _multiply(climb_7, turn_rate_0, _r7), _r7), _r7), _r7)
+    _s20 = _k29 * _subtract(_multiply(_s0, _add(_add(_s18, _multiply(around_6, sine_1, _r2), _r2), _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(_k60, _add(_add(_s19, _multiply(climb_6, turn_rate_1, _r2), _r2), _multiply(climb_7, turn_rate_0, _r7), _r7), _r7), _r7)
     _s21 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_7, _r7), _multiply(omega_1, sin_6, _r6), _r6), _multiply(omega_2, sin_5, _r7), _r7), _multiply(omega_3, sin_4, _r6), _r6), _multiply(omega_4, sin_3, _r7), _r7), _multiply(omega_5, sin_2, _r6), _r6)
     _s22 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r7), _multiply(cos_1, omega_6, _r2), _r2), _multiply(cos_2, omega_5, _r7), _r7), _multiply(cos_3, omega_4, _r2), _r2), _multiply(cos_4, omega_3, _r7), _r7), _multiply(cos_5, omega_2, _r2), _r2)
-    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_7, _r7), _s12, _r1) - _add(_add(_s13, _multiply(omega_6, pressed_1, _r7), _r7), _multiply(pressed_0, _s4, _r0), _r0), -_multiply(_k70, _add(_add(_s14, _multiply(climb_6, sine_1, _r0), _r0), _multiply(climb_7, sine_0, _r3), _r3), _r3), _k70 * _add(_add(_s15, _multiply(climb_6, cosine_1, _r3), _r3), _multiply(climb_7, cosine_0, _r4), _r4), -_s17, _s20, (0.125 * p_ring_radius) * _s6, -_multiply(_k70, _add(_add(_s21, _multiply(omega_6, sin_1, _r5), _r5), _multiply(sin_0, _s4, _r6), _r6), _r6), _k70 * _add(_add(_s22, _multiply(cos_6, omega_1, _r6), _r6), _multiply(cos_7, omega_0, _r2), _r2)
+    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_7, _r7), _s12, _r1) - _add(_add(_s13, _multiply(omega_6, pressed_1, _r7), _r7), _multiply(pressed_0, _s4, _r0), _r0), -_multiply(_k29, _add(_add(_s14, _multiply(climb_6, sine_1, _r0), _r0), _multiply(climb_7, sine_0, _r3), _r3), _r3), _k29 * _add(_add(_s15, _multiply(climb_6, cosine_1, _r3), _r3), _multiply(climb_7, cosine_0, _r4), _r4), -_s17, _s20, (0.125 * p_ring_radius) * _s6, -_multiply(_k29, _add(_add(_s21, _multiply(omega_6, sin_1, _r5), _r5), _multiply(sin_0, _s4, _r6), _r6), _r6), _k29 * _add(_add(_s22, _multiply(cos_6, omega_1, _r6), _r6), _multiply(cos_7, omega_0, _r2), _r2)
 
 
 def ring_round_8(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4308,23 +4326,23 @@ def ring_round_8(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s6 = _add(_add(_s5, _multiply(climb_6, omega_2, _r0), _r0), _multiply(climb_7, omega_1, _r1), _r1) + _multiply(climb_8, omega_0, _r0)
     _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_8, _r0), _multiply(along_1, sine_7, _r1), _r1), _multiply(along_2, sine_6, _r0), _r0), _multiply(along_3, sine_5, _r1), _r1), _multiply(along_4, sine_4, _r0), _r0), _multiply(along_5, sine_3, _r1), _r1)
     _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_8, _r0), _multiply(cosine_1, turn_rate_7, _r2), _r2), _multiply(cosine_2, turn_rate_6, _r0), _r0), _multiply(cosine_3, turn_rate_5, _r2), _r2), _multiply(cosine_4, turn_rate_4, _r0), _r0), _multiply(cosine_5, turn_rate_3, _r2), _r2)
-    _s9 = _add(_add(_add(_s7, _multiply(along_6, sine_2, _r0), _r0), _multiply(along_7, sine_1, _r1), _r1), _multiply(along_8, sine_0, _r0), _r0) - _multiply(_k56, _add(_add(_add(_s8, _multiply(cosine_6, turn_rate_2, _r1), _r1), _multiply(cosine_7, turn_rate_1, _r2), _r2), _multiply(cosine_8, turn_rate_0, _r1), _r1), _r1)
+    _s9 = _add(_add(_add(_s7, _multiply(along_6, sine_2, _r0), _r0), _multiply(along_7, sine_1, _r1), _r1), _multiply(along_8, sine_0, _r0), _r0) - _multiply(_k60, _add(_add(_add(_s8, _multiply(cosine_6, turn_rate_2, _r1), _r1), _multiply(cosine_7, turn_rate_1, _r2), _r2), _multiply(cosine_8, turn_rate_0, _r1), _r1), _r1)
     _s10 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_8, _r1), _multiply(along_1, cosine_7, _r0), _r0), _multiply(along_2, cosine_6, _r1), _r1), _multiply(along_3, cosine_5, _r0), _r0), _multiply(along_4, cosine_4, _r1), _r1), _multiply(along_5, cosine_3, _r0), _r0)
     _s11 = _add(_add(_s10, _multiply(along_6, cosine_2, _r1), _r1), _multiply(along_7, cosine_1, _r0), _r0) + _multiply(along_8, cosine_0, _r1)
     _s12 = _add(_add(_add(_add(_multiply(climb_4, climb_4, _r1), _multiply(_multiply(_k23, climb_0, _r0), climb_8, _r0), _r0), _multiply(_multiply(_k23, climb_1, _r1), climb_7, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r0), climb_6, _r0), _r0), _multiply(_multiply(_k23, climb_3, _r1), climb_5, _r1), _r1)
     _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s11, _r0), _multiply(omega_1, pressed_7, _r2), _r2), _multiply(omega_2, pressed_6, _r0), _r0), _multiply(omega_3, pressed_5, _r2), _r2), _multiply(omega_4, pressed_4, _r0), _r0), _multiply(omega_5, pressed_3, _r2), _r2)
     _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_8, _r0), _multiply(climb_1, sine_7, _r3), _r3), _multiply(climb_2, sine_6, _r0), _r0), _multiply(climb_3, sine_5, _r3), _r3), _multiply(climb_4, sine_4, _r0), _r0), _multiply(climb_5, sine_3, _r3), _r3)
-    _s15 = -_multiply(_k73, _add(_add(_add(_s14, _multiply(climb_6, sine_2, _r0), _r0), _multiply(climb_7, sine_1, _r3), _r3), _multiply(climb_8, sine_0, _r0), _r0), _r0)
+    _s15 = -_multiply(_k75, _add(_add(_add(_s14, _multiply(climb_6, sine_2, _r0), _r0), _multiply(climb_7, sine_1, _r3), _r3), _multiply(climb_8, sine_0, _r0), _r0), _r0)
     _s16 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_8, _r0), _multiply(climb_1, cosine_7, _r3), _r3), _multiply(climb_2, cosine_6, _r0), _r0), _multiply(climb_3, cosine_5, _r3), _r3), _multiply(climb_4, cosine_4, _r0), _r0), _multiply(climb_5, cosine_3, _r3), _r3)
     _s17 = _add(_add(_add(_add(_add(_multiply(omega_0, _s9, _r0), _multiply(omega_1, tilted_7, _r4), _r4), _multiply(omega_2, tilted_6, _r0), _r0), _multiply(omega_3, tilted_5, _r4), _r4), _multiply(omega_4, tilted_4, _r0), _r0), _multiply(omega_5, tilted_3, _r4), _r4)
-    _s18 = _multiply(_k73, _add(_multiply(_multiply(_k209, cosine_8, _r0), p_gravity, _r0), _add(_add(_add(_s17, _multiply(omega_6, tilted_2, _r5), _r5), _multiply(omega_7, tilted_1, _r4), _r4), _multiply(tilted_0, _s4, _r5), _r5), _r5), _r5)
+    _s18 = _multiply(_k75, _add(_multiply(_multiply(_k203, cosine_8, _r0), p_gravity, _r0), _add(_add(_add(_s17, _multiply(omega_6, tilted_2, _r5), _r5), _multiply(omega_7, tilted_1, _r4), _r4), _multiply(tilted_0, _s4, _r5), _r5), _r5), _r5)
     _s19 = _add(_add(_add(_add(_add(_multiply(around_0, sine_8, _r0), _multiply(around_1, sine_7, _r4), _r4), _multiply(around_2, sine_6, _r0), _r0), _multiply(around_3, sine_5, _r4), _r4), _multiply(around_4, sine_4, _r0), _r0), _multiply(around_5, sine_3, _r4), _r4)
     _s20 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_8, _r0), _multiply(climb_1, turn_rate_7, _r6), _r6), _multiply(climb_2, turn_rate_6, _r0), _r0), _multiply(climb_3, turn_rate_5, _r6), _r6), _multiply(climb_4, turn_rate_4, _r0), _r0), _multiply(climb_5, turn_rate_3, _r6), _r6)
-    _s21 = _subtract(_multiply(_s0, _add(_add(_add(_s19, _multiply(around_6, sine_2, _r0), _r0), _multiply(around_7, sine_1, _r4), _r4), _multiply(sine_0, _s6, _r0), _r0), _r0), _multiply(_k56, _add(_add(_add(_s20, _multiply(climb_6, turn_rate_2, _r4), _r4), _multiply(climb_7, turn_rate_1, _r6), _r6), _multiply(climb_8, turn_rate_0, _r4), _r4), _r4), _r4)
+    _s21 = _subtract(_multiply(_s0, _add(_add(_add(_s19, _multiply(around_6, sine_2, _r0), _r0), _multiply(around_7, sine_1, _r4), _r4), _multiply(sine_0, _s6, _r0), _r0), _r0), _multiply(_k60, _add(_add(_add(_s20, _multiply(climb_6, turn_rate_2, _r4), _r4), _multiply(climb_7, turn_rate_1, _r6), _r6), _multiply(climb_8, turn_rate_0, _r4), _r4), _r4), _r4)
     _s22 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_8, _r0), _multiply(omega_1, sin_7, _r6), _r6), _multiply(omega_2, sin_6, _r0), _r0), _multiply(omega_3, sin_5, _r6), _r6), _multiply(omega_4, sin_4, _r0), _r0), _multiply(omega_5, sin_3, _r6), _r6)
-    _s23 = -_multiply(_k73, _add(_add(_add(_s22, _multiply(omega_6, sin_2, _r0), _r0), _multiply(omega_7, sin_1, _r6), _r6), _multiply(sin_0, _s4, _r0), _r0), _r0)
+    _s23 = -_multiply(_k75, _add(_add(_add(_s22, _multiply(omega_6, sin_2, _r0), _r0), _multiply(omega_7, sin_1, _r6), _r6), _multiply(sin_0, _s4, _r0), _r0), _r0)
     _s24 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r0), _multiply(cos_1, omega_7, _r6), _r6), _multiply(cos_2, omega_6, _r0), _r0), _multiply(cos_3, omega_5, _r6), _r6), _multiply(cos_4, omega_4, _r0), _r0), _multiply(cos_5, omega_3, _r6), _r6)
-    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_8, _r0), _multiply(_s0, _s12, _r1), _r1) - _add(_add(_add(_s13, _multiply(omega_6, pressed_2, _r0), _r0), _multiply(omega_7, pressed_1, _r2), _r2), _multiply(pressed_0, _s4, _r0), _r0), _s15, _k73 * _add(_add(_add(_s16, _multiply(climb_6, cosine_2, _r0), _r0), _multiply(climb_7, cosine_1, _r3), _r3), _multiply(climb_8, cosine_0, _r0), _r0), -_divide(_s18, _s0, _r5), _k73 * _s21, (0.1111111111111111 * p_ring_radius) * _s6, _s23, _k73 * _add(_add(_add(_s24, _multiply(cos_6, omega_2, _r4), _r4), _multiply(cos_7, omega_1, _r6), _r6), _multiply(cos_8, omega_0, _r4), _r4)
+    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_8, _r0), _multiply(_s0, _s12, _r1), _r1) - _add(_add(_add(_s13, _multiply(omega_6, pressed_2, _r0), _r0), _multiply(omega_7, pressed_1, _r2), _r2), _multiply(pressed_0, _s4, _r0), _r0), _s15, _k75 * _add(_add(_add(_s16, _multiply(climb_6, cosine_2, _r0), _r0), _multiply(climb_7, cosine_1, _r3), _r3), _multiply(climb_8, cosine_0, _r0), _r0), -_divide(_s18, _s0, _r5), _k75 * _s21, (0.1111111111111111 * p_ring_radius) * _s6, _s23, _k75 * _add(_add(_add(_s24, _multiply(cos_6, omega_2, _r4), _r4), _multiply(cos_7, omega_1, _r6), _r6), _multiply(cos_8, omega_0, _r4), _r4)
 
 
 def ring_round_9(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4343,7 +4361,7 @@ def ring_round_9(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s6 = _add(_add(_add(_s5, _multiply(climb_6, omega_3, _r2), _r2), _multiply(climb_7, omega_2, _r0), _r0), _multiply(climb_8, omega_1, _r2), _r2) + _multiply(climb_9, omega_0, _r0)
     _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_9, _r0), _multiply(along_1, sine_8, _r2), _r2), _multiply(along_2, sine_7, _r0), _r0), _multiply(along_3, sine_6, _r2), _r2), _multiply(along_4, sine_5, _r0), _r0), _multiply(along_5, sine_4, _r2), _r2)
     _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_9, _r0), _multiply(cosine_1, turn_rate_8, _r1), _r1), _multiply(cosine_2, turn_rate_7, _r0), _r0), _multiply(cosine_3, turn_rate_6, _r1), _r1), _multiply(cosine_4, turn_rate_5, _r0), _r0), _multiply(cosine_5, turn_rate_4, _r1), _r1)
-    _s9 = _multiply(_k56, _add(_add(_add(_add(_s8, _multiply(cosine_6, turn_rate_3, _r0), _r0), _multiply(cosine_7, turn_rate_2, _r1), _r1), _multiply(cosine_8, turn_rate_1, _r0), _r0), _multiply(cosine_9, turn_rate_0, _r1), _r1), _r1)
+    _s9 = _multiply(_k60, _add(_add(_add(_add(_s8, _multiply(cosine_6, turn_rate_3, _r0), _r0), _multiply(cosine_7, turn_rate_2, _r1), _r1), _multiply(cosine_8, turn_rate_1, _r0), _r0), _multiply(cosine_9, turn_rate_0, _r1), _r1), _r1)
     _s10 = _add(_add(_add(_add(_s7, _multiply(along_6, sine_3, _r0), _r0), _multiply(along_7, sine_2, _r2), _r2), _multiply(along_8, sine_1, _r0), _r0), _multiply(along_9, sine_0, _r2), _r2) - _s9
     _s11 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_9, _r1), _multiply(along_1, cosine_8, _r2), _r2), _multiply(along_2, cosine_7, _r1), _r1), _multiply(along_3, cosine_6, _r2), _r2), _multiply(along_4, cosine_5, _r1), _r1), _multiply(along_5, cosine_4, _r2), _r2)
     _s12 = _add(_add(_add(_s11, _multiply(along_6, cosine_3, _r1), _r1), _multiply(along_7, cosine_2, _r2), _r2), _multiply(along_8, cosine_1, _r1), _r1) + _multiply(along_9, cosine_0, _r2)
@@ -4351,20 +4369,20 @@ def ring_round_9(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4
     _s14 = _add(_add(_add(_add(_add(_multiply(omega_0, _s12, _r1), _multiply(omega_1, pressed_8, _r0), _r0), _multiply(omega_2, pressed_7, _r1), _r1), _multiply(omega_3, pressed_6, _r0), _r0), _multiply(omega_4, pressed_5, _r1), _r1), _multiply(omega_5, pressed_4, _r0), _r0)
     _s15 = _subtract(_multiply(p_gravity, sine_9, _r1), _multiply(_s0, _s13, _r2), _r2) - _add(_add(_add(_add(_s14, _multiply(omega_6, pressed_3, _r1), _r1), _multiply(omega_7, pressed_2, _r0), _r0), _multiply(omega_8, pressed_1, _r1), _r1), _multiply(pressed_0, _s4, _r0), _r0)
     _s16 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_9, _r0), _multiply(climb_1, sine_8, _r2), _r2), _multiply(climb_2, sine_7, _r0), _r0), _multiply(climb_3, sine_6, _r2), _r2), _multiply(climb_4, sine_5, _r0), _r0), _multiply(climb_5, sine_4, _r2), _r2)
-    _s17 = _multiply(_k210, _add(_add(_add(_add(_s16, _multiply(climb_6, sine_3, _r0), _r0), _multiply(climb_7, sine_2, _r2), _r2), _multiply(climb_8, sine_1, _r0), _r0), _multiply(climb_9, sine_0, _r2), _r2), _r2)
+    _s17 = _multiply(_k204, _add(_add(_add(_add(_s16, _multiply(climb_6, sine_3, _r0), _r0), _multiply(climb_7, sine_2, _r2), _r2), _multiply(climb_8, sine_1, _r0), _r0), _multiply(climb_9, sine_0, _r2), _r2), _r2)
     _s18 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_9, _r0), _multiply(climb_1, cosine_8, _r1), _r1), _multiply(climb_2, cosine_7, _r0), _r0), _multiply(climb_3, cosine_6, _r1), _r1), _multiply(climb_4, cosine_5, _r0), _r0), _multiply(climb_5, cosine_4, _r1), _r1)
-    _s19 = _k210 * _add(_add(_add(_add(_s18, _multiply(climb_6, cosine_3, _r0), _r0), _multiply(climb_7, cosine_2, _r1), _r1), _multiply(climb_8, cosine_1, _r0), _r0), _multiply(climb_9, cosine_0, _r1), _r1)
+    _s19 = _k204 * _add(_add(_add(_add(_s18, _multiply(climb_6, cosine_3, _r0), _r0), _multiply(climb_7, cosine_2, _r1), _r1), _multiply(climb_8, cosine_1, _r0), _r0), _multiply(climb_9, cosine_0, _r1), _r1)
     _s20 = _add(_add(_add(_add(_add(_multiply(omega_0, _s10, _r1), _multiply(omega_1, tilted_8, _r0), _r0), _multiply(omega_2, tilted_7, _r1), _r1), _multiply(omega_3, tilted_6, _r0), _r0), _multiply(omega_4, tilted_5, _r1), _r1), _multiply(omega_5, tilted_4, _r0), _r0)
-    _s21 = _add(_multiply(_multiply(_k209, cosine_9, _r1), p_gravity, _r1), _add(_add(_add(_add(_s20, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r0), _r0), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s4, _r0), _r0), _r0)
+    _s21 = _add(_multiply(_multiply(_k203, cosine_9, _r1), p_gravity, _r1), _add(_add(_add(_add(_s20, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r0), _r0), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s4, _r0), _r0), _r0)
     _s22 = _add(_add(_add(_add(_add(_multiply(around_0, sine_9, _r1), _multiply(around_1, sine_8, _r3), _r3), _multiply(around_2, sine_7, _r1), _r1), _multiply(around_3, sine_6, _r3), _r3), _multiply(around_4, sine_5, _r1), _r1), _multiply(around_5, sine_4, _r3), _r3)
     _s23 = _multiply(_s0, _add(_add(_add(_add(_s22, _multiply(around_6, sine_3, _r1), _r1), _multiply(around_7, sine_2, _r3), _r3), _multiply(around_8, sine_1, _r1), _r1), _multiply(sine_0, _s6, _r3), _r3), _r3)
     _s24 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_9, _r1), _multiply(climb_1, turn_rate_8, _r4), _r4), _multiply(climb_2, turn_rate_7, _r1), _r1), _multiply(climb_3, turn_rate_6, _r4), _r4), _multiply(climb_4, turn_rate_5, _r1), _r1), _multiply(climb_5, turn_rate_4, _r4), _r4)
-    _s25 = _multiply(_k56, _add(_add(_add(_add(_s24, _multiply(climb_6, turn_rate_3, _r1), _r1), _multiply(climb_7, turn_rate_2, _r4), _r4), _multiply(climb_8, turn_rate_1, _r1), _r1), _multiply(climb_9, turn_rate_0, _r4), _r4), _r4)
+    _s25 = _multiply(_k60, _add(_add(_add(_add(_s24, _multiply(climb_6, turn_rate_3, _r1), _r1), _multiply(climb_7, turn_rate_2, _r4), _r4), _multiply(climb_8, turn_rate_1, _r1), _r1), _multiply(climb_9, turn_rate_0, _r4), _r4), _r4)
     _s26 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_9, _r1), _multiply(omega_1, sin_8, _r5), _r5), _multiply(omega_2, sin_7, _r1), _r1), _multiply(omega_3, sin_6, _r5), _r5), _multiply(omega_4, sin_5, _r1), _r1), _multiply(omega_5, sin_4, _r5), _r5)
-    _s27 = _multiply(_k210, _add(_add(_add(_add(_s26, _multiply(omega_6, sin_3, _r1), _r1), _multiply(omega_7, sin_2, _r5), _r5), _multiply(omega_8, sin_1, _r1), _r1), _multiply(sin_0, _s4, _r5), _r5), _r5)
+    _s27 = _multiply(_k204, _add(_add(_add(_add(_s26, _multiply(omega_6, sin_3, _r1), _r1), _multiply(omega_7, sin_2, _r5), _r5), _multiply(omega_8, sin_1, _r1), _r1), _multiply(sin_0, _s4, _r5), _r5), _r5)
     _s28 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r1), _multiply(cos_1, omega_8, _r6), _r6), _multiply(cos_2, omega_7, _r1), _r1), _multiply(cos_3, omega_6, _r6), _r6), _multiply(cos_4, omega_5, _r1), _r1), _multiply(cos_5, omega_4, _r6), _r6)
-    _s29 = _k210 * _add(_add(_add(_add(_s28, _multiply(cos_6, omega_3, _r1), _r1), _multiply(cos_7, omega_2, _r6), _r6), _multiply(cos_8, omega_1, _r1), _r1), _multiply(cos_9, omega_0, _r6), _r6)
-    return _s2, _s4, _s6, _s10, _s12, _s15, -_s17, _s19, -_divide(_multiply(_k210, _s21, _r0), _s0, _r0), _k210 * _subtract(_s23, _s25, _r4), (0.1 * p_ring_radius) * _s6, -_s27, _s29
+    _s29 = _k204 * _add(_add(_add(_add(_s28, _multiply(cos_6, omega_3, _r1), _r1), _multiply(cos_7, omega_2, _r6), _r6), _multiply(cos_8, omega_1, _r1), _r1), _multiply(cos_9, omega_0, _r6), _r6)
+    return _s2, _s4, _s6, _s10, _s12, _s15, -_s17, _s19, -_divide(_multiply(_k204, _s21, _r0), _s0, _r0), _k204 * _subtract(_s23, _s25, _r4), (0.1 * p_ring_radius) * _s6, -_s27, _s29
 
 
 def ring_round_10(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4386,7 +4404,7 @@ def ring_round_10(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along
     _s9 = _add(_add(_add(_add(_add(_s8, _multiply(along_5, sine_5, _r0), _r0), _multiply(along_6, sine_4, _r1), _r1), _multiply(along_7, sine_3, _r0), _r0), _multiply(along_8, sine_2, _r1), _r1), _multiply(along_9, sine_1, _r0), _r0)
     _s10 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_10, _r1), _multiply(cosine_1, turn_rate_9, _r2), _r2), _multiply(cosine_10, turn_rate_0, _r1), _r1), _multiply(cosine_2, turn_rate_8, _r2), _r2), _multiply(cosine_3, turn_rate_7, _r1), _r1), _multiply(cosine_4, turn_rate_6, _r2), _r2)
     _s11 = _add(_add(_add(_add(_add(_s10, _multiply(cosine_5, turn_rate_5, _r1), _r1), _multiply(cosine_6, turn_rate_4, _r2), _r2), _multiply(cosine_7, turn_rate_3, _r1), _r1), _multiply(cosine_8, turn_rate_2, _r2), _r2), _multiply(cosine_9, turn_rate_1, _r1), _r1)
-    _s12 = _s9 - _multiply(_k56, _s11, _r1)
+    _s12 = _s9 - _multiply(_k60, _s11, _r1)
     _s13 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_10, _r1), _multiply(along_1, cosine_9, _r0), _r0), _multiply(along_10, cosine_0, _r1), _r1), _multiply(along_2, cosine_8, _r0), _r0), _multiply(along_3, cosine_7, _r1), _r1), _multiply(along_4, cosine_6, _r0), _r0)
     _s14 = _add(_add(_add(_add(_s13, _multiply(along_5, cosine_5, _r1), _r1), _multiply(along_6, cosine_4, _r0), _r0), _multiply(along_7, cosine_3, _r1), _r1), _multiply(along_8, cosine_2, _r0), _r0) + _multiply(along_9, cosine_1, _r1)
     _s15 = _add(_add(_add(_add(_multiply(climb_5, climb_5, _r1), _multiply(_multiply(_k23, climb_0, _r0), climb_10, _r0), _r0), _multiply(_multiply(_k23, climb_1, _r1), climb_9, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r0), climb_8, _r0), _r0), _multiply(_multiply(_k23, climb_3, _r1), climb_7, _r1), _r1)
@@ -4399,7 +4417,7 @@ def ring_round_10(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along
     _s22 = _add(_add(_add(_add(_add(_s21, _multiply(climb_5, cosine_5, _r3), _r3), _multiply(climb_6, cosine_4, _r2), _r2), _multiply(climb_7, cosine_3, _r3), _r3), _multiply(climb_8, cosine_2, _r2), _r2), _multiply(climb_9, cosine_1, _r3), _r3)
     _s23 = _add(_add(_add(_add(_add(_multiply(omega_0, _s12, _r2), _multiply(omega_1, tilted_9, _r1), _r1), _multiply(omega_2, tilted_8, _r2), _r2), _multiply(omega_3, tilted_7, _r1), _r1), _multiply(omega_4, tilted_6, _r2), _r2), _multiply(omega_5, tilted_5, _r1), _r1)
     _s24 = _add(_add(_add(_add(_add(_s23, _multiply(omega_6, tilted_4, _r2), _r2), _multiply(omega_7, tilted_3, _r1), _r1), _multiply(omega_8, tilted_2, _r2), _r2), _multiply(omega_9, tilted_1, _r1), _r1), _multiply(tilted_0, _s5, _r2), _r2)
-    _s25 = -_divide(_multiply(_k212, _add(_multiply(_multiply(_k209, cosine_10, _r1), p_gravity, _r1), _s24, _r2), _r2), _s0, _r2)
+    _s25 = -_divide(_multiply(_k206, _add(_multiply(_multiply(_k203, cosine_10, _r1), p_gravity, _r1), _s24, _r2), _r2), _s0, _r2)
     _s26 = _add(_add(_add(_add(_add(_multiply(around_0, sine_10, _r2), _multiply(around_1, sine_9, _r1), _r1), _multiply(around_2, sine_8, _r2), _r2), _multiply(around_3, sine_7, _r1), _r1), _multiply(around_4, sine_6, _r2), _r2), _multiply(around_5, sine_5, _r1), _r1)
     _s27 = _add(_add(_add(_add(_add(_s26, _multiply(around_6, sine_4, _r2), _r2), _multiply(around_7, sine_3, _r1), _r1), _multiply(around_8, sine_2, _r2), _r2), _multiply(around_9, sine_1, _r1), _r1), _multiply(sine_0, _s7, _r2), _r2)
     _s28 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_10, _r1), _multiply(climb_1, turn_rate_9, _r4), _r4), _multiply(climb_10, turn_rate_0, _r1), _r1), _multiply(climb_2, turn_rate_8, _r4), _r4), _multiply(climb_3, turn_rate_7, _r1), _r1), _multiply(climb_4, turn_rate_6, _r4), _r4)
@@ -4408,7 +4426,7 @@ def ring_round_10(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along
     _s31 = _add(_add(_add(_add(_add(_s30, _multiply(omega_6, sin_4, _r4), _r4), _multiply(omega_7, sin_3, _r5), _r5), _multiply(omega_8, sin_2, _r4), _r4), _multiply(omega_9, sin_1, _r5), _r5), _multiply(sin_0, _s5, _r4), _r4)
     _s32 = _add(_add(_add(_add(_add(_multiply(cos_0, _s5, _r5), _multiply(cos_1, omega_9, _r6), _r6), _multiply(cos_10, omega_0, _r5), _r5), _multiply(cos_2, omega_8, _r6), _r6), _multiply(cos_3, omega_7, _r5), _r5), _multiply(cos_4, omega_6, _r6), _r6)
     _s33 = _add(_add(_add(_add(_add(_s32, _multiply(cos_5, omega_5, _r5), _r5), _multiply(cos_6, omega_4, _r6), _r6), _multiply(cos_7, omega_3, _r5), _r5), _multiply(cos_8, omega_2, _r6), _r6), _multiply(cos_9, omega_1, _r5), _r5)
-    return _s3, _s5, _s7, _s12, _s14, _s18, -_multiply(_k212, _s20, _r0), _k212 * _s22, _s25, _k212 * _subtract(_multiply(_s0, _s27, _r2), _multiply(_k56, _s29, _r1), _r1), (0.09090909090909091 * p_ring_radius) * _s7, -_multiply(_k212, _s31, _r4), _k212 * _s33
+    return _s3, _s5, _s7, _s12, _s14, _s18, -_multiply(_k206, _s20, _r0), _k206 * _s22, _s25, _k206 * _subtract(_multiply(_s0, _s27, _r2), _multiply(_k60, _s29, _r1), _r1), (0.09090909090909091 * p_ring_radius) * _s7, -_multiply(_k206, _s31, _r4), _k206 * _s33
 
 
 def ring_round_11(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_10: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_11: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_10: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_10: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_11: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4432,7 +4450,7 @@ def ring_round_11(along_0: Any, along_1: Any, along_10: Any, along_11: Any, alon
     _s11 = _add(_add(_add(_add(_add(_s10, _multiply(along_4, sine_7, _r1), _r1), _multiply(along_5, sine_6, _r0), _r0), _multiply(along_6, sine_5, _r1), _r1), _multiply(along_7, sine_4, _r0), _r0), _multiply(along_8, sine_3, _r1), _r1)
     _s12 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_11, _r0), _multiply(cosine_1, turn_rate_10, _r2), _r2), _multiply(cosine_10, turn_rate_1, _r0), _r0), _multiply(cosine_11, turn_rate_0, _r2), _r2), _multiply(cosine_2, turn_rate_9, _r0), _r0), _multiply(cosine_3, turn_rate_8, _r2), _r2)
     _s13 = _add(_add(_add(_add(_add(_s12, _multiply(cosine_4, turn_rate_7, _r0), _r0), _multiply(cosine_5, turn_rate_6, _r2), _r2), _multiply(cosine_6, turn_rate_5, _r0), _r0), _multiply(cosine_7, turn_rate_4, _r2), _r2), _multiply(cosine_8, turn_rate_3, _r0), _r0)
-    _s14 = _add(_s11, _multiply(along_9, sine_2, _r2), _r2) - _multiply(_k56, _add(_s13, _multiply(cosine_9, turn_rate_2, _r1), _r1), _r1)
+    _s14 = _add(_s11, _multiply(along_9, sine_2, _r2), _r2) - _multiply(_k60, _add(_s13, _multiply(cosine_9, turn_rate_2, _r1), _r1), _r1)
     _s15 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_11, _r1), _multiply(along_1, cosine_10, _r2), _r2), _multiply(along_10, cosine_1, _r1), _r1), _multiply(along_11, cosine_0, _r2), _r2), _multiply(along_2, cosine_9, _r1), _r1), _multiply(along_3, cosine_8, _r2), _r2)
     _s16 = _add(_add(_add(_add(_add(_s15, _multiply(along_4, cosine_7, _r1), _r1), _multiply(along_5, cosine_6, _r2), _r2), _multiply(along_6, cosine_5, _r1), _r1), _multiply(along_7, cosine_4, _r2), _r2), _multiply(along_8, cosine_3, _r1), _r1)
     _s17 = _s16 + _multiply(along_9, cosine_2, _r2)
@@ -4446,7 +4464,7 @@ def ring_round_11(along_0: Any, along_1: Any, along_10: Any, along_11: Any, alon
     _s25 = _add(_add(_add(_add(_add(_s24, _multiply(climb_4, cosine_7, _r3), _r3), _multiply(climb_5, cosine_6, _r1), _r1), _multiply(climb_6, cosine_5, _r3), _r3), _multiply(climb_7, cosine_4, _r1), _r1), _multiply(climb_8, cosine_3, _r3), _r3)
     _s26 = _add(_add(_add(_add(_add(_multiply(omega_0, _s14, _r1), _multiply(omega_1, tilted_10, _r2), _r2), _multiply(omega_10, tilted_1, _r1), _r1), _multiply(omega_2, tilted_9, _r2), _r2), _multiply(omega_3, tilted_8, _r1), _r1), _multiply(omega_4, tilted_7, _r2), _r2)
     _s27 = _add(_add(_add(_add(_add(_s26, _multiply(omega_5, tilted_6, _r1), _r1), _multiply(omega_6, tilted_5, _r2), _r2), _multiply(omega_7, tilted_4, _r1), _r1), _multiply(omega_8, tilted_3, _r2), _r2), _multiply(omega_9, tilted_2, _r1), _r1)
-    _s28 = -_divide(_multiply(_k214, _add(_multiply(_multiply(_k209, cosine_11, _r2), p_gravity, _r2), _add(_s27, _multiply(tilted_0, _s6, _r4), _r4), _r4), _r4), _s0, _r4)
+    _s28 = -_divide(_multiply(_k208, _add(_multiply(_multiply(_k203, cosine_11, _r2), p_gravity, _r2), _add(_s27, _multiply(tilted_0, _s6, _r4), _r4), _r4), _r4), _s0, _r4)
     _s29 = _add(_add(_add(_add(_add(_multiply(around_0, sine_11, _r4), _multiply(around_1, sine_10, _r2), _r2), _multiply(around_10, sine_1, _r4), _r4), _multiply(around_2, sine_9, _r2), _r2), _multiply(around_3, sine_8, _r4), _r4), _multiply(around_4, sine_7, _r2), _r2)
     _s30 = _add(_add(_add(_add(_add(_s29, _multiply(around_5, sine_6, _r4), _r4), _multiply(around_6, sine_5, _r2), _r2), _multiply(around_7, sine_4, _r4), _r4), _multiply(around_8, sine_3, _r2), _r2), _multiply(around_9, sine_2, _r4), _r4)
     _s31 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_11, _r2), _multiply(climb_1, turn_rate_10, _r1), _r1), _multiply(climb_10, turn_rate_1, _r2), _r2), _multiply(climb_11, turn_rate_0, _r1), _r1), _multiply(climb_2, turn_rate_9, _r2), _r2), _multiply(climb_3, turn_rate_8, _r1), _r1)
@@ -4455,7 +4473,7 @@ def ring_round_11(along_0: Any, along_1: Any, along_10: Any, along_11: Any, alon
     _s34 = _add(_add(_add(_add(_add(_s33, _multiply(omega_5, sin_6, _r1), _r1), _multiply(omega_6, sin_5, _r5), _r5), _multiply(omega_7, sin_4, _r1), _r1), _multiply(omega_8, sin_3, _r5), _r5), _multiply(omega_9, sin_2, _r1), _r1)
     _s35 = _add(_add(_add(_add(_add(_multiply(cos_0, _s6, _r5), _multiply(cos_1, omega_10, _r6), _r6), _multiply(cos_10, omega_1, _r5), _r5), _multiply(cos_11, omega_0, _r6), _r6), _multiply(cos_2, omega_9, _r5), _r5), _multiply(cos_3, omega_8, _r6), _r6)
     _s36 = _add(_add(_add(_add(_add(_s35, _multiply(cos_4, omega_7, _r5), _r5), _multiply(cos_5, omega_6, _r6), _r6), _multiply(cos_6, omega_5, _r5), _r5), _multiply(cos_7, omega_4, _r6), _r6), _multiply(cos_8, omega_3, _r5), _r5)
-    return _s3, _s6, _s9, _s14, _s17, _s21, -_multiply(_k214, _add(_s23, _multiply(climb_9, sine_2, _r6), _r6), _r6), _k214 * _add(_s25, _multiply(climb_9, cosine_2, _r6), _r6), _s28, _k214 * _subtract(_multiply(_s0, _add(_s30, _multiply(sine_0, _s9, _r6), _r6), _r6), _multiply(_k56, _add(_s32, _multiply(climb_9, turn_rate_2, _r4), _r4), _r4), _r4), (0.08333333333333333 * p_ring_radius) * _s9, -_multiply(_k214, _add(_s34, _multiply(sin_0, _s6, _r4), _r4), _r4), _k214 * _add(_s36, _multiply(cos_9, omega_2, _r4), _r4)
+    return _s3, _s6, _s9, _s14, _s17, _s21, -_multiply(_k208, _add(_s23, _multiply(climb_9, sine_2, _r6), _r6), _r6), _k208 * _add(_s25, _multiply(climb_9, cosine_2, _r6), _r6), _s28, _k208 * _subtract(_multiply(_s0, _add(_s30, _multiply(sine_0, _s9, _r6), _r6), _r6), _multiply(_k60, _add(_s32, _multiply(climb_9, turn_rate_2, _r4), _r4), _r4), _r4), (0.08333333333333333 * p_ring_radius) * _s9, -_multiply(_k208, _add(_s34, _multiply(sin_0, _s6, _r4), _r4), _r4), _k208 * _add(_s36, _multiply(cos_9, omega_2, _r4), _r4)
 
 
 def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4554,7 +4572,7 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s31 = _select(_s21 < _s30, _s30, _s21, _r16)
     _s32 = _add(_s22, _multiply(_s25, _subtract(_s23, _s24, _r12), _r12), _r12)
     _s33 = _sqrt(_select(_s32 < _k6, _k6, _s32, _r11), _r11)
-    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k122, _r17)
+    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k124, _r17)
     _s35 = _k6 < _s32
     _s36 = _select(_s35, _multiply(_s27, _subtract(vz, _s33, _r12), _r12), _s34, _r18)
     _s37 = _divide(_subtract(_s18, _s19, _r8), _s17, _r8)
@@ -4569,11 +4587,11 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s46 = _select(_s45 < _s44, _s44, _s45, _r21)
     _s47 = _result(_s46 < horizon, _s46, horizon, _r0)
     _s48 = _add(speed, _multiply(p_gravity, _s47, _r21), _r21)
-    _s49 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k59, _multiply(_s48, _s48, _r21), _r21), _r21)
+    _s49 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k63, _multiply(_s48, _s48, _r21), _r21), _r21)
     _s50 = _where(_s2 < _s7, _s7, _s2)
     _s51 = _add(_add(_add(_s12, extent, _r21), _absolute((_s5 + _s3)), _r21), _where(_s50 < _s6, _s6, _s50), _r21)
     _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k23, speed, _r22), _s27, _r22), _r22)
-    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k124, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k126, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
     return _result(_k6 < _s31, _s31, _k6, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k6 < _s43, _s43, _k6, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53
 
 
@@ -4591,17 +4609,17 @@ def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any
     _s4 = p_ball_radius + (0.0001220703125 * _where(_s0 < _s3, _s0, _s3))
     _s5 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s6 = _add(extent, _multiply(horizon, _s5, _r1), _r1)
-    _s7 = _multiply(_k33, _s6, _r2)
+    _s7 = _multiply(_k37, _s6, _r2)
     _s8 = _multiply(_k23, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k17, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_board_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
-    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k218, _s6, _r1), _r1), _s8, _r1)
+    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k212, _s6, _r1), _r1), _s8, _r1)
     _s12 = _add(_add((2.220446049250313e-16 * _absolute(p_board_bottom)) + (2.220446049250313e-16 * _absolute(p_board_top)), _s7, _r2), _s8, _r2)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k219, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k220, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k218, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k221, _s5, _r6)
-    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k33, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k213, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k214, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k212, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k215, _s5, _r6)
+    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k37, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
 
@@ -4695,17 +4713,17 @@ def backboard_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: 
     _s41 = _negative(_s31, _r11)
     _s42 = _s38 < _k6
     _s43 = _multiply(_k23, _s40, _r7)
-    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r10), _k8, _divide(_select(_s42, _s43, _multiply(_k60, _s38, _r10), _r5), _select(_s42, _negative(_s38, _r12), _select(_k6 < _s41, _s41, _k6, _r1), _r3), _r5), _r10)
+    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r10), _k8, _divide(_select(_s42, _s43, _multiply(_k64, _s38, _r10), _r5), _select(_s42, _negative(_s38, _r12), _select(_k6 < _s41, _s41, _k6, _r1), _r3), _r5), _r10)
     _s45 = _subtract(end, t, _r3)
     _s46 = _select(_s44 < _s45, _s44, _s45, _r1)
     _s47 = _add(_multiply(_add(_multiply(0.5 * _s32, _s46, _r11), _absolute(_s28, _r6), _r6), _s46, _r6), _s30, _r6)
-    _s48 = _add(_multiply(_k89, ceiling, _r2), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
+    _s48 = _add(_multiply(_k91, ceiling, _r2), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
     _s49 = _add(_multiply(_multiply(_k23, _s48, _r2), _s40, _r2), _multiply(_s38, _s38, _r9), _r9)
     _s50 = _sqrt(_s49, _r2)
     _s51 = _select(_k6 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r9), _r0), _select(_s42, _subtract(_s50, _s38, _r2), _select(_k6 < _s48, _s48, _k6, _r8), _r6), _r0), _k8, _r9)
     _s52 = _result(_s51 < _s46, _s51, _s46, _r0)
     _s53 = _negative(_add(rate_margin, _s29, _r6), _r6)
-    return _s27, _s29, _s31, _s52, t + _s52, _result(_k6 < _s53, _subtract(_multiply(_s53, _s53, _r9), _multiply(_multiply(_k25, ceiling, _r0), _add(margin, _s43, _r7), _r0), _r0), _s53, _r0)
+    return _s27, _s29, _s31, _s52, t + _s52, _result(_k6 < _s53, _subtract(_multiply(_s53, _s53, _r9), _multiply(_multiply(_k26, ceiling, _r0), _add(margin, _s43, _r7), _r0), _r0), _s53, _r0)
 
 
 def backboard_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach_y: Any, reach_z: Any, later_middle_x: Any, later_middle_y: Any, later_middle_z: Any, later_reach_x: Any, later_reach_y: Any, later_reach_z: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4759,13 +4777,13 @@ def backboard_beside(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
     _s10 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vz, _r0), _select(_s1 < _k6, _k6, _negative(vz, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k23, _subtract(_select(_s3 < _k6, _k6, vx, _r2), _select(_s4 < _k6, _k6, _negative(vx, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
     _s11 = _add(_s10, _multiply(_multiply(_k23, _subtract(_select(_s6 < _k6, _k6, vy, _r5), _select(_s7 < _k6, _k6, _negative(vy, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
-    return _s9 - p_ball_radius, _multiply(_k40, _s11, _r10) / _s9, 0.0
+    return _s9 - p_ball_radius, _multiply(_k44, _s11, _r10) / _s9, 0.0
 
 
 def backboard_closing(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, nx: Any, ny: Any, nz: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The distance, its rate and its second derivative, of a ball that rolls on something else.
 
-    derivatives of Table 2's distance. 117 operations: 15 additions, 17 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections.
+    derivatives of Table 2's distance. 115 operations: 16 additions, 16 subtractions, 33 multiplications, 1 division, 1 square root, 12 negations, 12 comparisons, 24 selections.
     Returns gap, nearing, swerve, facing.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
@@ -4778,24 +4796,26 @@ def backboard_closing(p_ball_radius: Any, p_board_bottom: Any, p_board_distance:
     _s6 = _subtract(y, p_board_half_width, _r5)
     _s7 = _negative(_add(p_board_half_width, y, _r7), _r7)
     _s8 = _subtract(_select(_s6 < _k6, _k6, _s6, _r8), _select(_s7 < _k6, _k6, _s7, _r9), _r9)
-    _s9 = _add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8)
-    _s10 = _sqrt(_s9, _r10)
-    _s11 = _s0 < _k6
-    _s12 = _s1 < _k6
-    _s13 = _subtract(_select(_s11, _k6, rolled_z, _r1), _select(_s12, _k6, _negative(rolled_z, _r0), _r11), _r11)
-    _s14 = _s3 < _k6
-    _s15 = _s4 < _k6
-    _s16 = _subtract(_select(_s14, _k6, rolled_x, _r4), _select(_s15, _k6, _negative(rolled_x, _r2), _r0), _r0)
-    _s17 = _s6 < _k6
-    _s18 = _s7 < _k6
-    _s19 = _subtract(_select(_s17, _k6, rolled_y, _r7), _select(_s18, _k6, _negative(rolled_y, _r5), _r2), _r2)
-    _s20 = _add(_add(_multiply(_multiply(_k23, _s13, _r5), _s2, _r5), _multiply(_multiply(_k23, _s16, _r7), _s5, _r7), _r7), _multiply(_multiply(_k23, _s19, _r5), _s8, _r5), _r5)
-    _s21 = _add(_multiply(_multiply(_k23, _subtract(_select(_s11, _k6, thrust_z, _r7), _select(_s12, _k6, _negative(thrust_z, _r4), _r1), _r1), _r1), _s2, _r1), _multiply(_k23, _multiply(_s13, _s13, _r11), _r11), _r11)
-    _s22 = _add(_multiply(_multiply(_k23, _subtract(_select(_s14, _k6, thrust_x, _r1), _select(_s15, _k6, _negative(thrust_x, _r4), _r7), _r7), _r7), _s5, _r7), _multiply(_k23, _multiply(_s16, _s16, _r0), _r0), _r0)
-    _s23 = _add(_multiply(_multiply(_k23, _subtract(_select(_s17, _k6, thrust_y, _r7), _select(_s18, _k6, _negative(thrust_y, _r4), _r1), _r1), _r1), _s8, _r1), _multiply(_k23, _multiply(_s19, _s19, _r2), _r2), _r2)
-    _s24 = _add(_multiply(_multiply(_k23, _subtract(_select(_s11, _k6, nz, _r1), _select(_s12, _k6, _negative(nz, _r4), _r7), _r7), _r7), _s2, _r7), _multiply(_multiply(_k23, _subtract(_select(_s14, _k6, nx, _r3), _select(_s15, _k6, _negative(nx, _r4), _r1), _r1), _r1), _s5, _r1), _r1)
-    _s25 = _add(_s24, _multiply(_multiply(_k23, _subtract(_select(_s17, _k6, ny, _r7), _select(_s18, _k6, _negative(ny, _r6), _r4), _r4), _r4), _s8, _r4), _r4)
-    return _s10 - p_ball_radius, _multiply(_k40, _s20, _r1) / _s10, _divide(_multiply(_k40, _add(_add(_s21, _s22, _r0), _s23, _r2), _r2), _s10, _r2) - _divide(_multiply(_k26, _multiply(_s20, _s20, _r5), _r5), _multiply(_s10, _s9, _r8), _r5), _multiply(_k40, _s25, _r4) / _s10
+    _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
+    _s10 = _s0 < _k6
+    _s11 = _s1 < _k6
+    _s12 = _subtract(_select(_s10, _k6, rolled_z, _r1), _select(_s11, _k6, _negative(rolled_z, _r0), _r10), _r10)
+    _s13 = _s3 < _k6
+    _s14 = _s4 < _k6
+    _s15 = _subtract(_select(_s13, _k6, rolled_x, _r4), _select(_s14, _k6, _negative(rolled_x, _r2), _r0), _r0)
+    _s16 = _s6 < _k6
+    _s17 = _s7 < _k6
+    _s18 = _subtract(_select(_s16, _k6, rolled_y, _r7), _select(_s17, _k6, _negative(rolled_y, _r5), _r2), _r2)
+    _s19 = _add(_add(_multiply(_multiply(_k23, _s12, _r5), _s2, _r5), _multiply(_multiply(_k23, _s15, _r7), _s5, _r7), _r7), _multiply(_multiply(_k23, _s18, _r5), _s8, _r5), _r5)
+    _s20 = _divide(_k22, _s9, _r7)
+    _s21 = _multiply(_k44, _s19, _r4) * _s20
+    _s22 = _multiply(_k23, _add(_multiply(_subtract(_select(_s10, _k6, thrust_z, _r4), _select(_s11, _k6, _negative(thrust_z, _r1), _r11), _r11), _s2, _r11), _multiply(_s12, _s12, _r10), _r10), _r10)
+    _s23 = _multiply(_k23, _add(_multiply(_subtract(_select(_s13, _k6, thrust_x, _r11), _select(_s14, _k6, _negative(thrust_x, _r1), _r4), _r4), _s5, _r4), _multiply(_s15, _s15, _r0), _r0), _r0)
+    _s24 = _multiply(_k23, _add(_multiply(_subtract(_select(_s16, _k6, thrust_y, _r4), _select(_s17, _k6, _negative(thrust_y, _r1), _r11), _r11), _s8, _r11), _multiply(_s18, _s18, _r2), _r2), _r2)
+    _s25 = _k44 * _add(_multiply(_negative(_multiply(_s21, _multiply(_s20, _s20, _r11), _r11), _r11), _s19, _r11), _multiply(_add(_add(_s22, _s23, _r0), _s24, _r2), _s20, _r2), _r2)
+    _s26 = _add(_multiply(_multiply(_k23, _subtract(_select(_s10, _k6, nz, _r2), _select(_s11, _k6, _negative(nz, _r11), _r0), _r0), _r0), _s2, _r0), _multiply(_multiply(_k23, _subtract(_select(_s13, _k6, nx, _r3), _select(_s14, _k6, _negative(nx, _r11), _r2), _r2), _r2), _s5, _r2), _r2)
+    _s27 = _add(_s26, _multiply(_multiply(_k23, _subtract(_select(_s16, _k6, ny, _r0), _select(_s17, _k6, _negative(ny, _r6), _r11), _r11), _r11), _s8, _r11), _r11)
+    return _s9 - p_ball_radius, _s21, _s25, _multiply(_k44, _s27, _r11) * _s20
 
 
 def backboard_off(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4859,36 +4879,44 @@ def backboard_turning(p_ball_radius: Any, p_board_bottom: Any, p_board_distance:
 def backboard_parting(p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, p_gravity: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The second to the fourth derivative of the distance along a flight.
 
-    derivatives of Table 2's distance. 112 operations: 13 additions, 15 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections.
+    derivatives of Table 2's distance. 127 operations: 27 additions, 10 subtractions, 53 multiplications, 1 division, 1 square root, 9 negations, 12 comparisons, 14 selections.
     Returns lift, surge, snap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _s0 < _k6
     _s2 = _subtract(p_board_bottom, z, _r1)
     _s3 = _s2 < _k6
-    _s4 = _subtract(_select(_s1, _k6, -p_gravity, _r2), _select(_s3, _k6, p_gravity, _r3), _r3)
-    _s5 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s2 < _k6, _k6, _s2, _r4), _r4)
-    _s6 = _subtract(_select(_s1, _k6, vz, _r2), _select(_s3, _k6, _negative(vz, _r1), _r0), _r0)
-    _s7 = _add(p_board_distance, x, _r1)
-    _s8 = _negative(_add(p_board_distance + p_board_thickness, x, _r2), _r2)
-    _s9 = _subtract(_select(_s7 < _k6, _k6, vx, _r5), _select(_s8 < _k6, _k6, _negative(vx, _r6), _r7), _r7)
-    _s10 = _subtract(y, p_board_half_width, _r6)
-    _s11 = _negative(_add(p_board_half_width, y, _r5), _r5)
-    _s12 = _subtract(_select(_s10 < _k6, _k6, vy, _r8), _select(_s11 < _k6, _k6, _negative(vy, _r9), _r10), _r10)
-    _s13 = _add(_add(_add(_multiply(_multiply(_k23, _s4, _r9), _s5, _r9), _multiply(_k23, _multiply(_s6, _s6, _r8), _r8), _r8), _multiply(_k23, _multiply(_s9, _s9, _r9), _r9), _r9), _multiply(_k23, _multiply(_s12, _s12, _r8), _r8), _r8)
-    _s14 = _subtract(_select(_s7 < _k6, _k6, _s7, _r9), _select(_s8 < _k6, _k6, _s8, _r11), _r11)
-    _s15 = _subtract(_select(_s10 < _k6, _k6, _s10, _r9), _select(_s11 < _k6, _k6, _s11, _r2), _r2)
-    _s16 = _add(_add(_multiply(_s5, _s5, _r9), _multiply(_s14, _s14, _r5), _r5), _multiply(_s15, _s15, _r9), _r9)
-    _s17 = _sqrt(_s16, _r5)
-    _s18 = _add(_add(_multiply(_multiply(_k23, _s6, _r6), _s5, _r6), _multiply(_multiply(_k23, _s9, _r7), _s14, _r7), _r7), _multiply(_multiply(_k23, _s12, _r10), _s15, _r10), _r10)
-    _s19 = _multiply(_s18, _s18, _r7)
-    _s20 = _multiply(_s17, _s16, _r2)
-    _s21 = _multiply(_multiply(_k7, _s4, _r6), _s6, _r6)
-    _s22 = _multiply(_s16, _s16, _r9)
-    _s23 = _multiply(_s17, _s22, _r0)
-    _s24 = _subtract(_add(_divide(_multiply(_k40, _multiply(_k7, _multiply(_s4, _s4, _r3), _r3), _r3), _s17, _r3), _divide(_multiply(_multiply(_k185, _s19, _r11), _s13, _r11), _s23, _r11), _r11), _divide(_multiply(_k186, _multiply(_s19, _s19, _r3), _r3), _multiply(_s20, _s22, _r9), _r3), _r3)
-    return _divide(_multiply(_k40, _s13, _r11), _s17, _r11) - _divide(_multiply(_k26, _s19, _r9), _s20, _r9), _add(_divide(_multiply(_k40, _s21, _r9), _s17, _r9), _divide(_multiply(_k183, _multiply(_s18, _s19, _r7), _r7), _s23, _r7), _r7) - _divide(_multiply(_multiply(_k184, _s18, _r9), _s13, _r9), _s20, _r9), _subtract(_s24, _divide(_multiply(_k184, _multiply(_s13, _s13, _r8), _r8), _s20, _r8), _r8) - _divide(_multiply(_s21, _s18, _r6), _s20, _r6)
+    _s4 = _subtract(_select(_s1, _k6, vz, _r2), _select(_s3, _k6, _negative(vz, _r3), _r4), _r4)
+    _s5 = _subtract(_select(_s0 < _k6, _k6, _s0, _r3), _select(_s2 < _k6, _k6, _s2, _r2), _r2)
+    _s6 = _add(p_board_distance, x, _r3)
+    _s7 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
+    _s8 = _subtract(_select(_s6 < _k6, _k6, vx, _r0), _select(_s7 < _k6, _k6, _negative(vx, _r5), _r6), _r6)
+    _s9 = _subtract(_select(_s6 < _k6, _k6, _s6, _r5), _select(_s7 < _k6, _k6, _s7, _r0), _r0)
+    _s10 = _subtract(y, p_board_half_width, _r5)
+    _s11 = _negative(_add(p_board_half_width, y, _r1), _r1)
+    _s12 = _subtract(_select(_s10 < _k6, _k6, vy, _r3), _select(_s11 < _k6, _k6, _negative(vy, _r7), _r8), _r8)
+    _s13 = _subtract(_select(_s10 < _k6, _k6, _s10, _r7), _select(_s11 < _k6, _k6, _s11, _r3), _r3)
+    _s14 = _add(_add(_multiply(_multiply(_k23, _s4, _r7), _s5, _r7), _multiply(_multiply(_k23, _s8, _r1), _s9, _r1), _r1), _multiply(_multiply(_k23, _s12, _r7), _s13, _r7), _r7)
+    _s15 = _divide(_k22, _sqrt(_add(_add(_multiply(_s5, _s5, _r1), _multiply(_s9, _s9, _r0), _r0), _multiply(_s13, _s13, _r3), _r3), _r3), _r3)
+    _s16 = _multiply(_multiply(_k44, _s14, _r0), _s15, _r0)
+    _s17 = _multiply(_s15, _s15, _r1)
+    _s18 = _negative(_multiply(_s16, _s17, _r5), _r5)
+    _s19 = _subtract(_select(_s1, _k6, -p_gravity, _r9), _select(_s3, _k6, p_gravity, _r10), _r10)
+    _s20 = _add(_add(_multiply(_k23, _add(_multiply(_s19, _s5, _r2), _multiply(_s4, _s4, _r9), _r9), _r9), _multiply(_k23, _multiply(_s8, _s8, _r6), _r6), _r6), _multiply(_k23, _multiply(_s12, _s12, _r8), _r8), _r8)
+    _s21 = _k44 * _add(_multiply(_s18, _s14, _r6), _multiply(_s20, _s15, _r9), _r9)
+    _s22 = _multiply(_s18, _s20, _r9)
+    _s23 = _multiply(_k23, _s18, _r6)
+    _s24 = _negative(_add(_multiply(_s21, _s17, _r2), _multiply(_multiply(_s23, _s16, _r11), _s15, _r11), _r11), _r11)
+    _s25 = _multiply(_k23, _add(_multiply(_multiply(_k23, _s19, _r2), _s4, _r2), _multiply(_s19, _s4, _r4), _r4), _r4)
+    _s26 = _k44 * _add(_add(_s22, _multiply(_s14, _s24, _r2), _r2), _add(_s22, _multiply(_s25, _s15, _r12), _r12), _r12)
+    _s27 = _multiply(_s18, _s25, _r4)
+    _s28 = _multiply(_s20, _s24, _r8)
+    _s29 = _add(_s27, _s28, _r12)
+    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k23, _multiply(_k63, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
+    _s31 = _add(_add(_multiply(_s26, _s17, _r1), _multiply(_multiply(_s23, _s21, _r6), _s15, _r6), _r6), _multiply(_k23, _add(_add(_multiply(_multiply(_s18, _s18, _r1), _s16, _r1), _multiply(_multiply(_s18, _s21, _r5), _s15, _r5), _r5), _multiply(_multiply(_s16, _s24, _r11), _s15, _r11), _r11), _r11), _r11)
+    _s32 = _k44 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
+    return _s21, _s26, _s32
 
 
 def backboard_seam0(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, vx: Any, x: Any) -> tuple[Any, ...]:
@@ -4948,7 +4976,7 @@ def backboard_seam5(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, v
 def backboard_around(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """A bound below the distance from all places at this height and distance from the axis.
 
-    Table 2. 57 operations: 6 additions, 6 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
+    Table 2. 58 operations: 6 additions, 6 subtractions, 17 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
     Returns gap, nearing.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
@@ -4965,9 +4993,9 @@ def backboard_around(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     _s10 = _subtract(_sqrt(((_s5 * _s5) + (_s8 * _s8))), _s9, _r2)
     _s11 = _select(_k6 < _s10, _s10, _k6, _r5)
     _s12 = _sqrt(_add(_multiply(_s2, _s2, _r6), _multiply(_s11, _s11, _r7), _r7), _r7)
-    _s13 = _negative(_divide(_multiply(_k40, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _s9, _r8), _r8)
+    _s13 = _negative(_multiply(_multiply(_k44, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _divide(_k22, _s9, _r4), _r8), _r8)
     _s14 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vz, _r0), _select(_s1 < _k6, _k6, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k23, _s11, _r5), _select(_k6 < _s10, _s13, _k6, _r2), _r5), _r5)
-    return _s12 - p_ball_radius, _multiply(_k40, _s14, _r5) / _s12
+    return _s12 - p_ball_radius, _multiply(_k44, _s14, _r5) / _s12
 
 
 def backboard_enter(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
@@ -5063,7 +5091,7 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s30 = _select(_s20 < _s29, _s29, _s20, _r16)
     _s31 = _add(_s21, _multiply(_s24, _subtract(_s23, _s22, _r12), _r12), _r12)
     _s32 = _sqrt(_select(_s31 < _k6, _k6, _s31, _r11), _r11)
-    _s33 = _select(_s28, _multiply(_s26, _add(vz, _s27, _r14), _r14), _k122, _r17)
+    _s33 = _select(_s28, _multiply(_s26, _add(vz, _s27, _r14), _r14), _k124, _r17)
     _s34 = _k6 < _s31
     _s35 = _select(_s34, _multiply(_s26, _subtract(vz, _s32, _r12), _r12), _s33, _r18)
     _s36 = _divide(_subtract(_s17, _s18, _r8), _s16, _r8)
@@ -5078,11 +5106,11 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s45 = _select(_s44 < _s43, _s43, _s44, _r21)
     _s46 = _result(_s45 < horizon, _s45, horizon, _r0)
     _s47 = _add(speed, _multiply(p_gravity, _s46, _r21), _r21)
-    _s48 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k59, _multiply(_s47, _s47, _r21), _r21), _r21)
+    _s48 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k63, _multiply(_s47, _s47, _r21), _r21), _r21)
     _s49 = _where(_s7 < _s5, _s5, _s7)
     _s50 = _add(_add(_add(_add(_s1, extent, _r21), _s6, _r21), _absolute((_s3 - p_wire_radius)), _r21), _where(_s49 < _s4, _s4, _s49), _r21)
     _s51 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s26, _add(_s50, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k23, speed, _r22), _s26, _r22), _r22)
-    _s52 = _add(_add(position_error, _multiply(velocity_error, _select(_s51 < horizon, _s51, horizon, _r20), _r20), _r20), _multiply(_k124, _add(_multiply(_multiply(speed, speed, _r22), _s26, _r22), _s50, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    _s52 = _add(_add(position_error, _multiply(velocity_error, _select(_s51 < horizon, _s51, horizon, _r20), _r20), _r20), _multiply(_k126, _add(_multiply(_multiply(speed, speed, _r22), _s26, _r22), _s50, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
     return _result(_k6 < _s30, _s30, _k6, _r0), _result(_s40 < horizon, _s40, horizon, _r0), _result(_k6 < _s42, _s42, _k6, _r0), _result(_s43 < horizon, _s43, horizon, _r0), _s48, _s46, _s52
 
 
@@ -5100,17 +5128,17 @@ def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, v
     _s4 = p_ball_radius + (0.0001220703125 * _where(_s0 < _s3, _s0, _s3))
     _s5 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s6 = _add(extent, _multiply(horizon, _s5, _r1), _r1)
-    _s7 = _multiply(_k33, _s6, _r2)
+    _s7 = _multiply(_k37, _s6, _r2)
     _s8 = _multiply(_k23, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k17, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_bridge_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
     _s11 = _add(_add((1.1102230246251565e-16 * p_board_distance) + (1.1102230246251565e-16 * p_ring_radius), _s7, _r2), _s8, _r2)
-    _s12 = _add(_add((2.220446049250313e-16 * p_bridge_depth) + (5.551115123125783e-16 * p_wire_radius), _multiply(_k218, _s6, _r1), _r1), _s8, _r1)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k219, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k220, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k218, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k221, _s5, _r6)
-    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k33, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
+    _s12 = _add(_add((2.220446049250313e-16 * p_bridge_depth) + (5.551115123125783e-16 * p_wire_radius), _multiply(_k212, _s6, _r1), _r1), _s8, _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k213, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k214, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k212, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k215, _s5, _r6)
+    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k37, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
 
@@ -5204,17 +5232,17 @@ def bridge_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any
     _s41 = _negative(_s31, _r11)
     _s42 = _s38 < _k6
     _s43 = _multiply(_k23, _s40, _r6)
-    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r9), _k8, _divide(_select(_s42, _s43, _multiply(_k60, _s38, _r9), _r4), _select(_s42, _negative(_s38, _r13), _select(_k6 < _s41, _s41, _k6, _r12), _r0), _r4), _r9)
+    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r9), _k8, _divide(_select(_s42, _s43, _multiply(_k64, _s38, _r9), _r4), _select(_s42, _negative(_s38, _r13), _select(_k6 < _s41, _s41, _k6, _r12), _r0), _r4), _r9)
     _s45 = _subtract(end, t, _r0)
     _s46 = _select(_s44 < _s45, _s44, _s45, _r12)
     _s47 = _add(_multiply(_add(_multiply(0.5 * _s32, _s46, _r11), _absolute(_s28, _r8), _r8), _s46, _r8), _s30, _r8)
-    _s48 = _add(_multiply(_k89, ceiling, _r1), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
+    _s48 = _add(_multiply(_k91, ceiling, _r1), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
     _s49 = _add(_multiply(_multiply(_k23, _s48, _r1), _s40, _r1), _multiply(_s38, _s38, _r5), _r5)
     _s50 = _sqrt(_s49, _r1)
     _s51 = _select(_k6 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r5), _r2), _select(_s42, _subtract(_s50, _s38, _r1), _select(_k6 < _s48, _s48, _k6, _r7), _r8), _r2), _k8, _r5)
     _s52 = _result(_s51 < _s46, _s51, _s46, _r0)
     _s53 = _negative(_add(rate_margin, _s29, _r8), _r8)
-    return _s27, _s29, _s31, _s52, t + _s52, _result(_k6 < _s53, _subtract(_multiply(_s53, _s53, _r5), _multiply(_multiply(_k25, ceiling, _r2), _add(margin, _s43, _r6), _r2), _r2), _s53, _r0)
+    return _s27, _s29, _s31, _s52, t + _s52, _result(_k6 < _s53, _subtract(_multiply(_s53, _s53, _r5), _multiply(_multiply(_k26, ceiling, _r2), _add(margin, _s43, _r6), _r2), _r2), _s53, _r0)
 
 
 def bridge_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach_y: Any, reach_z: Any, later_middle_x: Any, later_middle_y: Any, later_middle_z: Any, later_reach_x: Any, later_reach_y: Any, later_reach_z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5268,13 +5296,13 @@ def bridge_beside(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
     _s10 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vx, _r0), _select(_s1 < _k6, _k6, _negative(vx, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k23, _subtract(_select(_s3 < _k6, _k6, vy, _r2), _select(_s4 < _k6, _k6, _negative(vy, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
     _s11 = _add(_s10, _multiply(_multiply(_k23, _subtract(_select(_s6 < _k6, _k6, vz, _r5), _select(_s7 < _k6, _k6, _negative(vz, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
-    return _s9 - p_ball_radius, _multiply(_k40, _s11, _r10) / _s9, 0.0
+    return _s9 - p_ball_radius, _multiply(_k44, _s11, _r10) / _s9, 0.0
 
 
 def bridge_closing(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The distance, its rate and its second derivative, of a ball that rolls on something else.
 
-    derivatives of Table 2's distance. 117 operations: 14 additions, 18 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections.
+    derivatives of Table 2's distance. 115 operations: 15 additions, 17 subtractions, 33 multiplications, 1 division, 1 square root, 12 negations, 12 comparisons, 24 selections.
     Returns gap, nearing, swerve, facing.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
@@ -5287,24 +5315,26 @@ def bridge_closing(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: An
     _s6 = _subtract(z, p_wire_radius, _r5)
     _s7 = _subtract(p_wire_radius - p_bridge_depth, z, _r7)
     _s8 = _subtract(_select(_s6 < _k6, _k6, _s6, _r8), _select(_s7 < _k6, _k6, _s7, _r9), _r9)
-    _s9 = _add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8)
-    _s10 = _sqrt(_s9, _r10)
-    _s11 = _s0 < _k6
-    _s12 = _s1 < _k6
-    _s13 = _subtract(_select(_s11, _k6, rolled_x, _r1), _select(_s12, _k6, _negative(rolled_x, _r0), _r11), _r11)
-    _s14 = _s3 < _k6
-    _s15 = _s4 < _k6
-    _s16 = _subtract(_select(_s14, _k6, rolled_y, _r4), _select(_s15, _k6, _negative(rolled_y, _r2), _r0), _r0)
-    _s17 = _s6 < _k6
-    _s18 = _s7 < _k6
-    _s19 = _subtract(_select(_s17, _k6, rolled_z, _r7), _select(_s18, _k6, _negative(rolled_z, _r5), _r2), _r2)
-    _s20 = _add(_add(_multiply(_multiply(_k23, _s13, _r5), _s2, _r5), _multiply(_multiply(_k23, _s16, _r7), _s5, _r7), _r7), _multiply(_multiply(_k23, _s19, _r5), _s8, _r5), _r5)
-    _s21 = _add(_multiply(_multiply(_k23, _subtract(_select(_s11, _k6, thrust_x, _r7), _select(_s12, _k6, _negative(thrust_x, _r4), _r1), _r1), _r1), _s2, _r1), _multiply(_k23, _multiply(_s13, _s13, _r11), _r11), _r11)
-    _s22 = _add(_multiply(_multiply(_k23, _subtract(_select(_s14, _k6, thrust_y, _r1), _select(_s15, _k6, _negative(thrust_y, _r4), _r7), _r7), _r7), _s5, _r7), _multiply(_k23, _multiply(_s16, _s16, _r0), _r0), _r0)
-    _s23 = _add(_multiply(_multiply(_k23, _subtract(_select(_s17, _k6, thrust_z, _r7), _select(_s18, _k6, _negative(thrust_z, _r4), _r1), _r1), _r1), _s8, _r1), _multiply(_k23, _multiply(_s19, _s19, _r2), _r2), _r2)
-    _s24 = _add(_multiply(_multiply(_k23, _subtract(_select(_s11, _k6, nx, _r1), _select(_s12, _k6, _negative(nx, _r4), _r7), _r7), _r7), _s2, _r7), _multiply(_multiply(_k23, _subtract(_select(_s14, _k6, ny, _r3), _select(_s15, _k6, _negative(ny, _r4), _r1), _r1), _r1), _s5, _r1), _r1)
-    _s25 = _add(_s24, _multiply(_multiply(_k23, _subtract(_select(_s17, _k6, nz, _r7), _select(_s18, _k6, _negative(nz, _r6), _r4), _r4), _r4), _s8, _r4), _r4)
-    return _s10 - p_ball_radius, _multiply(_k40, _s20, _r1) / _s10, _divide(_multiply(_k40, _add(_add(_s21, _s22, _r0), _s23, _r2), _r2), _s10, _r2) - _divide(_multiply(_k26, _multiply(_s20, _s20, _r5), _r5), _multiply(_s10, _s9, _r8), _r5), _multiply(_k40, _s25, _r4) / _s10
+    _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
+    _s10 = _s0 < _k6
+    _s11 = _s1 < _k6
+    _s12 = _subtract(_select(_s10, _k6, rolled_x, _r1), _select(_s11, _k6, _negative(rolled_x, _r0), _r10), _r10)
+    _s13 = _s3 < _k6
+    _s14 = _s4 < _k6
+    _s15 = _subtract(_select(_s13, _k6, rolled_y, _r4), _select(_s14, _k6, _negative(rolled_y, _r2), _r0), _r0)
+    _s16 = _s6 < _k6
+    _s17 = _s7 < _k6
+    _s18 = _subtract(_select(_s16, _k6, rolled_z, _r7), _select(_s17, _k6, _negative(rolled_z, _r5), _r2), _r2)
+    _s19 = _add(_add(_multiply(_multiply(_k23, _s12, _r5), _s2, _r5), _multiply(_multiply(_k23, _s15, _r7), _s5, _r7), _r7), _multiply(_multiply(_k23, _s18, _r5), _s8, _r5), _r5)
+    _s20 = _divide(_k22, _s9, _r7)
+    _s21 = _multiply(_k44, _s19, _r4) * _s20
+    _s22 = _multiply(_k23, _add(_multiply(_subtract(_select(_s10, _k6, thrust_x, _r4), _select(_s11, _k6, _negative(thrust_x, _r1), _r11), _r11), _s2, _r11), _multiply(_s12, _s12, _r10), _r10), _r10)
+    _s23 = _multiply(_k23, _add(_multiply(_subtract(_select(_s13, _k6, thrust_y, _r11), _select(_s14, _k6, _negative(thrust_y, _r1), _r4), _r4), _s5, _r4), _multiply(_s15, _s15, _r0), _r0), _r0)
+    _s24 = _multiply(_k23, _add(_multiply(_subtract(_select(_s16, _k6, thrust_z, _r4), _select(_s17, _k6, _negative(thrust_z, _r1), _r11), _r11), _s8, _r11), _multiply(_s18, _s18, _r2), _r2), _r2)
+    _s25 = _k44 * _add(_multiply(_negative(_multiply(_s21, _multiply(_s20, _s20, _r11), _r11), _r11), _s19, _r11), _multiply(_add(_add(_s22, _s23, _r0), _s24, _r2), _s20, _r2), _r2)
+    _s26 = _add(_multiply(_multiply(_k23, _subtract(_select(_s10, _k6, nx, _r2), _select(_s11, _k6, _negative(nx, _r11), _r0), _r0), _r0), _s2, _r0), _multiply(_multiply(_k23, _subtract(_select(_s13, _k6, ny, _r3), _select(_s14, _k6, _negative(ny, _r11), _r2), _r2), _r2), _s5, _r2), _r2)
+    _s27 = _add(_s26, _multiply(_multiply(_k23, _subtract(_select(_s16, _k6, nz, _r0), _select(_s17, _k6, _negative(nz, _r6), _r11), _r11), _r11), _s8, _r11), _r11)
+    return _s9 - p_ball_radius, _s21, _s25, _multiply(_k44, _s27, _r11) * _s20
 
 
 def bridge_off(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5369,36 +5399,44 @@ def bridge_turning(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: An
 def bridge_parting(p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The second to the fourth derivative of the distance along a flight.
 
-    derivatives of Table 2's distance. 112 operations: 12 additions, 16 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections.
+    derivatives of Table 2's distance. 127 operations: 26 additions, 11 subtractions, 53 multiplications, 1 division, 1 square root, 9 negations, 12 comparisons, 14 selections.
     Returns lift, surge, snap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
-    _s0 = _subtract(z, p_wire_radius, _r0)
-    _s1 = _s0 < _k6
-    _s2 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
-    _s3 = _s2 < _k6
-    _s4 = _subtract(_select(_s1, _k6, -p_gravity, _r2), _select(_s3, _k6, p_gravity, _r3), _r3)
-    _s5 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s2 < _k6, _k6, _s2, _r4), _r4)
-    _s6 = _subtract(_select(_s1, _k6, vz, _r2), _select(_s3, _k6, _negative(vz, _r1), _r0), _r0)
-    _s7 = _add(p_ring_radius, x, _r1)
-    _s8 = _negative(_add(p_board_distance, x, _r2), _r2)
-    _s9 = _subtract(_select(_s7 < _k6, _k6, vx, _r5), _select(_s8 < _k6, _k6, _negative(vx, _r6), _r7), _r7)
-    _s10 = _subtract(y, p_bridge_half_width, _r6)
-    _s11 = _negative(_add(p_bridge_half_width, y, _r5), _r5)
-    _s12 = _subtract(_select(_s10 < _k6, _k6, vy, _r8), _select(_s11 < _k6, _k6, _negative(vy, _r9), _r10), _r10)
-    _s13 = _add(_add(_add(_multiply(_multiply(_k23, _s4, _r9), _s5, _r9), _multiply(_k23, _multiply(_s6, _s6, _r8), _r8), _r8), _multiply(_k23, _multiply(_s9, _s9, _r9), _r9), _r9), _multiply(_k23, _multiply(_s12, _s12, _r8), _r8), _r8)
-    _s14 = _subtract(_select(_s7 < _k6, _k6, _s7, _r9), _select(_s8 < _k6, _k6, _s8, _r11), _r11)
-    _s15 = _subtract(_select(_s10 < _k6, _k6, _s10, _r9), _select(_s11 < _k6, _k6, _s11, _r2), _r2)
-    _s16 = _add(_add(_multiply(_s14, _s14, _r9), _multiply(_s15, _s15, _r5), _r5), _multiply(_s5, _s5, _r9), _r9)
-    _s17 = _sqrt(_s16, _r5)
-    _s18 = _add(_add(_multiply(_multiply(_k23, _s9, _r7), _s14, _r7), _multiply(_multiply(_k23, _s12, _r10), _s15, _r10), _r10), _multiply(_multiply(_k23, _s6, _r7), _s5, _r7), _r7)
-    _s19 = _multiply(_s18, _s18, _r10)
-    _s20 = _multiply(_s17, _s16, _r4)
-    _s21 = _multiply(_multiply(_k7, _s4, _r2), _s6, _r2)
-    _s22 = _multiply(_s16, _s16, _r9)
-    _s23 = _multiply(_s17, _s22, _r0)
-    _s24 = _subtract(_add(_divide(_multiply(_k40, _multiply(_k7, _multiply(_s4, _s4, _r3), _r3), _r3), _s17, _r3), _divide(_multiply(_multiply(_k185, _s19, _r11), _s13, _r11), _s23, _r11), _r11), _divide(_multiply(_k186, _multiply(_s19, _s19, _r3), _r3), _multiply(_s20, _s22, _r9), _r3), _r3)
-    return _divide(_multiply(_k40, _s13, _r11), _s17, _r11) - _divide(_multiply(_k26, _s19, _r9), _s20, _r9), _add(_divide(_multiply(_k40, _s21, _r9), _s17, _r9), _divide(_multiply(_k183, _multiply(_s18, _s19, _r10), _r10), _s23, _r10), _r10) - _divide(_multiply(_multiply(_k184, _s18, _r9), _s13, _r9), _s20, _r9), _subtract(_s24, _divide(_multiply(_k184, _multiply(_s13, _s13, _r8), _r8), _s20, _r8), _r8) - _divide(_multiply(_s21, _s18, _r2), _s20, _r2)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
+    _s0 = _add(p_ring_radius, x, _r0)
+    _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < _k6, _k6, vx, _r2), _select(_s1 < _k6, _k6, _negative(vx, _r3), _r4), _r4)
+    _s3 = _subtract(_select(_s0 < _k6, _k6, _s0, _r3), _select(_s1 < _k6, _k6, _s1, _r2), _r2)
+    _s4 = _subtract(y, p_bridge_half_width, _r3)
+    _s5 = _negative(_add(p_bridge_half_width, y, _r1), _r1)
+    _s6 = _subtract(_select(_s4 < _k6, _k6, vy, _r0), _select(_s5 < _k6, _k6, _negative(vy, _r5), _r6), _r6)
+    _s7 = _subtract(_select(_s4 < _k6, _k6, _s4, _r5), _select(_s5 < _k6, _k6, _s5, _r0), _r0)
+    _s8 = _subtract(z, p_wire_radius, _r5)
+    _s9 = _s8 < _k6
+    _s10 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
+    _s11 = _s10 < _k6
+    _s12 = _subtract(_select(_s9, _k6, vz, _r3), _select(_s11, _k6, _negative(vz, _r7), _r8), _r8)
+    _s13 = _subtract(_select(_s8 < _k6, _k6, _s8, _r7), _select(_s10 < _k6, _k6, _s10, _r3), _r3)
+    _s14 = _add(_add(_multiply(_multiply(_k23, _s2, _r7), _s3, _r7), _multiply(_multiply(_k23, _s6, _r1), _s7, _r1), _r1), _multiply(_multiply(_k23, _s12, _r7), _s13, _r7), _r7)
+    _s15 = _divide(_k22, _sqrt(_add(_add(_multiply(_s3, _s3, _r2), _multiply(_s7, _s7, _r0), _r0), _multiply(_s13, _s13, _r2), _r2), _r2), _r2)
+    _s16 = _multiply(_multiply(_k44, _s14, _r0), _s15, _r0)
+    _s17 = _multiply(_s15, _s15, _r1)
+    _s18 = _negative(_multiply(_s16, _s17, _r5), _r5)
+    _s19 = _subtract(_select(_s9, _k6, -p_gravity, _r9), _select(_s11, _k6, p_gravity, _r10), _r10)
+    _s20 = _add(_add(_multiply(_k23, _add(_multiply(_s19, _s13, _r3), _multiply(_s12, _s12, _r9), _r9), _r9), _multiply(_k23, _multiply(_s2, _s2, _r4), _r4), _r4), _multiply(_k23, _multiply(_s6, _s6, _r6), _r6), _r6)
+    _s21 = _k44 * _add(_multiply(_s18, _s14, _r4), _multiply(_s20, _s15, _r9), _r9)
+    _s22 = _multiply(_s18, _s20, _r9)
+    _s23 = _multiply(_k23, _s18, _r4)
+    _s24 = _negative(_add(_multiply(_s21, _s17, _r3), _multiply(_multiply(_s23, _s16, _r11), _s15, _r11), _r11), _r11)
+    _s25 = _multiply(_k23, _add(_multiply(_multiply(_k23, _s19, _r3), _s12, _r3), _multiply(_s19, _s12, _r8), _r8), _r8)
+    _s26 = _k44 * _add(_add(_s22, _multiply(_s14, _s24, _r3), _r3), _add(_s22, _multiply(_s25, _s15, _r12), _r12), _r12)
+    _s27 = _multiply(_s18, _s25, _r8)
+    _s28 = _multiply(_s20, _s24, _r6)
+    _s29 = _add(_s27, _s28, _r12)
+    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k23, _multiply(_k63, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
+    _s31 = _add(_add(_multiply(_s26, _s17, _r1), _multiply(_multiply(_s23, _s21, _r4), _s15, _r4), _r4), _multiply(_k23, _add(_add(_multiply(_multiply(_s18, _s18, _r1), _s16, _r1), _multiply(_multiply(_s18, _s21, _r5), _s15, _r5), _r5), _multiply(_multiply(_s16, _s24, _r11), _s15, _r11), _r11), _r11), _r11)
+    _s32 = _k44 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
+    return _s21, _s26, _s32
 
 
 def bridge_seam0(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, vx: Any, x: Any) -> tuple[Any, ...]:
@@ -5458,7 +5496,7 @@ def bridge_seam5(p_ball_radius: Any, p_bridge_depth: Any, vz: Any, p_wire_radius
 def bridge_around(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """A bound below the distance from all places at this height and distance from the axis.
 
-    Table 2. 57 operations: 5 additions, 7 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
+    Table 2. 58 operations: 5 additions, 7 subtractions, 17 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
     Returns gap, nearing.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
@@ -5475,9 +5513,9 @@ def bridge_around(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     _s10 = _subtract(_sqrt(((_s5 * _s5) + (_s8 * _s8))), _s9, _r2)
     _s11 = _select(_k6 < _s10, _s10, _k6, _r5)
     _s12 = _sqrt(_add(_multiply(_s2, _s2, _r6), _multiply(_s11, _s11, _r7), _r7), _r7)
-    _s13 = _negative(_divide(_multiply(_k40, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _s9, _r8), _r8)
+    _s13 = _negative(_multiply(_multiply(_k44, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _divide(_k22, _s9, _r4), _r8), _r8)
     _s14 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vz, _r0), _select(_s1 < _k6, _k6, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k23, _s11, _r5), _select(_k6 < _s10, _s13, _k6, _r2), _r5), _r5)
-    return _s12 - p_ball_radius, _multiply(_k40, _s14, _r5) / _s12
+    return _s12 - p_ball_radius, _multiply(_k44, _s14, _r5) / _s12
 
 
 def bridge_enter(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
@@ -5553,7 +5591,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k232, _s0, _r1), _r1) + _multiply(_k221, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k226, _s0, _r1), _r1) + _multiply(_k215, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -5948,7 +5986,7 @@ def _error_bounds_alone(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, d
     _s9 = abs(dwy)
     _s10 = _s9 if _s8 < _s9 else _s8
     _s11 = abs(dwz)
-    return _k36 * (_s3 if _s2 < _s3 else _s2), _k36 * (_s7 if _s6 < _s7 else _s6), _k36 * (_s11 if _s10 < _s11 else _s10), _k36 * clock_error
+    return _k40 * (_s3 if _s2 < _s3 else _s2), _k40 * (_s7 if _s6 < _s7 else _s6), _k40 * (_s11 if _s10 < _s11 else _s10), _k40 * clock_error
 
 
 def _passing_from_alone(z: Any) -> tuple[Any, ...]:
@@ -5959,7 +5997,7 @@ def _passing_from_alone(z: Any) -> tuple[Any, ...]:
 def _passing_in_contact_alone(over: Any, p_ring_radius: Any, through: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `passing_in_contact` for one shot."""
     _s0 = ((x * x) + (y * y)) < (p_ring_radius * p_ring_radius)
-    _s1 = (_k2 if (through == _k1) else _k39) if (((not over) and (_k2 <= z)) and _s0) else through
+    _s1 = (_k2 if (through == _k1) else _k43) if (((not over) and (_k2 <= z)) and _s0) else through
     return _k1 if (((over and (z < _k2)) and _s0) and (_s1 == _k2)) else _s1,
 
 
@@ -5989,7 +6027,7 @@ def _sooner_alone(arrives: Any, index: Any, time: Any, when: Any, which: Any) ->
 
 def _beginning_alone() -> tuple[Any, ...]:
     """Do `beginning` for one shot."""
-    return _k51, _k10, False
+    return _k55, _k10, False
 
 
 def _beyond_alone(doubt: Any, excess: Any, late: Any, lost: Any, pad: Any) -> tuple[Any, ...]:
@@ -6017,7 +6055,7 @@ def _opened_alone(horizon: Any, time: Any) -> tuple[Any, ...]:
 def _coarse_alone(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any, share: Any, sound: Any) -> tuple[Any, ...]:
     """Do `coarse` for one shot."""
     _s0 = (searching and sound) and fits
-    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else _k51
+    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else _k55
 
 
 def _leapt_alone(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
@@ -6050,7 +6088,7 @@ def _struck_or_still_alone(bend: Any, clearance: Any, end: Any, gap: Any, margin
 
 def _finer_alone(share: Any) -> tuple[Any, ...]:
     """Do `finer` for one shot."""
-    return (_k53 * share) if (_k52 < share) else _k2,
+    return (_k57 * share) if (_k56 < share) else _k2,
 
 
 def _exceeded_alone(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
@@ -6073,7 +6111,7 @@ def _found_alone(arrival: Any) -> tuple[Any, ...]:
 
 def _polished_alone(arrival: Any, ceiling: Any, certain: Any, gap: Any, rate: Any, refined: Any) -> tuple[Any, ...]:
     """Do `polished` for one shot."""
-    return refined if certain else arrival, certain and ((_k54 * (rate * rate)) < (ceiling * abs(gap)))
+    return refined if certain else arrival, certain and ((_k58 * (rate * rate)) < (ceiling * abs(gap)))
 
 
 def _own_margin_alone(arrival: Any, flat: Any, leaving: Any, tilt: Any) -> tuple[Any, ...]:
@@ -6113,7 +6151,7 @@ def _cleared_alone(berth: Any, gap: Any, leap: Any, nearing: Any) -> tuple[Any, 
 
 def _for_ever_alone(endless: Any, which: Any) -> tuple[Any, ...]:
     """Do `for_ever` for one shot."""
-    return _k31 if endless else which,
+    return _k34 if endless else which,
 
 
 def _rejoined_alone(circling: Any, rolling: Any) -> tuple[Any, ...]:
@@ -6152,38 +6190,38 @@ def _roll_1_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
 
 def _roll_2_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, nx_0: Any, nx_1: Any, nx_2: Any, ny_0: Any, ny_1: Any, ny_2: Any, nz_0: Any, nz_1: Any, nz_2: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, vx_0: Any, vx_1: Any, vx_2: Any, vy_0: Any, vy_1: Any, vy_2: Any, vz_0: Any, vz_1: Any, vz_2: Any) -> tuple[Any, ...]:
     """Do `roll_2` for one shot."""
-    _s0 = _k29 * nx_2
+    _s0 = _k31 * nx_2
     _s1 = (bent_x * per_reach) * vx_2
-    _s2 = _k29 * ny_2
+    _s2 = _k31 * ny_2
     _s3 = (bent_y * per_reach) * vy_2
     _s4 = (bent_z * per_reach) * vz_2
-    _s5 = ((_k4 * p_gravity) * nz_2) - (((((nx_1 * vx_2) + (_s0 * vx_1)) + (vx_0 * _s1)) + (((ny_1 * vy_2) + (_s2 * vy_1)) + (vy_0 * _s3))) + (((nz_1 * vz_2) + ((_k29 * nz_2) * vz_1)) + (vz_0 * _s4)))
-    _s6 = (((ny_0 * _s4) + ((_k29 * ny_1) * nz_2)) + (ny_2 * nz_1)) - (((ny_1 * nz_2) + (_s2 * nz_1)) + (nz_0 * _s3))
-    _s7 = _k29 * nx_1
+    _s5 = ((_k4 * p_gravity) * nz_2) - (((((nx_1 * vx_2) + (_s0 * vx_1)) + (vx_0 * _s1)) + (((ny_1 * vy_2) + (_s2 * vy_1)) + (vy_0 * _s3))) + (((nz_1 * vz_2) + ((_k31 * nz_2) * vz_1)) + (vz_0 * _s4)))
+    _s6 = (((ny_0 * _s4) + ((_k31 * ny_1) * nz_2)) + (ny_2 * nz_1)) - (((ny_1 * nz_2) + (_s2 * nz_1)) + (nz_0 * _s3))
+    _s7 = _k31 * nx_1
     _s8 = (((nx_1 * nz_2) + (_s0 * nz_1)) + (nz_0 * _s1)) - (((nx_0 * _s4) + (_s7 * nz_2)) + (nx_2 * nz_1))
     _s9 = (((nx_0 * _s3) + (_s7 * ny_2)) + (nx_2 * ny_1)) - (((nx_1 * ny_2) + (_s0 * ny_1)) + (ny_0 * _s1))
-    _s10 = _k58 * ((((lift_0 * nx_2) + (lift_1 * nx_1)) + (nx_0 * _s5)) + (_k3 * (((turn_rate_0 * _s6) + (turn_rate_1 * tx_1)) + (turn_rate_2 * tx_0))))
-    _s11 = _k58 * ((((lift_0 * ny_2) + (lift_1 * ny_1)) + (ny_0 * _s5)) + (_k3 * (((turn_rate_0 * _s8) + (turn_rate_1 * ty_1)) + (turn_rate_2 * ty_0))))
-    _s12 = _k58 * ((((lift_0 * nz_2) + (lift_1 * nz_1)) + (nz_0 * _s5)) + (_k3 * (((turn_rate_0 * _s9) + (turn_rate_1 * tz_1)) + (turn_rate_2 * tz_0))))
-    _s13 = _k58 * (((((tx_0 * vx_2) + (tx_1 * vx_1)) + (vx_0 * _s6)) + (((ty_0 * vy_2) + (ty_1 * vy_1)) + (vy_0 * _s8))) + (((tz_0 * vz_2) + (tz_1 * vz_1)) + (vz_0 * _s9)))
-    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k58 * _s1, _k58 * _s3, _k58 * _s4, -_s13
+    _s10 = _k62 * ((((lift_0 * nx_2) + (lift_1 * nx_1)) + (nx_0 * _s5)) + (_k3 * (((turn_rate_0 * _s6) + (turn_rate_1 * tx_1)) + (turn_rate_2 * tx_0))))
+    _s11 = _k62 * ((((lift_0 * ny_2) + (lift_1 * ny_1)) + (ny_0 * _s5)) + (_k3 * (((turn_rate_0 * _s8) + (turn_rate_1 * ty_1)) + (turn_rate_2 * ty_0))))
+    _s12 = _k62 * ((((lift_0 * nz_2) + (lift_1 * nz_1)) + (nz_0 * _s5)) + (_k3 * (((turn_rate_0 * _s9) + (turn_rate_1 * tz_1)) + (turn_rate_2 * tz_0))))
+    _s13 = _k62 * (((((tx_0 * vx_2) + (tx_1 * vx_1)) + (vx_0 * _s6)) + (((ty_0 * vy_2) + (ty_1 * vy_1)) + (vy_0 * _s8))) + (((tz_0 * vz_2) + (tz_1 * vz_1)) + (vz_0 * _s9)))
+    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k62 * _s1, _k62 * _s3, _k62 * _s4, -_s13
 
 
 def _roll_3_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any) -> tuple[Any, ...]:
     """Do `roll_3` for one shot."""
-    _s0 = _k29 * nx_2
-    _s1 = _k55 * nx_3
+    _s0 = _k31 * nx_2
+    _s1 = _k59 * nx_3
     _s2 = (bent_x * per_reach) * vx_3
-    _s3 = _k29 * ny_2
-    _s4 = _k55 * ny_3
+    _s3 = _k31 * ny_2
+    _s4 = _k59 * ny_3
     _s5 = (bent_y * per_reach) * vy_3
     _s6 = (bent_z * per_reach) * vz_3
-    _s7 = (((((nx_1 * vx_3) + (_s0 * vx_2)) + (_s1 * vx_1)) + (vx_0 * _s2)) + ((((ny_1 * vy_3) + (_s3 * vy_2)) + (_s4 * vy_1)) + (vy_0 * _s5))) + ((((nz_1 * vz_3) + ((_k29 * nz_2) * vz_2)) + ((_k55 * nz_3) * vz_1)) + (vz_0 * _s6))
+    _s7 = (((((nx_1 * vx_3) + (_s0 * vx_2)) + (_s1 * vx_1)) + (vx_0 * _s2)) + ((((ny_1 * vy_3) + (_s3 * vy_2)) + (_s4 * vy_1)) + (vy_0 * _s5))) + ((((nz_1 * vz_3) + ((_k31 * nz_2) * vz_2)) + ((_k59 * nz_3) * vz_1)) + (vz_0 * _s6))
     _s8 = ((_k4 * p_gravity) * nz_3) - _s7
     _s9 = _s3 * nz_2
-    _s10 = ((((ny_0 * _s6) + ((_k55 * ny_1) * nz_3)) + _s9) + (ny_3 * nz_1)) - ((((ny_1 * nz_3) + _s9) + (_s4 * nz_1)) + (nz_0 * _s5))
+    _s10 = ((((ny_0 * _s6) + ((_k59 * ny_1) * nz_3)) + _s9) + (ny_3 * nz_1)) - ((((ny_1 * nz_3) + _s9) + (_s4 * nz_1)) + (nz_0 * _s5))
     _s11 = _s0 * nz_2
-    _s12 = _k55 * nx_1
+    _s12 = _k59 * nx_1
     _s13 = ((((nx_1 * nz_3) + _s11) + (_s1 * nz_1)) + (nz_0 * _s2)) - ((((nx_0 * _s6) + (_s12 * nz_3)) + _s11) + (nx_3 * nz_1))
     _s14 = _s0 * ny_2
     _s15 = ((((nx_0 * _s5) + (_s12 * ny_3)) + _s14) + (nx_3 * ny_1)) - ((((nx_1 * ny_3) + _s14) + (_s1 * ny_1)) + (ny_0 * _s2))
@@ -6191,28 +6229,28 @@ def _roll_3_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s17 = ((((lift_0 * ny_3) + (lift_1 * ny_2)) + (lift_2 * ny_1)) + (ny_0 * _s8)) + (_k3 * ((((turn_rate_0 * _s13) + (turn_rate_1 * ty_2)) + (turn_rate_2 * ty_1)) + (turn_rate_3 * ty_0)))
     _s18 = ((((lift_0 * nz_3) + (lift_1 * nz_2)) + (lift_2 * nz_1)) + (nz_0 * _s8)) + (_k3 * ((((turn_rate_0 * _s15) + (turn_rate_1 * tz_2)) + (turn_rate_2 * tz_1)) + (turn_rate_3 * tz_0)))
     _s19 = (((((tx_0 * vx_3) + (tx_1 * vx_2)) + (tx_2 * vx_1)) + (vx_0 * _s10)) + ((((ty_0 * vy_3) + (ty_1 * vy_2)) + (ty_2 * vy_1)) + (vy_0 * _s13))) + ((((tz_0 * vz_3) + (tz_1 * vz_2)) + (tz_2 * vz_1)) + (vz_0 * _s15))
-    return _s8, _s10, _s13, _s15, _k28 * _s16, _k28 * _s17, _k28 * _s18, _k28 * _s2, _k28 * _s5, _k28 * _s6, -(_k28 * _s19)
+    return _s8, _s10, _s13, _s15, _k30 * _s16, _k30 * _s17, _k30 * _s18, _k30 * _s2, _k30 * _s5, _k30 * _s6, -(_k30 * _s19)
 
 
 def _roll_4_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any) -> tuple[Any, ...]:
     """Do `roll_4` for one shot."""
-    _s0 = _k29 * nx_2
-    _s1 = _k55 * nx_3
-    _s2 = _k42 * nx_4
+    _s0 = _k31 * nx_2
+    _s1 = _k59 * nx_3
+    _s2 = _k46 * nx_4
     _s3 = (bent_x * per_reach) * vx_4
-    _s4 = _k29 * ny_2
-    _s5 = _k55 * ny_3
-    _s6 = _k42 * ny_4
+    _s4 = _k31 * ny_2
+    _s5 = _k59 * ny_3
+    _s6 = _k46 * ny_4
     _s7 = (bent_y * per_reach) * vy_4
     _s8 = (((((nx_1 * vx_4) + (_s0 * vx_3)) + (_s1 * vx_2)) + (_s2 * vx_1)) + (vx_0 * _s3)) + (((((ny_1 * vy_4) + (_s4 * vy_3)) + (_s5 * vy_2)) + (_s6 * vy_1)) + (vy_0 * _s7))
     _s9 = (bent_z * per_reach) * vz_4
-    _s10 = ((((nz_1 * vz_4) + ((_k29 * nz_2) * vz_3)) + ((_k55 * nz_3) * vz_2)) + ((_k42 * nz_4) * vz_1)) + (vz_0 * _s9)
+    _s10 = ((((nz_1 * vz_4) + ((_k31 * nz_2) * vz_3)) + ((_k59 * nz_3) * vz_2)) + ((_k46 * nz_4) * vz_1)) + (vz_0 * _s9)
     _s11 = ((_k4 * p_gravity) * nz_4) - (_s8 + _s10)
-    _s12 = ((((ny_0 * _s9) + ((_k42 * ny_1) * nz_4)) + ((_k55 * ny_2) * nz_3)) + ((_k29 * ny_3) * nz_2)) + (ny_4 * nz_1)
+    _s12 = ((((ny_0 * _s9) + ((_k46 * ny_1) * nz_4)) + ((_k59 * ny_2) * nz_3)) + ((_k31 * ny_3) * nz_2)) + (ny_4 * nz_1)
     _s13 = _s12 - (((((ny_1 * nz_4) + (_s4 * nz_3)) + (_s5 * nz_2)) + (_s6 * nz_1)) + (nz_0 * _s7))
-    _s14 = _k42 * nx_1
-    _s15 = _k55 * nx_2
-    _s16 = _k29 * nx_3
+    _s14 = _k46 * nx_1
+    _s15 = _k59 * nx_2
+    _s16 = _k31 * nx_3
     _s17 = (((((nx_1 * nz_4) + (_s0 * nz_3)) + (_s1 * nz_2)) + (_s2 * nz_1)) + (nz_0 * _s3)) - (((((nx_0 * _s9) + (_s14 * nz_4)) + (_s15 * nz_3)) + (_s16 * nz_2)) + (nx_4 * nz_1))
     _s18 = (((((nx_0 * _s7) + (_s14 * ny_4)) + (_s15 * ny_3)) + (_s16 * ny_2)) + (nx_4 * ny_1)) - (((((nx_1 * ny_4) + (_s0 * ny_3)) + (_s1 * ny_2)) + (_s2 * ny_1)) + (ny_0 * _s3))
     _s19 = _k3 * (((((turn_rate_0 * _s13) + (turn_rate_1 * tx_3)) + (turn_rate_2 * tx_2)) + (turn_rate_3 * tx_1)) + (turn_rate_4 * tx_0))
@@ -6223,35 +6261,35 @@ def _roll_4_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s24 = (((((lift_0 * nz_4) + (lift_1 * nz_3)) + (lift_2 * nz_2)) + (lift_3 * nz_1)) + (nz_0 * _s11)) + _s23
     _s25 = (((((tx_0 * vx_4) + (tx_1 * vx_3)) + (tx_2 * vx_2)) + (tx_3 * vx_1)) + (vx_0 * _s13)) + (((((ty_0 * vy_4) + (ty_1 * vy_3)) + (ty_2 * vy_2)) + (ty_3 * vy_1)) + (vy_0 * _s17))
     _s26 = _s25 + (((((tz_0 * vz_4) + (tz_1 * vz_3)) + (tz_2 * vz_2)) + (tz_3 * vz_1)) + (vz_0 * _s18))
-    return _s11, _s13, _s17, _s18, _k62 * _s20, _k62 * _s22, _k62 * _s24, _k62 * _s3, _k62 * _s7, _k62 * _s9, -(_k62 * _s26)
+    return _s11, _s13, _s17, _s18, _k66 * _s20, _k66 * _s22, _k66 * _s24, _k66 * _s3, _k66 * _s7, _k66 * _s9, -(_k66 * _s26)
 
 
 def _roll_5_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any) -> tuple[Any, ...]:
     """Do `roll_5` for one shot."""
-    _s0 = _k29 * nx_2
-    _s1 = _k55 * nx_3
-    _s2 = _k42 * nx_4
-    _s3 = _k65 * nx_5
+    _s0 = _k31 * nx_2
+    _s1 = _k59 * nx_3
+    _s2 = _k46 * nx_4
+    _s3 = _k69 * nx_5
     _s4 = (bent_x * per_reach) * vx_5
     _s5 = (((((nx_1 * vx_5) + (_s0 * vx_4)) + (_s1 * vx_3)) + (_s2 * vx_2)) + (_s3 * vx_1)) + (vx_0 * _s4)
-    _s6 = _k29 * ny_2
-    _s7 = _k55 * ny_3
-    _s8 = _k42 * ny_4
-    _s9 = _k65 * ny_5
+    _s6 = _k31 * ny_2
+    _s7 = _k59 * ny_3
+    _s8 = _k46 * ny_4
+    _s9 = _k69 * ny_5
     _s10 = (bent_y * per_reach) * vy_5
     _s11 = (((((ny_1 * vy_5) + (_s6 * vy_4)) + (_s7 * vy_3)) + (_s8 * vy_2)) + (_s9 * vy_1)) + (vy_0 * _s10)
-    _s12 = ((((nz_1 * vz_5) + ((_k29 * nz_2) * vz_4)) + ((_k55 * nz_3) * vz_3)) + ((_k42 * nz_4) * vz_2)) + ((_k65 * nz_5) * vz_1)
+    _s12 = ((((nz_1 * vz_5) + ((_k31 * nz_2) * vz_4)) + ((_k59 * nz_3) * vz_3)) + ((_k46 * nz_4) * vz_2)) + ((_k69 * nz_5) * vz_1)
     _s13 = (bent_z * per_reach) * vz_5
     _s14 = ((_k4 * p_gravity) * nz_5) - ((_s5 + _s11) + (_s12 + (vz_0 * _s13)))
     _s15 = _s7 * nz_3
-    _s16 = ((((ny_0 * _s13) + ((_k65 * ny_1) * nz_5)) + ((_k42 * ny_2) * nz_4)) + _s15) + ((_k29 * ny_4) * nz_2)
+    _s16 = ((((ny_0 * _s13) + ((_k69 * ny_1) * nz_5)) + ((_k46 * ny_2) * nz_4)) + _s15) + ((_k31 * ny_4) * nz_2)
     _s17 = (((((ny_1 * nz_5) + (_s6 * nz_4)) + _s15) + (_s8 * nz_2)) + (_s9 * nz_1)) + (nz_0 * _s10)
     _s18 = (_s16 + (ny_5 * nz_1)) - _s17
     _s19 = _s1 * nz_3
     _s20 = (((((nx_1 * nz_5) + (_s0 * nz_4)) + _s19) + (_s2 * nz_2)) + (_s3 * nz_1)) + (nz_0 * _s4)
-    _s21 = _k65 * nx_1
-    _s22 = _k42 * nx_2
-    _s23 = _k29 * nx_4
+    _s21 = _k69 * nx_1
+    _s22 = _k46 * nx_2
+    _s23 = _k31 * nx_4
     _s24 = (((((nx_0 * _s13) + (_s21 * nz_5)) + (_s22 * nz_4)) + _s19) + (_s23 * nz_2)) + (nx_5 * nz_1)
     _s25 = _s20 - _s24
     _s26 = _s1 * ny_3
@@ -6267,37 +6305,37 @@ def _roll_5_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s36 = (((((tx_0 * vx_5) + (tx_1 * vx_4)) + (tx_2 * vx_3)) + (tx_3 * vx_2)) + (tx_4 * vx_1)) + (vx_0 * _s18)
     _s37 = (((((ty_0 * vy_5) + (ty_1 * vy_4)) + (ty_2 * vy_3)) + (ty_3 * vy_2)) + (ty_4 * vy_1)) + (vy_0 * _s25)
     _s38 = (((((tz_0 * vz_5) + (tz_1 * vz_4)) + (tz_2 * vz_3)) + (tz_3 * vz_2)) + (tz_4 * vz_1)) + (vz_0 * _s29)
-    return _s14, _s18, _s25, _s29, _k66 * (_s30 + (_k3 * _s31)), _k66 * (_s32 + (_k3 * _s33)), _k66 * (_s34 + (_k3 * _s35)), _k66 * _s4, _k66 * _s10, _k66 * _s13, -(_k66 * ((_s36 + _s37) + _s38))
+    return _s14, _s18, _s25, _s29, _k70 * (_s30 + (_k3 * _s31)), _k70 * (_s32 + (_k3 * _s33)), _k70 * (_s34 + (_k3 * _s35)), _k70 * _s4, _k70 * _s10, _k70 * _s13, -(_k70 * ((_s36 + _s37) + _s38))
 
 
 def _roll_6_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any) -> tuple[Any, ...]:
     """Do `roll_6` for one shot."""
-    _s0 = _k29 * nx_2
-    _s1 = _k55 * nx_3
-    _s2 = _k42 * nx_4
-    _s3 = _k65 * nx_5
+    _s0 = _k31 * nx_2
+    _s1 = _k59 * nx_3
+    _s2 = _k46 * nx_4
+    _s3 = _k69 * nx_5
     _s4 = _k9 * nx_6
     _s5 = (((((nx_1 * vx_6) + (_s0 * vx_5)) + (_s1 * vx_4)) + (_s2 * vx_3)) + (_s3 * vx_2)) + (_s4 * vx_1)
     _s6 = (bent_x * per_reach) * vx_6
-    _s7 = _k29 * ny_2
-    _s8 = _k55 * ny_3
-    _s9 = _k42 * ny_4
-    _s10 = _k65 * ny_5
+    _s7 = _k31 * ny_2
+    _s8 = _k59 * ny_3
+    _s9 = _k46 * ny_4
+    _s10 = _k69 * ny_5
     _s11 = _k9 * ny_6
     _s12 = (((((ny_1 * vy_6) + (_s7 * vy_5)) + (_s8 * vy_4)) + (_s9 * vy_3)) + (_s10 * vy_2)) + (_s11 * vy_1)
     _s13 = (bent_y * per_reach) * vy_6
-    _s14 = ((((nz_1 * vz_6) + ((_k29 * nz_2) * vz_5)) + ((_k55 * nz_3) * vz_4)) + ((_k42 * nz_4) * vz_3)) + ((_k65 * nz_5) * vz_2)
+    _s14 = ((((nz_1 * vz_6) + ((_k31 * nz_2) * vz_5)) + ((_k59 * nz_3) * vz_4)) + ((_k46 * nz_4) * vz_3)) + ((_k69 * nz_5) * vz_2)
     _s15 = (bent_z * per_reach) * vz_6
     _s16 = ((_k4 * p_gravity) * nz_6) - (((_s5 + (vx_0 * _s6)) + (_s12 + (vy_0 * _s13))) + ((_s14 + ((_k9 * nz_6) * vz_1)) + (vz_0 * _s15)))
-    _s17 = ((((ny_0 * _s15) + ((_k9 * ny_1) * nz_6)) + ((_k65 * ny_2) * nz_5)) + ((_k42 * ny_3) * nz_4)) + ((_k55 * ny_4) * nz_3)
+    _s17 = ((((ny_0 * _s15) + ((_k9 * ny_1) * nz_6)) + ((_k69 * ny_2) * nz_5)) + ((_k46 * ny_3) * nz_4)) + ((_k59 * ny_4) * nz_3)
     _s18 = (((((ny_1 * nz_6) + (_s7 * nz_5)) + (_s8 * nz_4)) + (_s9 * nz_3)) + (_s10 * nz_2)) + (_s11 * nz_1)
-    _s19 = ((_s17 + ((_k29 * ny_5) * nz_2)) + (ny_6 * nz_1)) - (_s18 + (nz_0 * _s13))
+    _s19 = ((_s17 + ((_k31 * ny_5) * nz_2)) + (ny_6 * nz_1)) - (_s18 + (nz_0 * _s13))
     _s20 = (((((nx_1 * nz_6) + (_s0 * nz_5)) + (_s1 * nz_4)) + (_s2 * nz_3)) + (_s3 * nz_2)) + (_s4 * nz_1)
     _s21 = _k9 * nx_1
-    _s22 = _k65 * nx_2
-    _s23 = _k42 * nx_3
-    _s24 = _k55 * nx_4
-    _s25 = _k29 * nx_5
+    _s22 = _k69 * nx_2
+    _s23 = _k46 * nx_3
+    _s24 = _k59 * nx_4
+    _s25 = _k31 * nx_5
     _s26 = (((((nx_0 * _s15) + (_s21 * nz_6)) + (_s22 * nz_5)) + (_s23 * nz_4)) + (_s24 * nz_3)) + (_s25 * nz_2)
     _s27 = (_s20 + (nz_0 * _s6)) - (_s26 + (nx_6 * nz_1))
     _s28 = (((((nx_0 * _s13) + (_s21 * ny_6)) + (_s22 * ny_5)) + (_s23 * ny_4)) + (_s24 * ny_3)) + (_s25 * ny_2)
@@ -6312,44 +6350,44 @@ def _roll_6_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s37 = (((((tx_0 * vx_6) + (tx_1 * vx_5)) + (tx_2 * vx_4)) + (tx_3 * vx_3)) + (tx_4 * vx_2)) + (tx_5 * vx_1)
     _s38 = (((((ty_0 * vy_6) + (ty_1 * vy_5)) + (ty_2 * vy_4)) + (ty_3 * vy_3)) + (ty_4 * vy_2)) + (ty_5 * vy_1)
     _s39 = (((((tz_0 * vz_6) + (tz_1 * vz_5)) + (tz_2 * vz_4)) + (tz_3 * vz_3)) + (tz_4 * vz_2)) + (tz_5 * vz_1)
-    _s40 = -(_k68 * (((_s37 + (vx_0 * _s19)) + (_s38 + (vy_0 * _s27))) + (_s39 + (vz_0 * _s30))))
-    return _s16, _s19, _s27, _s30, _k68 * ((_s31 + (nx_0 * _s16)) + (_k3 * (_s32 + (turn_rate_6 * tx_0)))), _k68 * ((_s33 + (ny_0 * _s16)) + (_k3 * (_s34 + (turn_rate_6 * ty_0)))), _k68 * ((_s35 + (nz_0 * _s16)) + (_k3 * (_s36 + (turn_rate_6 * tz_0)))), _k68 * _s6, _k68 * _s13, _k68 * _s15, _s40
+    _s40 = -(_k72 * (((_s37 + (vx_0 * _s19)) + (_s38 + (vy_0 * _s27))) + (_s39 + (vz_0 * _s30))))
+    return _s16, _s19, _s27, _s30, _k72 * ((_s31 + (nx_0 * _s16)) + (_k3 * (_s32 + (turn_rate_6 * tx_0)))), _k72 * ((_s33 + (ny_0 * _s16)) + (_k3 * (_s34 + (turn_rate_6 * ty_0)))), _k72 * ((_s35 + (nz_0 * _s16)) + (_k3 * (_s36 + (turn_rate_6 * tz_0)))), _k72 * _s6, _k72 * _s13, _k72 * _s15, _s40
 
 
 def _roll_7_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any) -> tuple[Any, ...]:
     """Do `roll_7` for one shot."""
-    _s0 = _k29 * nx_2
-    _s1 = _k55 * nx_3
-    _s2 = _k42 * nx_4
-    _s3 = _k65 * nx_5
+    _s0 = _k31 * nx_2
+    _s1 = _k59 * nx_3
+    _s2 = _k46 * nx_4
+    _s3 = _k69 * nx_5
     _s4 = _k9 * nx_6
     _s5 = (((((nx_1 * vx_7) + (_s0 * vx_6)) + (_s1 * vx_5)) + (_s2 * vx_4)) + (_s3 * vx_3)) + (_s4 * vx_2)
-    _s6 = _k71 * nx_7
+    _s6 = _k74 * nx_7
     _s7 = (bent_x * per_reach) * vx_7
-    _s8 = _k29 * ny_2
-    _s9 = _k55 * ny_3
-    _s10 = _k42 * ny_4
-    _s11 = _k65 * ny_5
+    _s8 = _k31 * ny_2
+    _s9 = _k59 * ny_3
+    _s10 = _k46 * ny_4
+    _s11 = _k69 * ny_5
     _s12 = _k9 * ny_6
     _s13 = (((((ny_1 * vy_7) + (_s8 * vy_6)) + (_s9 * vy_5)) + (_s10 * vy_4)) + (_s11 * vy_3)) + (_s12 * vy_2)
-    _s14 = _k71 * ny_7
+    _s14 = _k74 * ny_7
     _s15 = (bent_y * per_reach) * vy_7
-    _s16 = ((((nz_1 * vz_7) + ((_k29 * nz_2) * vz_6)) + ((_k55 * nz_3) * vz_5)) + ((_k42 * nz_4) * vz_4)) + ((_k65 * nz_5) * vz_3)
+    _s16 = ((((nz_1 * vz_7) + ((_k31 * nz_2) * vz_6)) + ((_k59 * nz_3) * vz_5)) + ((_k46 * nz_4) * vz_4)) + ((_k69 * nz_5) * vz_3)
     _s17 = (bent_z * per_reach) * vz_7
-    _s18 = (((_s5 + (_s6 * vx_1)) + (vx_0 * _s7)) + ((_s13 + (_s14 * vy_1)) + (vy_0 * _s15))) + (((_s16 + ((_k9 * nz_6) * vz_2)) + ((_k71 * nz_7) * vz_1)) + (vz_0 * _s17))
+    _s18 = (((_s5 + (_s6 * vx_1)) + (vx_0 * _s7)) + ((_s13 + (_s14 * vy_1)) + (vy_0 * _s15))) + (((_s16 + ((_k9 * nz_6) * vz_2)) + ((_k74 * nz_7) * vz_1)) + (vz_0 * _s17))
     _s19 = ((_k4 * p_gravity) * nz_7) - _s18
     _s20 = _s10 * nz_4
-    _s21 = ((((ny_0 * _s17) + ((_k71 * ny_1) * nz_7)) + ((_k9 * ny_2) * nz_6)) + ((_k65 * ny_3) * nz_5)) + _s20
+    _s21 = ((((ny_0 * _s17) + ((_k74 * ny_1) * nz_7)) + ((_k9 * ny_2) * nz_6)) + ((_k69 * ny_3) * nz_5)) + _s20
     _s22 = (((((ny_1 * nz_7) + (_s8 * nz_6)) + (_s9 * nz_5)) + _s20) + (_s11 * nz_3)) + (_s12 * nz_2)
-    _s23 = (((_s21 + ((_k55 * ny_5) * nz_3)) + ((_k29 * ny_6) * nz_2)) + (ny_7 * nz_1)) - ((_s22 + (_s14 * nz_1)) + (nz_0 * _s15))
+    _s23 = (((_s21 + ((_k59 * ny_5) * nz_3)) + ((_k31 * ny_6) * nz_2)) + (ny_7 * nz_1)) - ((_s22 + (_s14 * nz_1)) + (nz_0 * _s15))
     _s24 = _s2 * nz_4
     _s25 = (((((nx_1 * nz_7) + (_s0 * nz_6)) + (_s1 * nz_5)) + _s24) + (_s3 * nz_3)) + (_s4 * nz_2)
-    _s26 = _k71 * nx_1
+    _s26 = _k74 * nx_1
     _s27 = _k9 * nx_2
-    _s28 = _k65 * nx_3
-    _s29 = _k55 * nx_5
+    _s28 = _k69 * nx_3
+    _s29 = _k59 * nx_5
     _s30 = (((((nx_0 * _s17) + (_s26 * nz_7)) + (_s27 * nz_6)) + (_s28 * nz_5)) + _s24) + (_s29 * nz_3)
-    _s31 = _k29 * nx_6
+    _s31 = _k31 * nx_6
     _s32 = ((_s25 + (_s6 * nz_1)) + (nz_0 * _s7)) - ((_s30 + (_s31 * nz_2)) + (nx_7 * nz_1))
     _s33 = _s2 * ny_4
     _s34 = (((((nx_0 * _s15) + (_s26 * ny_7)) + (_s27 * ny_6)) + (_s28 * ny_5)) + _s33) + (_s29 * ny_3)
@@ -6357,18 +6395,18 @@ def _roll_7_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s36 = ((_s34 + (_s31 * ny_2)) + (nx_7 * ny_1)) - ((_s35 + (_s6 * ny_1)) + (ny_0 * _s7))
     _s37 = (((((lift_0 * nx_7) + (lift_1 * nx_6)) + (lift_2 * nx_5)) + (lift_3 * nx_4)) + (lift_4 * nx_3)) + (lift_5 * nx_2)
     _s38 = (((((turn_rate_0 * _s23) + (turn_rate_1 * tx_6)) + (turn_rate_2 * tx_5)) + (turn_rate_3 * tx_4)) + (turn_rate_4 * tx_3)) + (turn_rate_5 * tx_2)
-    _s39 = _k72 * (((_s37 + (lift_6 * nx_1)) + (nx_0 * _s19)) + (_k3 * ((_s38 + (turn_rate_6 * tx_1)) + (turn_rate_7 * tx_0))))
+    _s39 = _k35 * (((_s37 + (lift_6 * nx_1)) + (nx_0 * _s19)) + (_k3 * ((_s38 + (turn_rate_6 * tx_1)) + (turn_rate_7 * tx_0))))
     _s40 = (((((lift_0 * ny_7) + (lift_1 * ny_6)) + (lift_2 * ny_5)) + (lift_3 * ny_4)) + (lift_4 * ny_3)) + (lift_5 * ny_2)
     _s41 = (((((turn_rate_0 * _s32) + (turn_rate_1 * ty_6)) + (turn_rate_2 * ty_5)) + (turn_rate_3 * ty_4)) + (turn_rate_4 * ty_3)) + (turn_rate_5 * ty_2)
-    _s42 = _k72 * (((_s40 + (lift_6 * ny_1)) + (ny_0 * _s19)) + (_k3 * ((_s41 + (turn_rate_6 * ty_1)) + (turn_rate_7 * ty_0))))
+    _s42 = _k35 * (((_s40 + (lift_6 * ny_1)) + (ny_0 * _s19)) + (_k3 * ((_s41 + (turn_rate_6 * ty_1)) + (turn_rate_7 * ty_0))))
     _s43 = (((((lift_0 * nz_7) + (lift_1 * nz_6)) + (lift_2 * nz_5)) + (lift_3 * nz_4)) + (lift_4 * nz_3)) + (lift_5 * nz_2)
     _s44 = (((((turn_rate_0 * _s36) + (turn_rate_1 * tz_6)) + (turn_rate_2 * tz_5)) + (turn_rate_3 * tz_4)) + (turn_rate_4 * tz_3)) + (turn_rate_5 * tz_2)
-    _s45 = _k72 * (((_s43 + (lift_6 * nz_1)) + (nz_0 * _s19)) + (_k3 * ((_s44 + (turn_rate_6 * tz_1)) + (turn_rate_7 * tz_0))))
+    _s45 = _k35 * (((_s43 + (lift_6 * nz_1)) + (nz_0 * _s19)) + (_k3 * ((_s44 + (turn_rate_6 * tz_1)) + (turn_rate_7 * tz_0))))
     _s46 = (((((tx_0 * vx_7) + (tx_1 * vx_6)) + (tx_2 * vx_5)) + (tx_3 * vx_4)) + (tx_4 * vx_3)) + (tx_5 * vx_2)
     _s47 = (((((ty_0 * vy_7) + (ty_1 * vy_6)) + (ty_2 * vy_5)) + (ty_3 * vy_4)) + (ty_4 * vy_3)) + (ty_5 * vy_2)
     _s48 = (((((tz_0 * vz_7) + (tz_1 * vz_6)) + (tz_2 * vz_5)) + (tz_3 * vz_4)) + (tz_4 * vz_3)) + (tz_5 * vz_2)
-    _s49 = _k72 * ((((_s46 + (tx_6 * vx_1)) + (vx_0 * _s23)) + ((_s47 + (ty_6 * vy_1)) + (vy_0 * _s32))) + ((_s48 + (tz_6 * vz_1)) + (vz_0 * _s36)))
-    return _s19, _s23, _s32, _s36, _s39, _s42, _s45, _k72 * _s7, _k72 * _s15, _k72 * _s17, -_s49
+    _s49 = _k35 * ((((_s46 + (tx_6 * vx_1)) + (vx_0 * _s23)) + ((_s47 + (ty_6 * vy_1)) + (vy_0 * _s32))) + ((_s48 + (tz_6 * vz_1)) + (vz_0 * _s36)))
+    return _s19, _s23, _s32, _s36, _s39, _s42, _s45, _k35 * _s7, _k35 * _s15, _k35 * _s17, -_s49
 
 
 def _roll_start_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -6378,19 +6416,19 @@ def _roll_start_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy
 
 def _roll_moved_alone(t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `roll_moved` for one shot."""
-    _s0 = _k74 * t
-    _s1 = (_k66 * vx_5) + (t * ((_k68 * vx_6) + (t * ((_k72 * vx_7) + (_s0 * vx_8)))))
-    _s2 = (_k58 * vx_2) + (t * ((_k28 * vx_3) + (t * ((_k62 * vx_4) + (t * _s1)))))
+    _s0 = _k76 * t
+    _s1 = (_k70 * vx_5) + (t * ((_k72 * vx_6) + (t * ((_k35 * vx_7) + (_s0 * vx_8)))))
+    _s2 = (_k62 * vx_2) + (t * ((_k30 * vx_3) + (t * ((_k66 * vx_4) + (t * _s1)))))
     _s3 = x + (t * (vx_0 + (t * ((_k0 * vx_1) + (t * _s2)))))
     _s4 = vx_5 + (t * (vx_6 + (t * (vx_7 + (t * vx_8)))))
     _s5 = vx_2 + (t * (vx_3 + (t * (vx_4 + (t * _s4)))))
-    _s6 = (_k66 * vy_5) + (t * ((_k68 * vy_6) + (t * ((_k72 * vy_7) + (_s0 * vy_8)))))
-    _s7 = (_k58 * vy_2) + (t * ((_k28 * vy_3) + (t * ((_k62 * vy_4) + (t * _s6)))))
+    _s6 = (_k70 * vy_5) + (t * ((_k72 * vy_6) + (t * ((_k35 * vy_7) + (_s0 * vy_8)))))
+    _s7 = (_k62 * vy_2) + (t * ((_k30 * vy_3) + (t * ((_k66 * vy_4) + (t * _s6)))))
     _s8 = y + (t * (vy_0 + (t * ((_k0 * vy_1) + (t * _s7)))))
     _s9 = vy_5 + (t * (vy_6 + (t * (vy_7 + (t * vy_8)))))
     _s10 = vy_2 + (t * (vy_3 + (t * (vy_4 + (t * _s9)))))
-    _s11 = (_k66 * vz_5) + (t * ((_k68 * vz_6) + (t * ((_k72 * vz_7) + (_s0 * vz_8)))))
-    _s12 = (_k58 * vz_2) + (t * ((_k28 * vz_3) + (t * ((_k62 * vz_4) + (t * _s11)))))
+    _s11 = (_k70 * vz_5) + (t * ((_k72 * vz_6) + (t * ((_k35 * vz_7) + (_s0 * vz_8)))))
+    _s12 = (_k62 * vz_2) + (t * ((_k30 * vz_3) + (t * ((_k66 * vz_4) + (t * _s11)))))
     _s13 = z + (t * (vz_0 + (t * ((_k0 * vz_1) + (t * _s12)))))
     _s14 = vz_5 + (t * (vz_6 + (t * (vz_7 + (t * vz_8)))))
     _s15 = vz_2 + (t * (vz_3 + (t * (vz_4 + (t * _s14)))))
@@ -6412,31 +6450,31 @@ def _roll_placed_alone(p_ball_radius: Any, gap: Any, nx: Any, ny: Any, nz: Any, 
 def _roll_pace_alone(p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, lift_7: Any, nx_8: Any, ny_8: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, nz_8: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any) -> tuple[Any, ...]:
     """Do `roll_pace` for one shot."""
     _s0 = ((abs(turn_rate_0) + abs(vx_0)) + abs(vy_0)) + abs(vz_0)
-    _s1 = (_k80 * p_gravity) + _s0
+    _s1 = (_k82 * p_gravity) + _s0
     _s2 = abs(per_reach)
     _s3 = ((abs(turn_rate_7) + abs(vx_7)) + abs(vy_7)) + abs(vz_7)
     _s4 = ((abs(turn_rate_8) + abs(vx_8)) + abs(vy_8)) + abs(vz_8)
     _s5 = (((_s2 * _s0) + _root((p_gravity * _s2))) * _s3) + _s4
     _s6 = _s1 * ((abs(nx_8) + abs(ny_8)) + abs(nz_8))
-    _s7 = _root(_root(_root(((_k30 * _s1) / (_s6 if _s5 < _s6 else _s5)))))
+    _s7 = _root(_root(_root(((_k33 * _s1) / (_s6 if _s5 < _s6 else _s5)))))
     _s8 = _s7 if _s7 < _k1 else _k1
-    _s9 = (_k29 * (((abs(turn_rate_2) + abs(vx_2)) + abs(vy_2)) + abs(vz_2))) * _s8
+    _s9 = (_k31 * (((abs(turn_rate_2) + abs(vx_2)) + abs(vy_2)) + abs(vz_2))) * _s8
     _s10 = _s8 * _s8
-    _s11 = (_k55 * (((abs(turn_rate_3) + abs(vx_3)) + abs(vy_3)) + abs(vz_3))) * _s10
+    _s11 = (_k59 * (((abs(turn_rate_3) + abs(vx_3)) + abs(vy_3)) + abs(vz_3))) * _s10
     _s12 = _s8 * _s10
-    _s13 = (_k42 * (((abs(turn_rate_4) + abs(vx_4)) + abs(vy_4)) + abs(vz_4))) * _s12
+    _s13 = (_k46 * (((abs(turn_rate_4) + abs(vx_4)) + abs(vy_4)) + abs(vz_4))) * _s12
     _s14 = _s10 * _s10
-    _s15 = (_k65 * (((abs(turn_rate_5) + abs(vx_5)) + abs(vy_5)) + abs(vz_5))) * _s14
+    _s15 = (_k69 * (((abs(turn_rate_5) + abs(vx_5)) + abs(vy_5)) + abs(vz_5))) * _s14
     _s16 = _s8 * _s14
     _s17 = (_k9 * (((abs(turn_rate_6) + abs(vx_6)) + abs(vy_6)) + abs(vz_6))) * _s16
-    _s18 = (((((_s9 + _s11) + _s13) + _s15) + _s17) + ((_k71 * _s3) * (_s10 * _s14))) + ((_k31 * _s4) * (_s12 * _s14))
+    _s18 = (((((_s9 + _s11) + _s13) + _s15) + _s17) + ((_k74 * _s3) * (_s10 * _s14))) + ((_k34 * _s4) * (_s12 * _s14))
     _s19 = _s18 + (((abs(turn_rate_1) + abs(vx_1)) + abs(vy_1)) + abs(vz_1))
     _s20 = _k3 * p_gravity
-    _s21 = ((_k9 * abs((lift_3 + (_s20 * nz_3)))) * _s8) + ((_k81 * abs((lift_4 + (_s20 * nz_4)))) * _s10)
-    _s22 = _s21 + ((_k82 * abs((lift_5 + (_s20 * nz_5)))) * _s12)
-    _s23 = _s22 + ((_k83 * abs((lift_6 + (_s20 * nz_6)))) * _s14)
-    _s24 = _s23 + ((_k84 * abs((lift_7 + (_s20 * nz_7)))) * _s16)
-    return _s8, _s19, (_s19 * _s8) + _s0, lift_0 + (_s20 * nz_0), lift_1 + (_s20 * nz_1), _s24 + (_k29 * abs((lift_2 + (_s20 * nz_2)))), -(_k85 * (-(p_gravity * nz_1)))
+    _s21 = ((_k9 * abs((lift_3 + (_s20 * nz_3)))) * _s8) + ((_k83 * abs((lift_4 + (_s20 * nz_4)))) * _s10)
+    _s22 = _s21 + ((_k84 * abs((lift_5 + (_s20 * nz_5)))) * _s12)
+    _s23 = _s22 + ((_k85 * abs((lift_6 + (_s20 * nz_6)))) * _s14)
+    _s24 = _s23 + ((_k86 * abs((lift_7 + (_s20 * nz_7)))) * _s16)
+    return _s8, _s19, (_s19 * _s8) + _s0, lift_0 + (_s20 * nz_0), lift_1 + (_s20 * nz_1), _s24 + (_k31 * abs((lift_2 + (_s20 * nz_2)))), -(_k87 * (-(p_gravity * nz_1)))
 
 
 def _roll_turn_rate_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -6463,9 +6501,9 @@ def _alone_alone() -> tuple[Any, ...]:
 
 def _begun_errors_alone(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dx: Any, dy: Any, dz: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     """Do `begun_errors` for one shot."""
-    _s0 = _k93 * p_ball_radius
+    _s0 = _k95 * p_ball_radius
     _s1 = -_s0
-    _s2 = (_k94 * p_ball_radius) * (_k1 + (((abs(vx) + abs(vy)) + abs(vz)) / p_ball_radius))
+    _s2 = (_k96 * p_ball_radius) * (_k1 + (((abs(vx) + abs(vy)) + abs(vz)) / p_ball_radius))
     _s3 = -_s2
     _s4 = _s2 / p_ball_radius
     _s5 = -_s4
@@ -6476,60 +6514,60 @@ def _leaving_force_alone(p_ball_radius: Any, brace: Any, doubt: Any, fastest: An
     """Do `leaving_force` for one shot."""
     _s0 = abs(per_reach)
     _s1 = p_gravity + ((fastest * fastest) * _s0)
-    _s2 = _k96 * _s1
+    _s2 = _k98 * _s1
     _s3 = force_rate < _k2
     _s4 = (force < (-_s2)) or ((force <= _s2) and _s3)
     _s5 = -(brace + force_rate)
     _s6 = force + (((_s5 * _s5) / (p_gravity * (_s0 * _s1))) if (_s5 < _k2) else _k2)
     _s7 = _s4 and (_s2 < _s6)
     _s8 = _s4 and (not _s7)
-    _s9 = (((abs(vx) + abs(vy)) + abs(vz)) <= (_k96 * _root((p_ball_radius * p_gravity)))) and (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) <= (_k96 * p_gravity))
+    _s9 = (((abs(vx) + abs(vy)) + abs(vz)) <= (_k98 * _root((p_ball_radius * p_gravity)))) and (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) <= (_k98 * p_gravity))
     _s10 = force_rate * force_rate
-    _s11 = force_bend + (_k91 * _s1)
+    _s11 = force_bend + (_k93 * _s1)
     _s12 = _s6 if _s7 else (_k2 if force < _k2 else force)
-    _s13 = _s10 + ((_k29 * _s11) * _s12)
+    _s13 = _s10 + ((_k31 * _s11) * _s12)
     _s14 = _root(_s13)
-    _s15 = (((_k29 * _s12) if _s3 else (force_rate + _s14)) / ((_s14 - force_rate) if _s3 else (_s11 if _k2 < _s11 else _k2))) if (_k2 <= _s13) else _k10
-    _s16 = ((_k31 * _s0) * ((fastest * velocity_error) + (position_error * _s1))) + _s2
-    _s17 = _s7 or ((abs(force) <= _s16) and (not (((_k31 * _s11) * _s16) < _s10)))
-    return _k2 if (_s8 or _s9) else (_s15 if _s15 < stride else stride), _k9 if (_s8 and (which == _k39)) else which, _s9 and (not _s8), _k2 if _s17 else doubt
+    _s15 = (((_k31 * _s12) if _s3 else (force_rate + _s14)) / ((_s14 - force_rate) if _s3 else (_s11 if _k2 < _s11 else _k2))) if (_k2 <= _s13) else _k10
+    _s16 = ((_k34 * _s0) * ((fastest * velocity_error) + (position_error * _s1))) + _s2
+    _s17 = _s7 or ((abs(force) <= _s16) and (not (((_k34 * _s11) * _s16) < _s10)))
+    return _k2 if (_s8 or _s9) else (_s15 if _s15 < stride else stride), _k9 if (_s8 and (which == _k43)) else which, _s9 and (not _s8), _k2 if _s17 else doubt
 
 
 def _beside_body_alone(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `beside_body` for one shot."""
-    _s0 = _k98 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s0 = _k100 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s1 = gap <= _s0
     _s2 = nearing < _k2
     _s3 = _s1 and _s2
     _s4 = nearing * nearing
     _s5 = strongest + (dent * (fastest * fastest))
-    _s6 = (_k93 * p_ball_radius) if _s1 else gap
-    _s7 = _s4 + ((_k29 * _s5) * _s6)
+    _s6 = (_k95 * p_ball_radius) if _s1 else gap
+    _s7 = _s4 + ((_k31 * _s5) * _s6)
     _s8 = _root(_s7)
-    _s9 = (((_k29 * _s6) if _s2 else (nearing + _s8)) / ((_s8 - nearing) if _s2 else (_s5 if _k2 < _s5 else _k2))) if (_k2 <= _s7) else _k10
-    _s10 = which == _k39
+    _s9 = (((_k31 * _s6) if _s2 else (nearing + _s8)) / ((_s8 - nearing) if _s2 else (_s5 if _k2 < _s5 else _k2))) if (_k2 <= _s7) else _k10
+    _s10 = which == _k43
     _s11 = _s3 and _s10
-    _s12 = (_k29 * position_error) + _s0
-    _s13 = (((gap <= _s12) and ((-_s12) <= gap)) and (not (((_k31 * _s12) * _s5) < _s4))) or (_s3 and (not _s10))
-    return _k2 if _s3 else (_s9 if _s9 < stride else stride), index if _s11 else which, _k2 if _s13 else doubt, ((_k29 * _s12) / abs(nearing)) if _s11 else late
+    _s12 = (_k31 * position_error) + _s0
+    _s13 = (((gap <= _s12) and ((-_s12) <= gap)) and (not (((_k34 * _s12) * _s5) < _s4))) or (_s3 and (not _s10))
+    return _k2 if _s3 else (_s9 if _s9 < stride else stride), index if _s11 else which, _k2 if _s13 else doubt, ((_k31 * _s12) / abs(nearing)) if _s11 else late
 
 
 def _beside_gate_alone(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `beside_gate` for one shot."""
-    _s0 = _k98 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s0 = _k100 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s1 = nearing < _k2
     _s2 = ((gap <= _s0) and _s1) and ((-_s0) <= gap)
     _s3 = nearing * nearing
     _s4 = strongest + (dent * (fastest * fastest))
     _s5 = _k2 if gap < _k2 else gap
-    _s6 = _s3 + ((_k29 * _s4) * _s5)
+    _s6 = _s3 + ((_k31 * _s4) * _s5)
     _s7 = _root(_s6)
-    _s8 = ((((_k29 * _s5) if _s1 else (nearing + _s7)) / ((_s7 - nearing) if _s1 else (_s4 if _k2 < _s4 else _k2))) if (_k2 <= _s6) else _k10) if (_k2 < gap) else _k10
-    _s9 = which == _k39
+    _s8 = ((((_k31 * _s5) if _s1 else (nearing + _s7)) / ((_s7 - nearing) if _s1 else (_s4 if _k2 < _s4 else _k2))) if (_k2 <= _s6) else _k10) if (_k2 < gap) else _k10
+    _s9 = which == _k43
     _s10 = _s2 and _s9
-    _s11 = (_k29 * position_error) + _s0
-    _s12 = (((gap <= _s11) and ((-_s11) <= gap)) and (not (((_k31 * _s11) * _s4) < _s3))) or (_s2 and (not _s9))
-    return _k2 if _s2 else (_s8 if _s8 < stride else stride), index if _s10 else which, _k2 if _s12 else doubt, ((_k29 * _s11) / abs(nearing)) if _s10 else late
+    _s11 = (_k31 * position_error) + _s0
+    _s12 = (((gap <= _s11) and ((-_s11) <= gap)) and (not (((_k34 * _s11) * _s4) < _s3))) or (_s2 and (not _s9))
+    return _k2 if _s2 else (_s8 if _s8 < stride else stride), index if _s10 else which, _k2 if _s12 else doubt, ((_k31 * _s11) / abs(nearing)) if _s10 else late
 
 
 def _beside_seam_alone(fastest: Any, gap: Any, near: Any, nearing: Any, stride: Any, strongest: Any) -> tuple[Any, ...]:
@@ -6538,10 +6576,10 @@ def _beside_seam_alone(fastest: Any, gap: Any, near: Any, nearing: Any, stride: 
     _s1 = _s0 <= near
     _s2 = _k2 if _s1 else _s0
     _s3 = ((_k11 * fastest) + abs(nearing)) if _s1 else (nearing if (_k2 < gap) else (-nearing))
-    _s4 = ((_k29 * strongest) * _s2) + (_s3 * _s3)
+    _s4 = ((_k31 * strongest) * _s2) + (_s3 * _s3)
     _s5 = _root(_s4)
     _s6 = _s3 < _k2
-    _s7 = (((_k29 * _s2) if _s6 else (_s3 + _s5)) / ((_s5 - _s3) if _s6 else (strongest if _k2 < strongest else _k2))) if (_k2 <= _s4) else _k10
+    _s7 = (((_k31 * _s2) if _s6 else (_s3 + _s5)) / ((_s5 - _s3) if _s6 else (strongest if _k2 < strongest else _k2))) if (_k2 <= _s4) else _k10
     return _s7 if _s7 < stride else stride,
 
 
@@ -6549,12 +6587,12 @@ def _beside_time_alone(clock: Any, stride: Any, time_limit: Any, which: Any) -> 
     """Do `beside_time` for one shot."""
     _s0 = time_limit - clock
     _s1 = _s0 if _s0 < stride else stride
-    return _s1 if _k2 < _s1 else _k2, _k42 if ((not (clock < time_limit)) and (which == _k39)) else which
+    return _s1 if _k2 < _s1 else _k2, _k46 if ((not (clock < time_limit)) and (which == _k43)) else which
 
 
 def _rolled_on_alone(clock: Any, rests: Any, stride: Any, which: Any) -> tuple[Any, ...]:
     """Do `rolled_on` for one shot."""
-    return clock + stride, (which == _k39) and (not rests)
+    return clock + stride, (which == _k43) and (not rests)
 
 
 def _unmet_alone() -> tuple[Any, ...]:
@@ -6564,13 +6602,13 @@ def _unmet_alone() -> tuple[Any, ...]:
 
 def _spared_alone(dent: Any, gap: Any, p_gravity: Any, nearing: Any, spare: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     """Do `spared` for one shot."""
-    _s0 = (((_k99 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s0 = (((_k101 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s1 = p_gravity + (dent * (_s0 * _s0))
     _s2 = _k2 if gap < _k2 else gap
-    _s3 = (nearing * nearing) + ((_k29 * _s1) * _s2)
+    _s3 = (nearing * nearing) + ((_k31 * _s1) * _s2)
     _s4 = _root(_s3)
     _s5 = nearing < _k2
-    _s6 = (((_k29 * _s2) if _s5 else (nearing + _s4)) / ((_s4 - nearing) if _s5 else (_s1 if _k2 < _s1 else _k2))) if (_k2 <= _s3) else _k10
+    _s6 = (((_k31 * _s2) if _s5 else (nearing + _s4)) / ((_s4 - nearing) if _s5 else (_s1 if _k2 < _s1 else _k2))) if (_k2 <= _s3) else _k10
     return _s6 if _s6 < spare else spare,
 
 
@@ -6578,35 +6616,35 @@ def _spared_seam_alone(gap: Any, p_gravity: Any, near: Any, nearing: Any, spare:
     """Do `spared_seam` for one shot."""
     _s0 = abs(gap)
     _s1 = nearing if (_k2 < gap) else (-nearing)
-    _s2 = ((_k29 * p_gravity) * _s0) + (_s1 * _s1)
+    _s2 = ((_k31 * p_gravity) * _s0) + (_s1 * _s1)
     _s3 = _root(_s2)
     _s4 = _s1 < _k2
-    _s5 = (((_k29 * _s0) if _s4 else (_s1 + _s3)) / ((_s3 - _s1) if _s4 else (p_gravity if _k2 < p_gravity else _k2))) if (_k2 <= _s2) else _k10
+    _s5 = (((_k31 * _s0) if _s4 else (_s1 + _s3)) / ((_s3 - _s1) if _s4 else (p_gravity if _k2 < p_gravity else _k2))) if (_k2 <= _s2) else _k10
     return spare if (_s0 <= near) else (_s5 if _s5 < spare else spare),
 
 
 def _parted_alone(doubt: Any, p_gravity: Any, lift: Any, per_reach: Any, position_error: Any, snap: Any, spare: Any, surge: Any, velocity_error: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     """Do `parted` for one shot."""
-    _s0 = _k28 * spare
-    _s1 = (((_k99 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s0 = _k30 * spare
+    _s1 = (((_k101 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s2 = abs(per_reach)
     _s3 = p_gravity + ((_s1 * _s1) * _s2)
     _s4 = (_k1 + (_s1 * _s2)) + _root((p_gravity * _s2))
-    _s5 = (_k38 * _s3) * (_s4 * (_s4 * _s4))
+    _s5 = (_k42 * _s3) * (_s4 * (_s4 * _s4))
     _s6 = _k0 * surge
     _s7 = _root((_s6 / _s5))
-    _s8 = _k50 * _s5
+    _s8 = _k54 * _s5
     _s9 = abs(snap) + _s8
     _s10 = _s6 / _s9
     _s11 = lift if _k2 < lift else _k2
-    _s12 = _root(((_k102 * _s11) / _s5))
+    _s12 = _root(((_k104 * _s11) / _s5))
     _s13 = _root(((_k0 * _s11) / _s9))
-    _s14 = _s11 / ((_k42 * abs(surge)) + _s8)
+    _s14 = _s11 / ((_k46 * abs(surge)) + _s8)
     _s15 = _s13 if _s13 < _s14 else _s14
     _s16 = (_s7 if _s7 < _s10 else _s10) if (_k2 < surge) else (_s12 if _s12 < _s15 else _s15)
-    _s17 = _s16 if _s16 < _k99 else _k99
+    _s17 = _s16 if _s16 < _k101 else _k101
     _s18 = _s0 if _s0 < _s17 else _s17
-    _s19 = (_k96 * p_gravity) + ((_k36 * ((position_error * _s3) + (velocity_error * _s1))) * _s2)
+    _s19 = (_k98 * p_gravity) + ((_k40 * ((position_error * _s3) + (velocity_error * _s1))) * _s2)
     return _s18 if _k2 < _s18 else _k2, doubt if (((_s19 * _s4) < surge) or (_s19 < lift)) else _k2
 
 
@@ -6624,8 +6662,8 @@ def _apart_alone(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy
     _s9 = abs(dy)
     _s10 = _s9 if _s8 < _s9 else _s8
     _s11 = abs(dz)
-    _s12 = ((_k30 * p_ball_radius) + (_k72 * ((p_ball_radius * (_s3 if _s2 < _s3 else _s2)) + (_s7 if _s6 < _s7 else _s6)))) + (_s11 if _s10 < _s11 else _s10)
-    return (_k103 * p_ball_radius) / _s12,
+    _s12 = ((_k33 * p_ball_radius) + (_k35 * ((p_ball_radius * (_s3 if _s2 < _s3 else _s2)) + (_s7 if _s6 < _s7 else _s6)))) + (_s11 if _s10 < _s11 else _s10)
+    return (_k105 * p_ball_radius) / _s12,
 
 
 def _neighbour_alone(apart: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dx: Any, dy: Any, dz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -6656,7 +6694,7 @@ def _compared_alone(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, fa
 
 def _resumed_alone(clock: Any, mode: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
     """Do `resumed` for one shot."""
-    return _k39, _k2, clock, _k10 if ((position_error < _k10) and (velocity_error < _k10)) else _k2, mode == _k1, mode == _k29, mode == _k55, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2
+    return _k43, _k2, clock, _k10 if ((position_error < _k10) and (velocity_error < _k10)) else _k2, mode == _k1, mode == _k31, mode == _k59, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2
 
 
 def _holding_alone(held: Any, index: Any) -> tuple[Any, ...]:
@@ -6671,12 +6709,12 @@ def _beside_alone(held: Any, index: Any) -> tuple[Any, ...]:
 
 def _beginning_contact_alone() -> tuple[Any, ...]:
     """Do `beginning_contact` for one shot."""
-    return _k65, _k2
+    return _k69, _k2
 
 
 def _hopping_alone() -> tuple[Any, ...]:
     """Do `hopping` for one shot."""
-    return _k71,
+    return _k74,
 
 
 def _pulled_alone(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any) -> tuple[Any, ...]:
@@ -6691,10 +6729,10 @@ def _pulled_alone(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz
     _s7 = ((_k3 * p_gravity) + (_s6 * _s0)) + (_s2 * tz_0)
     _s8 = -(p_gravity * nz_1)
     _s9 = _k3 * turn_rate_1
-    _s10 = (_k29 * _s3) * ((((_s1 * _s8) + ((_k3 * nx_1) * _s0)) + (_s2 * tx_1)) + (_s9 * tx_0))
-    _s11 = (_k29 * _s5) * ((((_s4 * _s8) + ((_k3 * ny_1) * _s0)) + (_s2 * ty_1)) + (_s9 * ty_0))
-    _s12 = (_k29 * _s7) * ((((_s6 * _s8) + ((_k3 * nz_1) * _s0)) + (_s2 * tz_1)) + (_s9 * tz_0))
-    return ((_s3 * _s3) + (_s5 * _s5)) + (_s7 * _s7), (_s10 + _s11) + _s12, _k105, _k2
+    _s10 = (_k31 * _s3) * ((((_s1 * _s8) + ((_k3 * nx_1) * _s0)) + (_s2 * tx_1)) + (_s9 * tx_0))
+    _s11 = (_k31 * _s5) * ((((_s4 * _s8) + ((_k3 * ny_1) * _s0)) + (_s2 * ty_1)) + (_s9 * ty_0))
+    _s12 = (_k31 * _s7) * ((((_s6 * _s8) + ((_k3 * nz_1) * _s0)) + (_s2 * tz_1)) + (_s9 * tz_0))
+    return ((_s3 * _s3) + (_s5 * _s5)) + (_s7 * _s7), (_s10 + _s11) + _s12, _k107, _k2
 
 
 def _untaut_alone() -> tuple[Any, ...]:
@@ -6716,10 +6754,10 @@ def _lost_grip_alone(clock: Any, strain: Any, strain_rate: Any, taut: Any, taut_
     _s4 = _s3 if _k2 < _s3 else _k2
     _s5 = strain_rate * _s0
     _s6 = taut_rate * _s0
-    _s7 = (_s5 + _s6) - (_k29 * _s1)
-    _s8 = _k55 * _s7
-    _s9 = ((_k55 * _s1) - _s5) - (_k29 * _s6)
-    _s10 = _k29 * _s9
+    _s7 = (_s5 + _s6) - (_k31 * _s1)
+    _s8 = _k59 * _s7
+    _s9 = ((_k59 * _s1) - _s5) - (_k31 * _s6)
+    _s10 = _k31 * _s9
     _s11 = (((_s8 * _s4) + _s10) * _s4) + _s6
     _s12 = taut + (((((_s7 * _s4) + _s9) * _s4) + _s6) * _s4)
     _s13 = _s4 - (_s12 / (_s11 if (_k2 < _s11) else _s1))
@@ -6750,7 +6788,7 @@ def _tightened_alone(clock: Any, strain: Any, strain_rate: Any) -> tuple[Any, ..
 def _ring_impact_strained_alone(drag: Any, drag_rate: Any, force: Any, force_rate: Any, p_ring_friction: Any) -> tuple[Any, ...]:
     """Do `ring_impact_strained` for one shot."""
     _s0 = p_ring_friction * p_ring_friction
-    return drag - ((force * force) * _s0), drag_rate - (_s0 * (_k29 * (force * force_rate)))
+    return drag - ((force * force) * _s0), drag_rate - (_s0 * (_k31 * (force * force_rate)))
 
 
 def _ring_normal_alone(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -6765,44 +6803,44 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     """Do `ring_prepare` for one shot."""
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
-    _s2 = ((_k29 * _s0) + ((_k42 * p_gravity) * z)) + (_k29 * _s1)
+    _s2 = ((_k31 * _s0) + ((_k46 * p_gravity) * z)) + (_k31 * _s1)
     _s3 = (vy * x) - (vx * y)
     _s4 = _s3 * _s3
-    _s5 = (_k29 * p_ring_radius) * _s4
+    _s5 = (_k31 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k117 * _s7
-    _s9 = _k29 * p_gravity
-    _s10 = _k45 * (_s0 + (_s9 * (abs(z) + _s8)))
+    _s8 = _k119 * _s7
+    _s9 = _k31 * p_gravity
+    _s10 = _k49 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
     _s12 = _k1 / p_gravity
     _s13 = _root(_s11)
-    _s14 = _k43 * (abs(vz) + _s13)
+    _s14 = _k47 * (abs(vz) + _s13)
     _s15 = _k2 <= _s11
     _s16 = (_s12 * ((vz - _s13) - _s14)) if _s15 else _k10
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = (_k43 * _s1) * (_s18 + _s6)
+    _s19 = (_k47 * _s1) * (_s18 + _s6)
     _s20 = ((_s18 * _s1) + _s19) - _s4
     _s21 = (vx * x) + (vy * y)
     _s22 = _root(_s20)
-    _s23 = _k43 * ((abs(_s21) + abs(_s3)) + _s22)
+    _s23 = _k47 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k123 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k105
+    _s26 = _k125 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k107
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k120 * p_ring_radius
+    _s30 = _k122 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k105) if _s26 else _k10
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k107) if _s26 else _k10
     _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
     _s38 = _root((_k2 if _s37 < _k2 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k105
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k107
     _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
@@ -6821,29 +6859,29 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k114 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = _root(_k29) * _root((_s12 * (((_k29 * p_ball_radius) + extent) + (_k29 * p_wire_radius))))
-    _s60 = _s59 + ((_k29 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k115 * p_ball_radius)) - (_k115 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k119 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s58 = (_k116 * p_ring_radius) - (p_ring_radius - _s7)
+    _s59 = _root(_k31) * _root((_s12 * (((_k31 * p_ball_radius) + extent) + (_k31 * p_wire_radius))))
+    _s60 = _s59 + ((_k31 * speed) * _s12)
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k117 * p_ball_radius)) - (_k117 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k121 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_margins` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k117 * _s0
+    _s2 = _k119 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k21 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k120 * p_ring_radius
+    _s8 = _k122 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
-    _s11 = _k65 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k34 * _s1))))
-    _s12 = _k18 * ((((_k127 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
-    return _k18 * ((((_k21 * horizon) * _s3) + ((_k125 * _s0) * _s4)) + ((_k126 * _s0) * _s6)), _s12, _k18 * ((_k127 * (_s4 * _s1)) + _s11)
+    _s11 = _k69 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k38 * _s1))))
+    _s12 = _k18 * ((((_k129 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
+    return _k18 * ((((_k21 * horizon) * _s3) + ((_k127 * _s0) * _s4)) + ((_k128 * _s0) * _s6)), _s12, _k18 * ((_k129 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -6856,8 +6894,8 @@ def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy
     _s5 = _s2 - p_ring_radius
     _s6 = vz - ((_k0 * p_gravity) * t)
     _s7 = z + (t * _s6)
-    _s8 = _k29 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
-    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k29 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
+    _s8 = _k31 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
+    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k31 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = (t * (_s9 + ((z + _s7) * _s6))) if (_k2 < leaving) else (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))
     return t - (_s11 / _s8), _s11, _s8
@@ -6871,7 +6909,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s3 = _s2 - p_ring_radius
     _s4 = rho_start + _s2
     _s5 = _k1 / (_s4 * _s2)
-    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k29 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
+    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k31 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
     _s7 = vz - ((_k0 * p_gravity) * t)
     _s8 = z + (t * _s7)
     _s9 = p_ball_radius + p_wire_radius
@@ -6879,139 +6917,139 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s11 = _s4 * _s5
     _s12 = _s11 * ((vx * _s0) + (vy * _s1))
     _s13 = vz - (p_gravity * t)
-    _s14 = _k29 * ((_s12 * _s3) + (_s13 * _s8))
+    _s14 = _k31 * ((_s12 * _s3) + (_s13 * _s8))
     _s15 = _k9 * p_gravity
     _s16 = _s15 * _s8
     _s17 = swing * (_s11 * (_s11 * _s11))
-    _s18 = _k117 * _s9
-    _s19 = _k91 * (p_ring_radius + _s18)
+    _s18 = _k119 * _s9
+    _s19 = _k93 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
     _s22 = _k2 if _s21 < _k2 else _s21
     _s23 = (_s16 + _s17) - steady
     _s24 = _s20 < _k2
-    _s25 = _k29 * _s22
-    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k42 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
+    _s25 = _k31 * _s22
+    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k46 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
     _s27 = end - t
     _s28 = _s26 if _s26 < _s27 else _s27
     _s29 = _s19 + ((_s28 * (_k2 if _s13 < _k2 else _s13)) + _s8)
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k120 * p_ring_radius
+    _s33 = _k122 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = swing * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (_k91 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
-    _s38 = ((_k29 * _s37) * _s22) + (_s20 * _s20)
+    _s37 = ((_s30 + _s36) + (_k93 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
+    _s38 = ((_k31 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
     _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k10
     _s41 = _s40 if _s40 < _s28 else _s28
     _s42 = -(rate_margin + _s14)
-    return _s10, _s14, (steady - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k31 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
+    return _s10, _s14, (steady - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k34 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
 
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_opened` for one shot."""
     _s0 = vz * vz
-    _s1 = _k128 * (p_ball_radius + p_wire_radius)
-    _s2 = _k129 * p_gravity
-    _s3 = _k145 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s1 = _k130 * (p_ball_radius + p_wire_radius)
+    _s2 = _k131 * p_gravity
+    _s3 = _k147 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
-    _s5 = _k131 / p_gravity
+    _s5 = _k133 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k146 * (abs(vz) + _s6)
-    _s8 = _k144 <= _s4
-    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k147
+    _s7 = _k148 * (abs(vz) + _s6)
+    _s8 = _k146 <= _s4
+    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k149
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k146 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k148 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (vy * x) - (vx * y)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (vx * x) + (vy * y)
     _s18 = _root(_s16)
-    _s19 = _k146 * ((abs(_s17) + abs(_s14)) + _s18)
-    _s20 = _k131 / _s10
-    _s21 = _k144 <= _s16
-    _s22 = _k148 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k147) if _s22 else _k149
+    _s19 = _k148 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s20 = _k133 / _s10
+    _s21 = _k146 <= _s16
+    _s22 = _k150 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k149) if _s22 else _k151
     _s24 = _s23 if _s9 < _s23 else _s9
-    _s25 = _s24 if _k144 < _s24 else _k144
-    _s26 = _s25 if _k144 < _s25 else _k144
+    _s25 = _s24 if _k146 < _s24 else _k146
+    _s26 = _s25 if _k146 < _s25 else _k146
     _s27 = p_ring_radius - _s1
-    _s28 = _k138 * p_ring_radius
+    _s28 = _k140 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
-    _s31 = _root((_k144 if _s30 < _k144 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k149) if _s22 else _k147
-    _s33 = _k144 < (_s30 if _s22 else _k144)
+    _s31 = _root((_k146 if _s30 < _k146 else _s30))
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k151) if _s22 else _k149
+    _s33 = _k146 < (_s30 if _s22 else _k146)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
-    _s36 = _root((_k144 if _s35 < _k144 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k149
-    _s38 = _k144 < _s35
+    _s36 = _root((_k146 if _s35 < _k146 else _s35))
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k151
+    _s38 = _k146 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k150 * horizon
+    _s41 = _k152 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
-    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k147
+    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k149
     _s45 = _s34 if _s44 < _s34 else _s44
     _s46 = _s45 if _s9 < _s45 else _s9
     _s47 = _s32 if _s32 < _s39 else _s39
-    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k147
+    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k149
     _s49 = _s39 if _s48 < _s39 else _s48
     _s50 = _s46 <= _s47
     _s51 = _s46 if _s50 else (_s23 if _s49 < _s23 else _s49)
-    _s52 = _s51 if _k144 < _s51 else _k144
-    _s53 = _s52 if _k144 < _s52 else _k144
+    _s52 = _s51 if _k146 < _s51 else _k146
+    _s53 = _s52 if _k146 < _s52 else _k146
     _s54 = _s47 if _s50 else (_s34 if _s34 < _s37 else _s37)
     _s55 = _s54 if _s54 < _s41 else _s41
     _s56 = _s53 < _s55
     _s57 = _s45 if _s49 < _s45 else _s49
-    _s58 = _s57 if _k144 < _s57 else _k144
-    _s59 = _s58 if _k144 < _s58 else _k144
+    _s58 = _s57 if _k146 < _s57 else _k146
+    _s59 = _s58 if _k146 < _s58 else _k146
     _s60 = _s32 if _s32 < _s37 else _s37
     _s61 = _s60 if _s60 < _s41 else _s41
     _s62 = _s59 < _s61
-    _s63 = _s40 if _k144 < _s40 else _k144
+    _s63 = _s40 if _k146 < _s40 else _k146
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k140 * _s29)) and (_s11 <= ((_k140 * p_ball_radius) + (_k140 * p_wire_radius)))) and (_s11 <= _k141)) and (_k142 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k144)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k144)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k141)) and (_k142 <= p_gravity)) and (extent <= _k141)) and (speed <= _k141)
+    _s66 = (((_s11 <= (_k142 * _s29)) and (_s11 <= ((_k142 * p_ball_radius) + (_k142 * p_wire_radius)))) and (_s11 <= _k143)) and (_k144 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k146)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k146)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k143)) and (_k144 <= p_gravity)) and (extent <= _k143)) and (speed <= _k143)
 
 
 def _ring_grain_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_grain` for one shot."""
-    _s0 = _k144 < leaving
+    _s0 = _k146 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k128 * _s2
+    _s3 = _k130 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k138 * p_ring_radius
+    _s5 = _k140 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
-    _s8 = _s7 if _k131 < _s7 else _k131
+    _s8 = _s7 if _k133 < _s7 else _k133
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k167 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k166 * parting) / _s11
-    _s13 = _s12 if _s12 < _k168 else _k168
-    _s14 = (_s13 if _k165 < _s13 else _k165) if _s0 else _k168
-    _s15 = ((_k129 * (vz * vz)) + ((_k156 * p_gravity) * z)) + (_k129 * ((vx * vx) + (vy * vy)))
+    _s11 = _k169 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k168 * parting) / _s11
+    _s13 = _s12 if _s12 < _k170 else _k170
+    _s14 = (_s13 if _k167 < _s13 else _k167) if _s0 else _k170
+    _s15 = ((_k131 * (vz * vz)) + ((_k158 * p_gravity) * z)) + (_k131 * ((vx * vx) + (vy * vy)))
     _s16 = (vy * x) - (vx * y)
-    _s17 = (_k129 * p_ring_radius) * (_s16 * _s16)
-    _s18 = _k131 / _s6
+    _s17 = (_k131 * p_ring_radius) * (_s16 * _s16)
+    _s18 = _k133 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k157 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k159 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k146 * (_s22 + _s23))
-    _s25 = (_k171 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k144, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k169 * _s20, (_k160 * _s2) * _s24, (_k169 * ((_k145 * abs(parting)) + ((_k170 + _s14) * _s11))) if _s0 else _k147, _k169 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k162 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k167 * (((_k169 * _s9) * _s24) + (((_k172 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k164 * p_ball_radius) + (_k164 * p_wire_radius))) and ((leaving * t) <= _k144)
+    _s24 = (_s10 * _s14) + (_k148 * (_s22 + _s23))
+    _s25 = (_k173 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
+    return _s14, _k146, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k171 * _s20, (_k162 * _s2) * _s24, (_k171 * ((_k147 * abs(parting)) + ((_k172 + _s14) * _s11))) if _s0 else _k149, _k171 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k164 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k169 * (((_k171 * _s9) * _s24) + (((_k174 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k166 * p_ball_radius) + (_k166 * p_wire_radius))) and ((leaving * t) <= _k146)
 
 
 def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7026,82 +7064,82 @@ def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s7 = y + (t * vy)
     _s8 = _root(((_s6 * _s6) + (_s7 * _s7)))
     _s9 = rho_start + _s8
-    _s10 = _k131 / (_s9 * _s8)
+    _s10 = _k133 / (_s9 * _s8)
     _s11 = _s8 * _s10
-    _s12 = _s11 * ((t * _s5) + (_k129 * ((vx * x) + (vy * y))))
-    _s13 = vz - ((_k171 * p_gravity) * t)
-    _s14 = ((((_k129 * (rho_start - p_ring_radius)) * (_s5 - (drift * _s12))) * _s11) + (_s12 * _s12)) + (_s13 * _s13)
+    _s12 = _s11 * ((t * _s5) + (_k131 * ((vx * x) + (vy * y))))
+    _s13 = vz - ((_k173 * p_gravity) * t)
+    _s14 = ((((_k131 * (rho_start - p_ring_radius)) * (_s5 - (drift * _s12))) * _s11) + (_s12 * _s12)) + (_s13 * _s13)
     _s15 = parting + (t * (_s14 - (p_gravity * z)))
     _s16 = _s9 * _s10
     _s17 = _s16 * ((vx * _s6) + (vy * _s7))
     _s18 = _s8 - p_ring_radius
     _s19 = vz - (p_gravity * t)
     _s20 = z + (t * _s13)
-    _s21 = ((_k129 * _s15) - parting) if _s4 else (_k129 * ((_s17 * _s18) + (_s19 * _s20)))
-    _s22 = (_s3 + (_k129 * _s0)) if _s4 else rate_margin
+    _s21 = ((_k131 * _s15) - parting) if _s4 else (_k131 * ((_s17 * _s18) + (_s19 * _s20)))
+    _s22 = (_s3 + (_k131 * _s0)) if _s4 else rate_margin
     _s23 = -(_s21 + _s22)
     _s24 = _s1 if _s2 else flat
     _s25 = p_ball_radius + p_wire_radius
     _s26 = ((t * _s15) if _s2 else (((_s18 * _s18) + (_s20 * _s20)) - (_s25 * _s25))) - _s24
-    _s27 = _k144 if _s26 < _k144 else _s26
-    _s28 = _k129 * ((_k129 * _s24) + _s27)
+    _s27 = _k146 if _s26 < _k146 else _s26
+    _s28 = _k131 * ((_k131 * _s24) + _s27)
     _s29 = _s21 - _s22
-    _s30 = _k173 * p_gravity
+    _s30 = _k175 * p_gravity
     _s31 = _s30 * _s20
     _s32 = swing * (_s16 * (_s16 * _s16))
     _s33 = (_s31 + _s32) - steady
-    _s34 = _s29 < _k144
-    _s35 = _k129 * _s27
-    _s36 = _k147 if (_k144 < (_s27 if (_k144 <= _s29) else _k144)) else ((((_k180 * _s24) + _s35) if _s34 else (_k156 * _s29)) / ((-_s29) if _s34 else (_s33 if _k144 < _s33 else _k144)))
+    _s34 = _s29 < _k146
+    _s35 = _k131 * _s27
+    _s36 = _k149 if (_k146 < (_s27 if (_k146 <= _s29) else _k146)) else ((((_k182 * _s24) + _s35) if _s34 else (_k158 * _s29)) / ((-_s29) if _s34 else (_s33 if _k146 < _s33 else _k146)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k128 * _s25
-    _s40 = ((_k138 * p_ball_radius) + (_k138 * p_wire_radius)) + ((_s38 * (_k144 if _s19 < _k144 else _s19)) + _s20)
+    _s39 = _k130 * _s25
+    _s40 = ((_k140 * p_ball_radius) + (_k140 * p_wire_radius)) + ((_s38 * (_k146 if _s19 < _k146 else _s19)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k144 if _k144 < _s17 else _s17)) + _s8) - (_k138 * _s42)) - (_k146 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k146 if _k146 < _s17 else _s17)) + _s8) - (_k140 * _s42)) - (_k148 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k138 * p_ring_radius
+    _s45 = _k140 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
-    _s47 = _k131 / (_s46 if _s43 < _s46 else _s43)
+    _s47 = _k133 / (_s46 if _s43 < _s46 else _s43)
     _s48 = swing * (_s47 * (_s47 * _s47))
     _s49 = abs(steady)
-    _s50 = ((_s41 + _s48) + (_k181 * ((_s48 + _s49) + abs(_s41)))) - steady
+    _s50 = ((_s41 + _s48) + (_k183 * ((_s48 + _s49) + abs(_s41)))) - steady
     _s51 = -_s19
-    _s52 = (_s30 * (((_k142 * p_ball_radius) + (_k142 * p_wire_radius)) + (((p_gravity * _s38) + (_k144 if _s51 < _k144 else _s51)) * _s38))) + ((_k182 * (_s32 * _s16)) * _s42)
-    _s53 = steady + (_s52 + (_k142 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k144 * p_ball_radius) + (_k144 * p_wire_radius)) + (((p_gravity * _s38) + (_k146 if _s51 < _k146 else _s51)) * _s38))) + ((_k184 * (_s32 * _s16)) * _s42)
+    _s53 = steady + (_s52 + (_k144 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = (_s23 * _s23) - ((_k180 * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling)) * _s28)
-    _s56 = _k144 < (_s55 if (_k144 < _s23) else _s23)
-    _s57 = ((_k129 * _s50) * _s27) + (_s29 * _s29)
+    _s55 = (_s23 * _s23) - ((_k182 * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling)) * _s28)
+    _s56 = _k146 < (_s55 if (_k146 < _s23) else _s23)
+    _s57 = ((_k131 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
-    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k144 < _s50 else _k144))) if (_k144 <= _s57) else _k147
+    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k146 < _s50 else _k146))) if (_k146 <= _s57) else _k149
     _s60 = _s59 if _s59 < _s38 else _s38
     _s61 = t + _s60
-    _s62 = (not _s56) and (((_s21 < _k144) and (_s26 <= _s24)) or ((t < end) and (not (t < _s61))))
+    _s62 = (not _s56) and (((_s21 < _k146) and (_s26 <= _s24)) or ((t < end) and (not (t < _s61))))
     _s63 = not (_s56 or _s62)
     _s64 = _s63 and (_s37 <= _s60)
     _s65 = low1 if end < low1 else end
     _s66 = _s65 < high1
     _s67 = low2 if end < low2 else end
     _s68 = _s67 < high2
-    return (_s65 if _s66 else (_s67 if _s68 else _k147)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
+    return (_s65 if _s66 else (_s67 if _s68 else _k149)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
 
 
 def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any) -> tuple[Any, ...]:
     """Do `ring_started` for one shot."""
     _s0 = _root(((x * x) + (y * y)))
     _s1 = ((vx * x) + (vy * y)) / _s0
-    return _s0, _k29 * ((vz * z) + (_s1 * (_s0 - p_ring_radius))), _s1
+    return _s0, _k31 * ((vz * z) + (_s1 * (_s0 - p_ring_radius))), _s1
 
 
 def _ring_lost_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_lost` for one shot."""
-    _s0 = (_k114 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k116 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
-    _s2 = _root(_k29) * _root((_s1 * (((_k29 * p_ball_radius) + extent) + (_k29 * p_wire_radius))))
-    _s3 = _s2 + ((_k29 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k115 * p_ball_radius)) - (_k115 * p_wire_radius)
+    _s2 = _root(_k31) * _root((_s1 * (((_k31 * p_ball_radius) + extent) + (_k31 * p_wire_radius))))
+    _s3 = _s2 + ((_k31 * speed) * _s1)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k117 * p_ball_radius)) - (_k117 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 
@@ -7110,8 +7148,8 @@ def _ring_beside_alone(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any,
     _s0 = _root(((x * x) + (y * y)))
     _s1 = _s0 - p_ring_radius
     _s2 = _root(((z * z) + (_s1 * _s1)))
-    _s3 = _k29 * p_ring_radius
-    _s4 = ((_k29 * vz) * z) + (((_k0 * ((_k29 * _s0) - _s3)) * (((_k29 * vx) * x) + ((_k29 * vy) * y))) / _s0)
+    _s3 = _k31 * p_ring_radius
+    _s4 = ((_k31 * vz) * z) + (((_k0 * ((_k31 * _s0) - _s3)) * (((_k31 * vx) * x) + ((_k31 * vy) * y))) / _s0)
     _s5 = (_s3 / _s0) - _k1
     return (_s2 - p_ball_radius) - p_wire_radius, (_k0 * _s4) / _s2, (_s5 if _k2 < _s5 else _k2) / (p_ball_radius + p_wire_radius)
 
@@ -7129,32 +7167,44 @@ def _ring_tube_alone(p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
 
 def _ring_parting_alone(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `ring_parting` for one shot."""
-    _s0 = (x * x) + (y * y)
-    _s1 = _root(_s0)
-    _s2 = _s1 - p_ring_radius
-    _s3 = (z * z) + (_s2 * _s2)
-    _s4 = _root(_s3)
-    _s5 = (_k29 * (vx * vx)) + (_k29 * (vy * vy))
-    _s6 = _s1 * _s0
-    _s7 = ((_k29 * vx) * x) + ((_k29 * vy) * y)
-    _s8 = _s7 * _s7
-    _s9 = ((_k0 * _s5) / _s1) - ((_k28 * _s8) / _s6)
-    _s10 = _k29 * _s2
-    _s11 = (_k0 * _s7) / _s1
-    _s12 = ((_k29 * (vz * vz)) - ((_k29 * p_gravity) * z)) + ((_s10 * _s9) + (_k29 * (_s11 * _s11)))
-    _s13 = _s4 * _s3
-    _s14 = ((_k29 * vz) * z) + ((_k29 * _s11) * _s2)
-    _s15 = _s14 * _s14
-    _s16 = _s3 * _s3
-    _s17 = _s4 * _s16
-    _s18 = _s0 * _s0
-    _s19 = _s1 * _s18
-    _s20 = ((_k187 * (_s7 * _s8)) / _s19) - (((_k188 * _s5) * _s7) / _s6)
-    _s21 = (-((_k9 * p_gravity) * vz)) + (((_k9 * _s11) * _s9) + (_s10 * _s20))
-    _s22 = _s10 * (((((_k189 * _s5) * _s8) / _s19) - ((_k188 * (_s5 * _s5)) / _s6)) - ((_k190 * (_s8 * _s8)) / (_s6 * _s18)))
-    _s23 = _k0 * ((_k9 * (p_gravity * p_gravity)) + ((((_k31 * _s11) * _s20) + _s22) + (_k9 * (_s9 * _s9))))
-    _s24 = (((_s23 / _s4) + (((_k189 * _s15) * _s12) / _s17)) - ((_k190 * (_s15 * _s15)) / (_s13 * _s16))) - ((_k188 * (_s12 * _s12)) / _s13)
-    return ((_k0 * _s12) / _s4) - ((_k28 * _s15) / _s13), (((_k187 * (_s14 * _s15)) / _s17) + ((_k0 * _s21) / _s4)) - (((_k188 * _s14) * _s12) / _s13), _s24 - ((_s21 * _s14) / _s13)
+    _s0 = ((_k31 * vx) * x) + ((_k31 * vy) * y)
+    _s1 = _root(((x * x) + (y * y)))
+    _s2 = _k1 / _s1
+    _s3 = (_k0 * _s0) * _s2
+    _s4 = _s1 - p_ring_radius
+    _s5 = _k31 * _s3
+    _s6 = ((_k31 * vz) * z) + (_s5 * _s4)
+    _s7 = _k1 / _root(((z * z) + (_s4 * _s4)))
+    _s8 = (_k0 * _s6) * _s7
+    _s9 = _s7 * _s7
+    _s10 = -(_s8 * _s9)
+    _s11 = _s2 * _s2
+    _s12 = -(_s3 * _s11)
+    _s13 = (_k31 * (vx * vx)) + (_k31 * (vy * vy))
+    _s14 = _k0 * ((_s12 * _s0) + (_s13 * _s2))
+    _s15 = (_k31 * ((vz * vz) - (p_gravity * z))) + (_k31 * ((_s4 * _s14) + (_s3 * _s3)))
+    _s16 = _k0 * ((_s10 * _s6) + (_s15 * _s7))
+    _s17 = _s10 * _s15
+    _s18 = _k31 * _s10
+    _s19 = -((_s16 * _s9) + ((_s18 * _s8) * _s7))
+    _s20 = _s12 * _s13
+    _s21 = _k31 * _s12
+    _s22 = -((_s14 * _s11) + ((_s21 * _s3) * _s2))
+    _s23 = _k0 * (_s20 + (_s20 + (_s0 * _s22)))
+    _s24 = (_k31 * (-((_k59 * p_gravity) * vz))) + (_k31 * ((_s5 * _s14) + ((_s3 * _s14) + (_s4 * _s23))))
+    _s25 = _k0 * ((_s17 + (_s6 * _s19)) + (_s17 + (_s24 * _s7)))
+    _s26 = _s10 * _s24
+    _s27 = _s3 * _s23
+    _s28 = _s27 + (_s14 * _s14)
+    _s29 = _s13 * _s22
+    _s30 = ((_s23 * _s11) + ((_s21 * _s14) * _s2)) + (_k31 * ((((_s12 * _s12) * _s3) + ((_s12 * _s14) * _s2)) + ((_s3 * _s22) * _s2)))
+    _s31 = _k0 * (_s29 + (_s29 + ((_s0 * (-_s30)) + _s29)))
+    _s32 = (_k31 * (_k59 * (p_gravity * p_gravity))) + (_k31 * ((_k31 * _s28) + ((_s27 + (_s4 * _s31)) + _s28)))
+    _s33 = _s15 * _s19
+    _s34 = _s26 + _s33
+    _s35 = ((_s25 * _s9) + ((_s18 * _s16) * _s7)) + (_k31 * ((((_s10 * _s10) * _s8) + ((_s10 * _s16) * _s7)) + ((_s8 * _s19) * _s7)))
+    _s36 = _k0 * (((_s26 + (_s32 * _s7)) + _s34) + (_s34 + ((_s6 * (-_s35)) + _s33)))
+    return _s16, _s25, _s36
 
 
 def _ring_round_start_alone(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -7222,33 +7272,33 @@ def _ring_round_pace_alone(along_0: Any, along_1: Any, along_10: Any, along_11: 
     _s1 = p_ball_radius + p_wire_radius
     _s2 = abs(along_0)
     _s3 = (_s0 * _s1) + (_s2 + abs(turn_rate_0))
-    _s4 = (_k80 * p_gravity) + _s3
+    _s4 = (_k82 * p_gravity) + _s3
     _s5 = abs(climb_11)
     _s6 = abs(along_11)
     _s7 = abs(climb_12)
     _s8 = abs(along_12)
-    _s9 = ((_k28 * ((_s5 * _s1) + (_s6 + abs(turn_rate_11)))) * ((_s3 / _s1) + _root((p_gravity / _s1)))) + ((_s7 * _s1) + (_s8 + abs(turn_rate_12)))
+    _s9 = ((_k30 * ((_s5 * _s1) + (_s6 + abs(turn_rate_11)))) * ((_s3 / _s1) + _root((p_gravity / _s1)))) + ((_s7 * _s1) + (_s8 + abs(turn_rate_12)))
     _s10 = _s4 * (((abs(cos_12) + abs(cosine_12)) + abs(sin_12)) + abs(sine_12))
-    _s11 = _root(_root(((_k43 * _s4) / (_s10 if _s9 < _s10 else _s9))))
+    _s11 = _root(_root(((_k47 * _s4) / (_s10 if _s9 < _s10 else _s9))))
     _s12 = _root(_root(_s11))
     _s13 = _s12 * _root(_root(_s12))
-    _s14 = (_s11 / (_k55 * (_s13 * _s13))) + (_k5 * _s13)
-    _s15 = (_s11 / (_k55 * (_s14 * _s14))) + (_k5 * _s14)
-    _s16 = _s15 if _s15 < _k32 else _k32
+    _s14 = (_s11 / (_k59 * (_s13 * _s13))) + (_k5 * _s13)
+    _s15 = (_s11 / (_k59 * (_s14 * _s14))) + (_k5 * _s14)
+    _s16 = _s15 if _s15 < _k36 else _k36
     _s17 = abs(climb_10)
-    _s18 = (((((_k81 * _s7) * _s16) + (_k199 * _s5)) * _s16) + (_k200 * _s17)) * _s16
+    _s18 = (((((_k83 * _s7) * _s16) + (_k193 * _s5)) * _s16) + (_k194 * _s17)) * _s16
     _s19 = abs(climb_9)
     _s20 = abs(climb_8)
     _s21 = abs(climb_7)
-    _s22 = ((((_s18 + (_k201 * _s19)) * _s16) + (_k31 * _s20)) * _s16) + (_k71 * _s21)
+    _s22 = ((((_s18 + (_k195 * _s19)) * _s16) + (_k34 * _s20)) * _s16) + (_k74 * _s21)
     _s23 = abs(climb_6)
     _s24 = abs(climb_5)
     _s25 = abs(climb_4)
-    _s26 = (((((_s22 * _s16) + (_k9 * _s23)) * _s16) + (_k65 * _s24)) * _s16) + (_k42 * _s25)
+    _s26 = (((((_s22 * _s16) + (_k9 * _s23)) * _s16) + (_k69 * _s24)) * _s16) + (_k46 * _s25)
     _s27 = abs(climb_3)
     _s28 = abs(climb_2)
     _s29 = abs(climb_1)
-    _s30 = (((((_s26 * _s16) + (_k55 * _s27)) * _s16) + (_k29 * _s28)) * _s16) + _s29
+    _s30 = (((((_s26 * _s16) + (_k59 * _s27)) * _s16) + (_k31 * _s28)) * _s16) + _s29
     _s31 = (((((_s7 * _s16) + _s5) * _s16) + _s17) * _s16) + _s19
     _s32 = (((((_s31 * _s16) + _s20) * _s16) + _s21) * _s16) + _s23
     _s33 = (((((_s32 * _s16) + _s24) * _s16) + _s25) * _s16) + _s27
@@ -7269,19 +7319,19 @@ def _ring_round_pace_alone(along_0: Any, along_1: Any, along_10: Any, along_11: 
     _s48 = abs(along_1)
     _s49 = (((((_s46 * _s16) + _s47) * _s16) + _s48) * _s16) + _s2
     _s50 = (_s1 * _s34) + _s49
-    _s51 = (((((_k81 * _s8) * _s16) + (_k199 * _s6)) * _s16) + (_k200 * _s36)) * _s16
-    _s52 = ((((_s51 + (_k201 * _s37)) * _s16) + (_k31 * _s39)) * _s16) + (_k71 * _s40)
-    _s53 = (((((_s52 * _s16) + (_k9 * _s41)) * _s16) + (_k65 * _s43)) * _s16) + (_k42 * _s44)
-    _s54 = (((((_s53 * _s16) + (_k55 * _s45)) * _s16) + (_k29 * _s47)) * _s16) + _s48
+    _s51 = (((((_k83 * _s8) * _s16) + (_k193 * _s6)) * _s16) + (_k194 * _s36)) * _s16
+    _s52 = ((((_s51 + (_k195 * _s37)) * _s16) + (_k34 * _s39)) * _s16) + (_k74 * _s40)
+    _s53 = (((((_s52 * _s16) + (_k9 * _s41)) * _s16) + (_k69 * _s43)) * _s16) + (_k46 * _s44)
+    _s54 = (((((_s53 * _s16) + (_k59 * _s45)) * _s16) + (_k31 * _s47)) * _s16) + _s48
     _s55 = _s35 + (((_s49 * (_k1 / (p_ring_radius - _s1))) * _s50) + _s54)
-    _s56 = ((((_k202 * abs(force_11)) * _s16) + (_k203 * abs(force_10))) * _s16) + (_k204 * abs(force_9))
-    _s57 = ((((_s56 * _s16) + (_k205 * abs(force_8))) * _s16) + (_k84 * abs(force_7))) * _s16
-    _s58 = (((_s57 + (_k83 * abs(force_6))) * _s16) + (_k82 * abs(force_5))) * _s16
-    _s59 = (((_s58 + (_k81 * abs(force_4))) * _s16) + (_k9 * abs(force_3))) * _s16
+    _s56 = ((((_k196 * abs(force_11)) * _s16) + (_k197 * abs(force_10))) * _s16) + (_k198 * abs(force_9))
+    _s57 = ((((_s56 * _s16) + (_k199 * abs(force_8))) * _s16) + (_k86 * abs(force_7))) * _s16
+    _s58 = (((_s57 + (_k85 * abs(force_6))) * _s16) + (_k84 * abs(force_5))) * _s16
+    _s59 = (((_s58 + (_k83 * abs(force_4))) * _s16) + (_k9 * abs(force_3))) * _s16
     _s60 = (climb_0 * climb_0) * _s1
     _s61 = -(((along_0 * omega_0) + (cosine_0 * _s60)) + ((climb_1 * sine_0) * _s1))
     _s62 = along_1 - (omega_0 * ((climb_0 * sine_0) * _s1))
-    return _s16, _s55, _s50, _s35, force_0, force_1, _s59 + (_k29 * abs(force_2)), (_k85 * p_gravity) * (climb_0 * cosine_0), (cos_0 * _s61) - (sin_0 * _s62), (cos_0 * _s62) + (sin_0 * _s61), ((climb_1 * cosine_0) * _s1) - (sine_0 * _s60)
+    return _s16, _s55, _s50, _s35, force_0, force_1, _s59 + (_k31 * abs(force_2)), (_k87 * p_gravity) * (climb_0 * cosine_0), (cos_0 * _s61) - (sin_0 * _s62), (cos_0 * _s62) + (sin_0 * _s61), ((climb_1 * cosine_0) * _s1) - (sine_0 * _s60)
 
 
 def _ring_round_pulled_alone(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, omega_0: Any, omega_1: Any, turn_rate_0: Any, turn_rate_1: Any) -> tuple[Any, ...]:
@@ -7290,20 +7340,20 @@ def _ring_round_pulled_alone(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1
     _s1 = p_gravity + (omega_0 * turn_rate_0)
     _s2 = _k3 * (cosine_0 * _s1)
     _s3 = _s2 * (_k3 * ((cosine_0 * ((omega_0 * turn_rate_1) + (omega_1 * turn_rate_0))) + (cosine_1 * _s1)))
-    _s4 = _k29 * ((_s0 * (_k3 * ((climb_0 * turn_rate_1) + (climb_1 * turn_rate_0)))) + _s3)
-    return (_s0 * _s0) + (_s2 * _s2), _s4, _k105, _k2
+    _s4 = _k31 * ((_s0 * (_k3 * ((climb_0 * turn_rate_1) + (climb_1 * turn_rate_0)))) + _s3)
+    return (_s0 * _s0) + (_s2 * _s2), _s4, _k107, _k2
 
 
 def _ring_swung_alone(p_ball_radius: Any, berth: Any, circled: Any, climb: Any, climb_0: Any, doubt: Any, fastest: Any, force: Any, force_bend: Any, force_rate: Any, p_gravity: Any, position_error: Any, stride: Any, sway: Any, velocity_error: Any, which: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_swung` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
     _s1 = stride * stride
-    _s2 = ((_k114 * _s0) < (berth - ((_k72 * sway) * _s1))) and ((_k207 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
-    _s3 = _s2 and (which == _k39)
-    _s4 = ((climb * climb_0) < _k2) and (((_k80 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
+    _s2 = ((_k116 * _s0) < (berth - ((_k35 * sway) * _s1))) and ((_k201 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
+    _s3 = _s2 and (which == _k43)
+    _s4 = ((climb * climb_0) < _k2) and (((_k82 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
     _s5 = (_s3 and _s4) and (_k2 < circled)
     _s6 = p_gravity + ((fastest * fastest) * (_k1 / _s0))
-    _s7 = not ((_s6 * (_k208 * ((fastest * velocity_error) + (position_error * _s6)))) < ((_k114 * (p_gravity * p_gravity)) * _s0))
+    _s7 = not ((_s6 * (_k202 * ((fastest * velocity_error) + (position_error * _s6)))) < ((_k116 * (p_gravity * p_gravity)) * _s0))
     return (_k1 if _s4 else circled) if _s3 else _k2, _s5, _k2 if (_s5 and _s7) else doubt
 
 
@@ -7326,7 +7376,7 @@ def _ring_round_1_alone(along_0: Any, along_1: Any, around_0: Any, p_ball_radius
     _s4 = ((along_0 * sine_1) + (along_1 * sine_0)) - (_k3 * ((cosine_0 * turn_rate_1) + (cosine_1 * turn_rate_0)))
     _s5 = (along_0 * cosine_1) + (along_1 * cosine_0)
     _s6 = -((_k0 * (((_k4 * cosine_1) * p_gravity) + ((omega_0 * _s4) + (tilted_0 * _s2)))) / _s0)
-    return _s1, _s2, _s3, _s4, _s5, ((p_gravity * sine_1) - (((_k29 * climb_0) * climb_1) * _s0)) - ((omega_0 * _s5) + (pressed_0 * _s2)), -(_k0 * ((climb_0 * sine_1) + (climb_1 * sine_0))), _k0 * ((climb_0 * cosine_1) + (climb_1 * cosine_0)), _s6, _k0 * ((_s0 * ((around_0 * sine_1) + (sine_0 * _s3))) - (_k3 * ((climb_0 * turn_rate_1) + (climb_1 * turn_rate_0)))), (_k0 * p_ring_radius) * _s3, -(_k0 * ((omega_0 * sin_1) + (sin_0 * _s2))), _k0 * ((cos_0 * _s2) + (cos_1 * omega_0))
+    return _s1, _s2, _s3, _s4, _s5, ((p_gravity * sine_1) - (((_k31 * climb_0) * climb_1) * _s0)) - ((omega_0 * _s5) + (pressed_0 * _s2)), -(_k0 * ((climb_0 * sine_1) + (climb_1 * sine_0))), _k0 * ((climb_0 * cosine_1) + (climb_1 * cosine_0)), _s6, _k0 * ((_s0 * ((around_0 * sine_1) + (sine_0 * _s3))) - (_k3 * ((climb_0 * turn_rate_1) + (climb_1 * turn_rate_0)))), (_k0 * p_ring_radius) * _s3, -(_k0 * ((omega_0 * sin_1) + (sin_0 * _s2))), _k0 * ((cos_0 * _s2) + (cos_1 * omega_0))
 
 
 def _ring_round_2_alone(along_0: Any, along_1: Any, along_2: Any, around_0: Any, around_1: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, cos_0: Any, cos_1: Any, cos_2: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, p_gravity: Any, near_0: Any, near_1: Any, omega_0: Any, omega_1: Any, pressed_0: Any, pressed_1: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sine_0: Any, sine_1: Any, sine_2: Any, tilted_0: Any, tilted_1: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7337,10 +7387,10 @@ def _ring_round_2_alone(along_0: Any, along_1: Any, along_2: Any, around_0: Any,
     _s3 = ((climb_0 * _s2) + (climb_1 * omega_1)) + (climb_2 * omega_0)
     _s4 = (((along_0 * sine_2) + (along_1 * sine_1)) + (along_2 * sine_0)) - (_k3 * (((cosine_0 * turn_rate_2) + (cosine_1 * turn_rate_1)) + (cosine_2 * turn_rate_0)))
     _s5 = ((along_0 * cosine_2) + (along_1 * cosine_1)) + (along_2 * cosine_0)
-    _s6 = ((p_gravity * sine_2) - (_s0 * ((climb_1 * climb_1) + ((_k29 * climb_0) * climb_2)))) - (((omega_0 * _s5) + (omega_1 * pressed_1)) + (pressed_0 * _s2))
-    _s7 = (_k58 * (((_k4 * cosine_2) * p_gravity) + (((omega_0 * _s4) + (omega_1 * tilted_1)) + (tilted_0 * _s2)))) / _s0
-    _s8 = _k58 * ((_s0 * (((around_0 * sine_2) + (around_1 * sine_1)) + (sine_0 * _s3))) - (_k3 * (((climb_0 * turn_rate_2) + (climb_1 * turn_rate_1)) + (climb_2 * turn_rate_0))))
-    return _s1, _s2, _s3, _s4, _s5, _s6, -(_k58 * (((climb_0 * sine_2) + (climb_1 * sine_1)) + (climb_2 * sine_0))), _k58 * (((climb_0 * cosine_2) + (climb_1 * cosine_1)) + (climb_2 * cosine_0)), -_s7, _s8, (_k58 * p_ring_radius) * _s3, -(_k58 * (((omega_0 * sin_2) + (omega_1 * sin_1)) + (sin_0 * _s2))), _k58 * (((cos_0 * _s2) + (cos_1 * omega_1)) + (cos_2 * omega_0))
+    _s6 = ((p_gravity * sine_2) - (_s0 * ((climb_1 * climb_1) + ((_k31 * climb_0) * climb_2)))) - (((omega_0 * _s5) + (omega_1 * pressed_1)) + (pressed_0 * _s2))
+    _s7 = (_k62 * (((_k4 * cosine_2) * p_gravity) + (((omega_0 * _s4) + (omega_1 * tilted_1)) + (tilted_0 * _s2)))) / _s0
+    _s8 = _k62 * ((_s0 * (((around_0 * sine_2) + (around_1 * sine_1)) + (sine_0 * _s3))) - (_k3 * (((climb_0 * turn_rate_2) + (climb_1 * turn_rate_1)) + (climb_2 * turn_rate_0))))
+    return _s1, _s2, _s3, _s4, _s5, _s6, -(_k62 * (((climb_0 * sine_2) + (climb_1 * sine_1)) + (climb_2 * sine_0))), _k62 * (((climb_0 * cosine_2) + (climb_1 * cosine_1)) + (climb_2 * cosine_0)), -_s7, _s8, (_k62 * p_ring_radius) * _s3, -(_k62 * (((omega_0 * sin_2) + (omega_1 * sin_1)) + (sin_0 * _s2))), _k62 * (((cos_0 * _s2) + (cos_1 * omega_1)) + (cos_2 * omega_0))
 
 
 def _ring_round_3_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, around_0: Any, around_1: Any, around_2: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, omega_0: Any, omega_1: Any, omega_2: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7351,12 +7401,12 @@ def _ring_round_3_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s3 = (((climb_0 * _s2) + (climb_1 * omega_2)) + (climb_2 * omega_1)) + (climb_3 * omega_0)
     _s4 = ((((along_0 * sine_3) + (along_1 * sine_2)) + (along_2 * sine_1)) + (along_3 * sine_0)) - (_k3 * ((((cosine_0 * turn_rate_3) + (cosine_1 * turn_rate_2)) + (cosine_2 * turn_rate_1)) + (cosine_3 * turn_rate_0)))
     _s5 = (((along_0 * cosine_3) + (along_1 * cosine_2)) + (along_2 * cosine_1)) + (along_3 * cosine_0)
-    _s6 = ((p_gravity * sine_3) - (_s0 * (((_k29 * climb_0) * climb_3) + ((_k29 * climb_1) * climb_2)))) - ((((omega_0 * _s5) + (omega_1 * pressed_2)) + (omega_2 * pressed_1)) + (pressed_0 * _s2))
-    _s7 = -(_k28 * ((((climb_0 * sine_3) + (climb_1 * sine_2)) + (climb_2 * sine_1)) + (climb_3 * sine_0)))
-    _s8 = _k28 * (((_k4 * cosine_3) * p_gravity) + ((((omega_0 * _s4) + (omega_1 * tilted_2)) + (omega_2 * tilted_1)) + (tilted_0 * _s2)))
+    _s6 = ((p_gravity * sine_3) - (_s0 * (((_k31 * climb_0) * climb_3) + ((_k31 * climb_1) * climb_2)))) - ((((omega_0 * _s5) + (omega_1 * pressed_2)) + (omega_2 * pressed_1)) + (pressed_0 * _s2))
+    _s7 = -(_k30 * ((((climb_0 * sine_3) + (climb_1 * sine_2)) + (climb_2 * sine_1)) + (climb_3 * sine_0)))
+    _s8 = _k30 * (((_k4 * cosine_3) * p_gravity) + ((((omega_0 * _s4) + (omega_1 * tilted_2)) + (omega_2 * tilted_1)) + (tilted_0 * _s2)))
     _s9 = (_s0 * ((((around_0 * sine_3) + (around_1 * sine_2)) + (around_2 * sine_1)) + (sine_0 * _s3))) - (_k3 * ((((climb_0 * turn_rate_3) + (climb_1 * turn_rate_2)) + (climb_2 * turn_rate_1)) + (climb_3 * turn_rate_0)))
-    _s10 = -(_k28 * ((((omega_0 * sin_3) + (omega_1 * sin_2)) + (omega_2 * sin_1)) + (sin_0 * _s2)))
-    return _s1, _s2, _s3, _s4, _s5, _s6, _s7, _k28 * ((((climb_0 * cosine_3) + (climb_1 * cosine_2)) + (climb_2 * cosine_1)) + (climb_3 * cosine_0)), -(_s8 / _s0), _k28 * _s9, (_k28 * p_ring_radius) * _s3, _s10, _k28 * ((((cos_0 * _s2) + (cos_1 * omega_2)) + (cos_2 * omega_1)) + (cos_3 * omega_0))
+    _s10 = -(_k30 * ((((omega_0 * sin_3) + (omega_1 * sin_2)) + (omega_2 * sin_1)) + (sin_0 * _s2)))
+    return _s1, _s2, _s3, _s4, _s5, _s6, _s7, _k30 * ((((climb_0 * cosine_3) + (climb_1 * cosine_2)) + (climb_2 * cosine_1)) + (climb_3 * cosine_0)), -(_s8 / _s0), _k30 * _s9, (_k30 * p_ring_radius) * _s3, _s10, _k30 * ((((cos_0 * _s2) + (cos_1 * omega_2)) + (cos_2 * omega_1)) + (cos_3 * omega_0))
 
 
 def _ring_round_4_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7368,16 +7418,16 @@ def _ring_round_4_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s4 = _k3 * (((((cosine_0 * turn_rate_4) + (cosine_1 * turn_rate_3)) + (cosine_2 * turn_rate_2)) + (cosine_3 * turn_rate_1)) + (cosine_4 * turn_rate_0))
     _s5 = (((((along_0 * sine_4) + (along_1 * sine_3)) + (along_2 * sine_2)) + (along_3 * sine_1)) + (along_4 * sine_0)) - _s4
     _s6 = ((((along_0 * cosine_4) + (along_1 * cosine_3)) + (along_2 * cosine_2)) + (along_3 * cosine_1)) + (along_4 * cosine_0)
-    _s7 = (p_gravity * sine_4) - (_s0 * (((climb_2 * climb_2) + ((_k29 * climb_0) * climb_4)) + ((_k29 * climb_1) * climb_3)))
+    _s7 = (p_gravity * sine_4) - (_s0 * (((climb_2 * climb_2) + ((_k31 * climb_0) * climb_4)) + ((_k31 * climb_1) * climb_3)))
     _s8 = _s7 - (((((omega_0 * _s6) + (omega_1 * pressed_3)) + (omega_2 * pressed_2)) + (omega_3 * pressed_1)) + (pressed_0 * _s2))
-    _s9 = _k62 * (((((climb_0 * sine_4) + (climb_1 * sine_3)) + (climb_2 * sine_2)) + (climb_3 * sine_1)) + (climb_4 * sine_0))
-    _s10 = _k62 * (((((climb_0 * cosine_4) + (climb_1 * cosine_3)) + (climb_2 * cosine_2)) + (climb_3 * cosine_1)) + (climb_4 * cosine_0))
+    _s9 = _k66 * (((((climb_0 * sine_4) + (climb_1 * sine_3)) + (climb_2 * sine_2)) + (climb_3 * sine_1)) + (climb_4 * sine_0))
+    _s10 = _k66 * (((((climb_0 * cosine_4) + (climb_1 * cosine_3)) + (climb_2 * cosine_2)) + (climb_3 * cosine_1)) + (climb_4 * cosine_0))
     _s11 = ((_k4 * cosine_4) * p_gravity) + (((((omega_0 * _s5) + (omega_1 * tilted_3)) + (omega_2 * tilted_2)) + (omega_3 * tilted_1)) + (tilted_0 * _s2))
     _s12 = _s0 * (((((around_0 * sine_4) + (around_1 * sine_3)) + (around_2 * sine_2)) + (around_3 * sine_1)) + (sine_0 * _s3))
     _s13 = _k3 * (((((climb_0 * turn_rate_4) + (climb_1 * turn_rate_3)) + (climb_2 * turn_rate_2)) + (climb_3 * turn_rate_1)) + (climb_4 * turn_rate_0))
-    _s14 = _k62 * (((((omega_0 * sin_4) + (omega_1 * sin_3)) + (omega_2 * sin_2)) + (omega_3 * sin_1)) + (sin_0 * _s2))
-    _s15 = _k62 * (((((cos_0 * _s2) + (cos_1 * omega_3)) + (cos_2 * omega_2)) + (cos_3 * omega_1)) + (cos_4 * omega_0))
-    return _s1, _s2, _s3, _s5, _s6, _s8, -_s9, _s10, -((_k62 * _s11) / _s0), _k62 * (_s12 - _s13), (_k62 * p_ring_radius) * _s3, -_s14, _s15
+    _s14 = _k66 * (((((omega_0 * sin_4) + (omega_1 * sin_3)) + (omega_2 * sin_2)) + (omega_3 * sin_1)) + (sin_0 * _s2))
+    _s15 = _k66 * (((((cos_0 * _s2) + (cos_1 * omega_3)) + (cos_2 * omega_2)) + (cos_3 * omega_1)) + (cos_4 * omega_0))
+    return _s1, _s2, _s3, _s5, _s6, _s8, -_s9, _s10, -((_k66 * _s11) / _s0), _k66 * (_s12 - _s13), (_k66 * p_ring_radius) * _s3, -_s14, _s15
 
 
 def _ring_round_5_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7391,17 +7441,17 @@ def _ring_round_5_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s6 = (((((cosine_0 * turn_rate_5) + (cosine_1 * turn_rate_4)) + (cosine_2 * turn_rate_3)) + (cosine_3 * turn_rate_2)) + (cosine_4 * turn_rate_1)) + (cosine_5 * turn_rate_0)
     _s7 = _s5 - (_k3 * _s6)
     _s8 = (((((along_0 * cosine_5) + (along_1 * cosine_4)) + (along_2 * cosine_3)) + (along_3 * cosine_2)) + (along_4 * cosine_1)) + (along_5 * cosine_0)
-    _s9 = (p_gravity * sine_5) - (_s0 * ((((_k29 * climb_0) * climb_5) + ((_k29 * climb_1) * climb_4)) + ((_k29 * climb_2) * climb_3)))
+    _s9 = (p_gravity * sine_5) - (_s0 * ((((_k31 * climb_0) * climb_5) + ((_k31 * climb_1) * climb_4)) + ((_k31 * climb_2) * climb_3)))
     _s10 = (((((omega_0 * _s8) + (omega_1 * pressed_4)) + (omega_2 * pressed_3)) + (omega_3 * pressed_2)) + (omega_4 * pressed_1)) + (pressed_0 * _s3)
     _s11 = (((((climb_0 * sine_5) + (climb_1 * sine_4)) + (climb_2 * sine_3)) + (climb_3 * sine_2)) + (climb_4 * sine_1)) + (climb_5 * sine_0)
     _s12 = (((((climb_0 * cosine_5) + (climb_1 * cosine_4)) + (climb_2 * cosine_3)) + (climb_3 * cosine_2)) + (climb_4 * cosine_1)) + (climb_5 * cosine_0)
     _s13 = (((((omega_0 * _s7) + (omega_1 * tilted_4)) + (omega_2 * tilted_3)) + (omega_3 * tilted_2)) + (omega_4 * tilted_1)) + (tilted_0 * _s3)
-    _s14 = -((_k66 * (((_k4 * cosine_5) * p_gravity) + _s13)) / _s0)
+    _s14 = -((_k70 * (((_k4 * cosine_5) * p_gravity) + _s13)) / _s0)
     _s15 = (((((around_0 * sine_5) + (around_1 * sine_4)) + (around_2 * sine_3)) + (around_3 * sine_2)) + (around_4 * sine_1)) + (sine_0 * _s4)
     _s16 = (((((climb_0 * turn_rate_5) + (climb_1 * turn_rate_4)) + (climb_2 * turn_rate_3)) + (climb_3 * turn_rate_2)) + (climb_4 * turn_rate_1)) + (climb_5 * turn_rate_0)
     _s17 = (((((omega_0 * sin_5) + (omega_1 * sin_4)) + (omega_2 * sin_3)) + (omega_3 * sin_2)) + (omega_4 * sin_1)) + (sin_0 * _s3)
     _s18 = (((((cos_0 * _s3) + (cos_1 * omega_4)) + (cos_2 * omega_3)) + (cos_3 * omega_2)) + (cos_4 * omega_1)) + (cos_5 * omega_0)
-    return _s2, _s3, _s4, _s7, _s8, _s9 - _s10, -(_k66 * _s11), _k66 * _s12, _s14, _k66 * ((_s0 * _s15) - (_k3 * _s16)), (_k66 * p_ring_radius) * _s4, -(_k66 * _s17), _k66 * _s18
+    return _s2, _s3, _s4, _s7, _s8, _s9 - _s10, -(_k70 * _s11), _k70 * _s12, _s14, _k70 * ((_s0 * _s15) - (_k3 * _s16)), (_k70 * p_ring_radius) * _s4, -(_k70 * _s17), _k70 * _s18
 
 
 def _ring_round_6_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7418,17 +7468,17 @@ def _ring_round_6_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s9 = (_s7 + (along_6 * sine_0)) - (_k3 * (_s8 + (cosine_6 * turn_rate_0)))
     _s10 = (((((along_0 * cosine_6) + (along_1 * cosine_5)) + (along_2 * cosine_4)) + (along_3 * cosine_3)) + (along_4 * cosine_2)) + (along_5 * cosine_1)
     _s11 = _s10 + (along_6 * cosine_0)
-    _s12 = _s0 * ((((climb_3 * climb_3) + ((_k29 * climb_0) * climb_6)) + ((_k29 * climb_1) * climb_5)) + ((_k29 * climb_2) * climb_4))
+    _s12 = _s0 * ((((climb_3 * climb_3) + ((_k31 * climb_0) * climb_6)) + ((_k31 * climb_1) * climb_5)) + ((_k31 * climb_2) * climb_4))
     _s13 = (((((omega_0 * _s11) + (omega_1 * pressed_5)) + (omega_2 * pressed_4)) + (omega_3 * pressed_3)) + (omega_4 * pressed_2)) + (omega_5 * pressed_1)
     _s14 = (((((climb_0 * sine_6) + (climb_1 * sine_5)) + (climb_2 * sine_4)) + (climb_3 * sine_3)) + (climb_4 * sine_2)) + (climb_5 * sine_1)
     _s15 = (((((climb_0 * cosine_6) + (climb_1 * cosine_5)) + (climb_2 * cosine_4)) + (climb_3 * cosine_3)) + (climb_4 * cosine_2)) + (climb_5 * cosine_1)
     _s16 = (((((omega_0 * _s9) + (omega_1 * tilted_5)) + (omega_2 * tilted_4)) + (omega_3 * tilted_3)) + (omega_4 * tilted_2)) + (omega_5 * tilted_1)
-    _s17 = -((_k68 * (((_k4 * cosine_6) * p_gravity) + (_s16 + (tilted_0 * _s4)))) / _s0)
+    _s17 = -((_k72 * (((_k4 * cosine_6) * p_gravity) + (_s16 + (tilted_0 * _s4)))) / _s0)
     _s18 = (((((around_0 * sine_6) + (around_1 * sine_5)) + (around_2 * sine_4)) + (around_3 * sine_3)) + (around_4 * sine_2)) + (around_5 * sine_1)
     _s19 = (((((climb_0 * turn_rate_6) + (climb_1 * turn_rate_5)) + (climb_2 * turn_rate_4)) + (climb_3 * turn_rate_3)) + (climb_4 * turn_rate_2)) + (climb_5 * turn_rate_1)
     _s20 = (((((omega_0 * sin_6) + (omega_1 * sin_5)) + (omega_2 * sin_4)) + (omega_3 * sin_3)) + (omega_4 * sin_2)) + (omega_5 * sin_1)
     _s21 = (((((cos_0 * _s4) + (cos_1 * omega_5)) + (cos_2 * omega_4)) + (cos_3 * omega_3)) + (cos_4 * omega_2)) + (cos_5 * omega_1)
-    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_6) - _s12) - (_s13 + (pressed_0 * _s4)), -(_k68 * (_s14 + (climb_6 * sine_0))), _k68 * (_s15 + (climb_6 * cosine_0)), _s17, _k68 * ((_s0 * (_s18 + (sine_0 * _s6))) - (_k3 * (_s19 + (climb_6 * turn_rate_0)))), (_k68 * p_ring_radius) * _s6, -(_k68 * (_s20 + (sin_0 * _s4))), _k68 * (_s21 + (cos_6 * omega_0))
+    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_6) - _s12) - (_s13 + (pressed_0 * _s4)), -(_k72 * (_s14 + (climb_6 * sine_0))), _k72 * (_s15 + (climb_6 * cosine_0)), _s17, _k72 * ((_s0 * (_s18 + (sine_0 * _s6))) - (_k3 * (_s19 + (climb_6 * turn_rate_0)))), (_k72 * p_ring_radius) * _s6, -(_k72 * (_s20 + (sin_0 * _s4))), _k72 * (_s21 + (cos_6 * omega_0))
 
 
 def _ring_round_7_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7445,18 +7495,18 @@ def _ring_round_7_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s9 = ((_s7 + (along_6 * sine_1)) + (along_7 * sine_0)) - (_k3 * ((_s8 + (cosine_6 * turn_rate_1)) + (cosine_7 * turn_rate_0)))
     _s10 = (((((along_0 * cosine_7) + (along_1 * cosine_6)) + (along_2 * cosine_5)) + (along_3 * cosine_4)) + (along_4 * cosine_3)) + (along_5 * cosine_2)
     _s11 = (_s10 + (along_6 * cosine_1)) + (along_7 * cosine_0)
-    _s12 = _s0 * (((((_k29 * climb_0) * climb_7) + ((_k29 * climb_1) * climb_6)) + ((_k29 * climb_2) * climb_5)) + ((_k29 * climb_3) * climb_4))
+    _s12 = _s0 * (((((_k31 * climb_0) * climb_7) + ((_k31 * climb_1) * climb_6)) + ((_k31 * climb_2) * climb_5)) + ((_k31 * climb_3) * climb_4))
     _s13 = (((((omega_0 * _s11) + (omega_1 * pressed_6)) + (omega_2 * pressed_5)) + (omega_3 * pressed_4)) + (omega_4 * pressed_3)) + (omega_5 * pressed_2)
     _s14 = (((((climb_0 * sine_7) + (climb_1 * sine_6)) + (climb_2 * sine_5)) + (climb_3 * sine_4)) + (climb_4 * sine_3)) + (climb_5 * sine_2)
     _s15 = (((((climb_0 * cosine_7) + (climb_1 * cosine_6)) + (climb_2 * cosine_5)) + (climb_3 * cosine_4)) + (climb_4 * cosine_3)) + (climb_5 * cosine_2)
     _s16 = (((((omega_0 * _s9) + (omega_1 * tilted_6)) + (omega_2 * tilted_5)) + (omega_3 * tilted_4)) + (omega_4 * tilted_3)) + (omega_5 * tilted_2)
-    _s17 = (_k72 * (((_k4 * cosine_7) * p_gravity) + ((_s16 + (omega_6 * tilted_1)) + (tilted_0 * _s4)))) / _s0
+    _s17 = (_k35 * (((_k4 * cosine_7) * p_gravity) + ((_s16 + (omega_6 * tilted_1)) + (tilted_0 * _s4)))) / _s0
     _s18 = (((((around_0 * sine_7) + (around_1 * sine_6)) + (around_2 * sine_5)) + (around_3 * sine_4)) + (around_4 * sine_3)) + (around_5 * sine_2)
     _s19 = (((((climb_0 * turn_rate_7) + (climb_1 * turn_rate_6)) + (climb_2 * turn_rate_5)) + (climb_3 * turn_rate_4)) + (climb_4 * turn_rate_3)) + (climb_5 * turn_rate_2)
-    _s20 = _k72 * ((_s0 * ((_s18 + (around_6 * sine_1)) + (sine_0 * _s6))) - (_k3 * ((_s19 + (climb_6 * turn_rate_1)) + (climb_7 * turn_rate_0))))
+    _s20 = _k35 * ((_s0 * ((_s18 + (around_6 * sine_1)) + (sine_0 * _s6))) - (_k3 * ((_s19 + (climb_6 * turn_rate_1)) + (climb_7 * turn_rate_0))))
     _s21 = (((((omega_0 * sin_7) + (omega_1 * sin_6)) + (omega_2 * sin_5)) + (omega_3 * sin_4)) + (omega_4 * sin_3)) + (omega_5 * sin_2)
     _s22 = (((((cos_0 * _s4) + (cos_1 * omega_6)) + (cos_2 * omega_5)) + (cos_3 * omega_4)) + (cos_4 * omega_3)) + (cos_5 * omega_2)
-    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_7) - _s12) - ((_s13 + (omega_6 * pressed_1)) + (pressed_0 * _s4)), -(_k72 * ((_s14 + (climb_6 * sine_1)) + (climb_7 * sine_0))), _k72 * ((_s15 + (climb_6 * cosine_1)) + (climb_7 * cosine_0)), -_s17, _s20, (_k72 * p_ring_radius) * _s6, -(_k72 * ((_s21 + (omega_6 * sin_1)) + (sin_0 * _s4))), _k72 * ((_s22 + (cos_6 * omega_1)) + (cos_7 * omega_0))
+    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_7) - _s12) - ((_s13 + (omega_6 * pressed_1)) + (pressed_0 * _s4)), -(_k35 * ((_s14 + (climb_6 * sine_1)) + (climb_7 * sine_0))), _k35 * ((_s15 + (climb_6 * cosine_1)) + (climb_7 * cosine_0)), -_s17, _s20, (_k35 * p_ring_radius) * _s6, -(_k35 * ((_s21 + (omega_6 * sin_1)) + (sin_0 * _s4))), _k35 * ((_s22 + (cos_6 * omega_1)) + (cos_7 * omega_0))
 
 
 def _ring_round_8_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7473,20 +7523,20 @@ def _ring_round_8_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s9 = (((_s7 + (along_6 * sine_2)) + (along_7 * sine_1)) + (along_8 * sine_0)) - (_k3 * (((_s8 + (cosine_6 * turn_rate_2)) + (cosine_7 * turn_rate_1)) + (cosine_8 * turn_rate_0)))
     _s10 = (((((along_0 * cosine_8) + (along_1 * cosine_7)) + (along_2 * cosine_6)) + (along_3 * cosine_5)) + (along_4 * cosine_4)) + (along_5 * cosine_3)
     _s11 = ((_s10 + (along_6 * cosine_2)) + (along_7 * cosine_1)) + (along_8 * cosine_0)
-    _s12 = ((((climb_4 * climb_4) + ((_k29 * climb_0) * climb_8)) + ((_k29 * climb_1) * climb_7)) + ((_k29 * climb_2) * climb_6)) + ((_k29 * climb_3) * climb_5)
+    _s12 = ((((climb_4 * climb_4) + ((_k31 * climb_0) * climb_8)) + ((_k31 * climb_1) * climb_7)) + ((_k31 * climb_2) * climb_6)) + ((_k31 * climb_3) * climb_5)
     _s13 = (((((omega_0 * _s11) + (omega_1 * pressed_7)) + (omega_2 * pressed_6)) + (omega_3 * pressed_5)) + (omega_4 * pressed_4)) + (omega_5 * pressed_3)
     _s14 = (((((climb_0 * sine_8) + (climb_1 * sine_7)) + (climb_2 * sine_6)) + (climb_3 * sine_5)) + (climb_4 * sine_4)) + (climb_5 * sine_3)
-    _s15 = -(_k74 * (((_s14 + (climb_6 * sine_2)) + (climb_7 * sine_1)) + (climb_8 * sine_0)))
+    _s15 = -(_k76 * (((_s14 + (climb_6 * sine_2)) + (climb_7 * sine_1)) + (climb_8 * sine_0)))
     _s16 = (((((climb_0 * cosine_8) + (climb_1 * cosine_7)) + (climb_2 * cosine_6)) + (climb_3 * cosine_5)) + (climb_4 * cosine_4)) + (climb_5 * cosine_3)
     _s17 = (((((omega_0 * _s9) + (omega_1 * tilted_7)) + (omega_2 * tilted_6)) + (omega_3 * tilted_5)) + (omega_4 * tilted_4)) + (omega_5 * tilted_3)
-    _s18 = _k74 * (((_k4 * cosine_8) * p_gravity) + (((_s17 + (omega_6 * tilted_2)) + (omega_7 * tilted_1)) + (tilted_0 * _s4)))
+    _s18 = _k76 * (((_k4 * cosine_8) * p_gravity) + (((_s17 + (omega_6 * tilted_2)) + (omega_7 * tilted_1)) + (tilted_0 * _s4)))
     _s19 = (((((around_0 * sine_8) + (around_1 * sine_7)) + (around_2 * sine_6)) + (around_3 * sine_5)) + (around_4 * sine_4)) + (around_5 * sine_3)
     _s20 = (((((climb_0 * turn_rate_8) + (climb_1 * turn_rate_7)) + (climb_2 * turn_rate_6)) + (climb_3 * turn_rate_5)) + (climb_4 * turn_rate_4)) + (climb_5 * turn_rate_3)
     _s21 = (_s0 * (((_s19 + (around_6 * sine_2)) + (around_7 * sine_1)) + (sine_0 * _s6))) - (_k3 * (((_s20 + (climb_6 * turn_rate_2)) + (climb_7 * turn_rate_1)) + (climb_8 * turn_rate_0)))
     _s22 = (((((omega_0 * sin_8) + (omega_1 * sin_7)) + (omega_2 * sin_6)) + (omega_3 * sin_5)) + (omega_4 * sin_4)) + (omega_5 * sin_3)
-    _s23 = -(_k74 * (((_s22 + (omega_6 * sin_2)) + (omega_7 * sin_1)) + (sin_0 * _s4)))
+    _s23 = -(_k76 * (((_s22 + (omega_6 * sin_2)) + (omega_7 * sin_1)) + (sin_0 * _s4)))
     _s24 = (((((cos_0 * _s4) + (cos_1 * omega_7)) + (cos_2 * omega_6)) + (cos_3 * omega_5)) + (cos_4 * omega_4)) + (cos_5 * omega_3)
-    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_8) - (_s0 * _s12)) - (((_s13 + (omega_6 * pressed_2)) + (omega_7 * pressed_1)) + (pressed_0 * _s4)), _s15, _k74 * (((_s16 + (climb_6 * cosine_2)) + (climb_7 * cosine_1)) + (climb_8 * cosine_0)), -(_s18 / _s0), _k74 * _s21, (_k74 * p_ring_radius) * _s6, _s23, _k74 * (((_s24 + (cos_6 * omega_2)) + (cos_7 * omega_1)) + (cos_8 * omega_0))
+    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_8) - (_s0 * _s12)) - (((_s13 + (omega_6 * pressed_2)) + (omega_7 * pressed_1)) + (pressed_0 * _s4)), _s15, _k76 * (((_s16 + (climb_6 * cosine_2)) + (climb_7 * cosine_1)) + (climb_8 * cosine_0)), -(_s18 / _s0), _k76 * _s21, (_k76 * p_ring_radius) * _s6, _s23, _k76 * (((_s24 + (cos_6 * omega_2)) + (cos_7 * omega_1)) + (cos_8 * omega_0))
 
 
 def _ring_round_9_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7504,13 +7554,13 @@ def _ring_round_9_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s10 = ((((_s7 + (along_6 * sine_3)) + (along_7 * sine_2)) + (along_8 * sine_1)) + (along_9 * sine_0)) - _s9
     _s11 = (((((along_0 * cosine_9) + (along_1 * cosine_8)) + (along_2 * cosine_7)) + (along_3 * cosine_6)) + (along_4 * cosine_5)) + (along_5 * cosine_4)
     _s12 = (((_s11 + (along_6 * cosine_3)) + (along_7 * cosine_2)) + (along_8 * cosine_1)) + (along_9 * cosine_0)
-    _s13 = (((((_k29 * climb_0) * climb_9) + ((_k29 * climb_1) * climb_8)) + ((_k29 * climb_2) * climb_7)) + ((_k29 * climb_3) * climb_6)) + ((_k29 * climb_4) * climb_5)
+    _s13 = (((((_k31 * climb_0) * climb_9) + ((_k31 * climb_1) * climb_8)) + ((_k31 * climb_2) * climb_7)) + ((_k31 * climb_3) * climb_6)) + ((_k31 * climb_4) * climb_5)
     _s14 = (((((omega_0 * _s12) + (omega_1 * pressed_8)) + (omega_2 * pressed_7)) + (omega_3 * pressed_6)) + (omega_4 * pressed_5)) + (omega_5 * pressed_4)
     _s15 = ((p_gravity * sine_9) - (_s0 * _s13)) - ((((_s14 + (omega_6 * pressed_3)) + (omega_7 * pressed_2)) + (omega_8 * pressed_1)) + (pressed_0 * _s4))
     _s16 = (((((climb_0 * sine_9) + (climb_1 * sine_8)) + (climb_2 * sine_7)) + (climb_3 * sine_6)) + (climb_4 * sine_5)) + (climb_5 * sine_4)
-    _s17 = _k211 * ((((_s16 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
+    _s17 = _k205 * ((((_s16 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
     _s18 = (((((climb_0 * cosine_9) + (climb_1 * cosine_8)) + (climb_2 * cosine_7)) + (climb_3 * cosine_6)) + (climb_4 * cosine_5)) + (climb_5 * cosine_4)
-    _s19 = _k211 * ((((_s18 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
+    _s19 = _k205 * ((((_s18 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
     _s20 = (((((omega_0 * _s10) + (omega_1 * tilted_8)) + (omega_2 * tilted_7)) + (omega_3 * tilted_6)) + (omega_4 * tilted_5)) + (omega_5 * tilted_4)
     _s21 = ((_k4 * cosine_9) * p_gravity) + ((((_s20 + (omega_6 * tilted_3)) + (omega_7 * tilted_2)) + (omega_8 * tilted_1)) + (tilted_0 * _s4))
     _s22 = (((((around_0 * sine_9) + (around_1 * sine_8)) + (around_2 * sine_7)) + (around_3 * sine_6)) + (around_4 * sine_5)) + (around_5 * sine_4)
@@ -7518,10 +7568,10 @@ def _ring_round_9_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, 
     _s24 = (((((climb_0 * turn_rate_9) + (climb_1 * turn_rate_8)) + (climb_2 * turn_rate_7)) + (climb_3 * turn_rate_6)) + (climb_4 * turn_rate_5)) + (climb_5 * turn_rate_4)
     _s25 = _k3 * ((((_s24 + (climb_6 * turn_rate_3)) + (climb_7 * turn_rate_2)) + (climb_8 * turn_rate_1)) + (climb_9 * turn_rate_0))
     _s26 = (((((omega_0 * sin_9) + (omega_1 * sin_8)) + (omega_2 * sin_7)) + (omega_3 * sin_6)) + (omega_4 * sin_5)) + (omega_5 * sin_4)
-    _s27 = _k211 * ((((_s26 + (omega_6 * sin_3)) + (omega_7 * sin_2)) + (omega_8 * sin_1)) + (sin_0 * _s4))
+    _s27 = _k205 * ((((_s26 + (omega_6 * sin_3)) + (omega_7 * sin_2)) + (omega_8 * sin_1)) + (sin_0 * _s4))
     _s28 = (((((cos_0 * _s4) + (cos_1 * omega_8)) + (cos_2 * omega_7)) + (cos_3 * omega_6)) + (cos_4 * omega_5)) + (cos_5 * omega_4)
-    _s29 = _k211 * ((((_s28 + (cos_6 * omega_3)) + (cos_7 * omega_2)) + (cos_8 * omega_1)) + (cos_9 * omega_0))
-    return _s2, _s4, _s6, _s10, _s12, _s15, -_s17, _s19, -((_k211 * _s21) / _s0), _k211 * (_s23 - _s25), (_k211 * p_ring_radius) * _s6, -_s27, _s29
+    _s29 = _k205 * ((((_s28 + (cos_6 * omega_3)) + (cos_7 * omega_2)) + (cos_8 * omega_1)) + (cos_9 * omega_0))
+    return _s2, _s4, _s6, _s10, _s12, _s15, -_s17, _s19, -((_k205 * _s21) / _s0), _k205 * (_s23 - _s25), (_k205 * p_ring_radius) * _s6, -_s27, _s29
 
 
 def _ring_round_10_alone(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7541,17 +7591,17 @@ def _ring_round_10_alone(along_0: Any, along_1: Any, along_10: Any, along_2: Any
     _s12 = _s9 - (_k3 * _s11)
     _s13 = (((((along_0 * cosine_10) + (along_1 * cosine_9)) + (along_10 * cosine_0)) + (along_2 * cosine_8)) + (along_3 * cosine_7)) + (along_4 * cosine_6)
     _s14 = ((((_s13 + (along_5 * cosine_5)) + (along_6 * cosine_4)) + (along_7 * cosine_3)) + (along_8 * cosine_2)) + (along_9 * cosine_1)
-    _s15 = ((((climb_5 * climb_5) + ((_k29 * climb_0) * climb_10)) + ((_k29 * climb_1) * climb_9)) + ((_k29 * climb_2) * climb_8)) + ((_k29 * climb_3) * climb_7)
+    _s15 = ((((climb_5 * climb_5) + ((_k31 * climb_0) * climb_10)) + ((_k31 * climb_1) * climb_9)) + ((_k31 * climb_2) * climb_8)) + ((_k31 * climb_3) * climb_7)
     _s16 = (((((omega_0 * _s14) + (omega_1 * pressed_9)) + (omega_2 * pressed_8)) + (omega_3 * pressed_7)) + (omega_4 * pressed_6)) + (omega_5 * pressed_5)
     _s17 = ((((_s16 + (omega_6 * pressed_4)) + (omega_7 * pressed_3)) + (omega_8 * pressed_2)) + (omega_9 * pressed_1)) + (pressed_0 * _s5)
-    _s18 = ((p_gravity * sine_10) - (_s0 * (_s15 + ((_k29 * climb_4) * climb_6)))) - _s17
+    _s18 = ((p_gravity * sine_10) - (_s0 * (_s15 + ((_k31 * climb_4) * climb_6)))) - _s17
     _s19 = (((((climb_0 * sine_10) + (climb_1 * sine_9)) + (climb_10 * sine_0)) + (climb_2 * sine_8)) + (climb_3 * sine_7)) + (climb_4 * sine_6)
     _s20 = ((((_s19 + (climb_5 * sine_5)) + (climb_6 * sine_4)) + (climb_7 * sine_3)) + (climb_8 * sine_2)) + (climb_9 * sine_1)
     _s21 = (((((climb_0 * cosine_10) + (climb_1 * cosine_9)) + (climb_10 * cosine_0)) + (climb_2 * cosine_8)) + (climb_3 * cosine_7)) + (climb_4 * cosine_6)
     _s22 = ((((_s21 + (climb_5 * cosine_5)) + (climb_6 * cosine_4)) + (climb_7 * cosine_3)) + (climb_8 * cosine_2)) + (climb_9 * cosine_1)
     _s23 = (((((omega_0 * _s12) + (omega_1 * tilted_9)) + (omega_2 * tilted_8)) + (omega_3 * tilted_7)) + (omega_4 * tilted_6)) + (omega_5 * tilted_5)
     _s24 = ((((_s23 + (omega_6 * tilted_4)) + (omega_7 * tilted_3)) + (omega_8 * tilted_2)) + (omega_9 * tilted_1)) + (tilted_0 * _s5)
-    _s25 = -((_k213 * (((_k4 * cosine_10) * p_gravity) + _s24)) / _s0)
+    _s25 = -((_k207 * (((_k4 * cosine_10) * p_gravity) + _s24)) / _s0)
     _s26 = (((((around_0 * sine_10) + (around_1 * sine_9)) + (around_2 * sine_8)) + (around_3 * sine_7)) + (around_4 * sine_6)) + (around_5 * sine_5)
     _s27 = ((((_s26 + (around_6 * sine_4)) + (around_7 * sine_3)) + (around_8 * sine_2)) + (around_9 * sine_1)) + (sine_0 * _s7)
     _s28 = (((((climb_0 * turn_rate_10) + (climb_1 * turn_rate_9)) + (climb_10 * turn_rate_0)) + (climb_2 * turn_rate_8)) + (climb_3 * turn_rate_7)) + (climb_4 * turn_rate_6)
@@ -7560,7 +7610,7 @@ def _ring_round_10_alone(along_0: Any, along_1: Any, along_10: Any, along_2: Any
     _s31 = ((((_s30 + (omega_6 * sin_4)) + (omega_7 * sin_3)) + (omega_8 * sin_2)) + (omega_9 * sin_1)) + (sin_0 * _s5)
     _s32 = (((((cos_0 * _s5) + (cos_1 * omega_9)) + (cos_10 * omega_0)) + (cos_2 * omega_8)) + (cos_3 * omega_7)) + (cos_4 * omega_6)
     _s33 = ((((_s32 + (cos_5 * omega_5)) + (cos_6 * omega_4)) + (cos_7 * omega_3)) + (cos_8 * omega_2)) + (cos_9 * omega_1)
-    return _s3, _s5, _s7, _s12, _s14, _s18, -(_k213 * _s20), _k213 * _s22, _s25, _k213 * ((_s0 * _s27) - (_k3 * _s29)), (_k213 * p_ring_radius) * _s7, -(_k213 * _s31), _k213 * _s33
+    return _s3, _s5, _s7, _s12, _s14, _s18, -(_k207 * _s20), _k207 * _s22, _s25, _k207 * ((_s0 * _s27) - (_k3 * _s29)), (_k207 * p_ring_radius) * _s7, -(_k207 * _s31), _k207 * _s33
 
 
 def _ring_round_11_alone(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_10: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_11: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_10: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_10: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_11: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7583,17 +7633,17 @@ def _ring_round_11_alone(along_0: Any, along_1: Any, along_10: Any, along_11: An
     _s15 = (((((along_0 * cosine_11) + (along_1 * cosine_10)) + (along_10 * cosine_1)) + (along_11 * cosine_0)) + (along_2 * cosine_9)) + (along_3 * cosine_8)
     _s16 = ((((_s15 + (along_4 * cosine_7)) + (along_5 * cosine_6)) + (along_6 * cosine_5)) + (along_7 * cosine_4)) + (along_8 * cosine_3)
     _s17 = _s16 + (along_9 * cosine_2)
-    _s18 = (((((_k29 * climb_0) * climb_11) + ((_k29 * climb_1) * climb_10)) + ((_k29 * climb_2) * climb_9)) + ((_k29 * climb_3) * climb_8)) + ((_k29 * climb_4) * climb_7)
+    _s18 = (((((_k31 * climb_0) * climb_11) + ((_k31 * climb_1) * climb_10)) + ((_k31 * climb_2) * climb_9)) + ((_k31 * climb_3) * climb_8)) + ((_k31 * climb_4) * climb_7)
     _s19 = (((((omega_0 * _s17) + (omega_1 * pressed_10)) + (omega_10 * pressed_1)) + (omega_2 * pressed_9)) + (omega_3 * pressed_8)) + (omega_4 * pressed_7)
     _s20 = ((((_s19 + (omega_5 * pressed_6)) + (omega_6 * pressed_5)) + (omega_7 * pressed_4)) + (omega_8 * pressed_3)) + (omega_9 * pressed_2)
-    _s21 = ((p_gravity * sine_11) - (_s0 * (_s18 + ((_k29 * climb_5) * climb_6)))) - (_s20 + (pressed_0 * _s6))
+    _s21 = ((p_gravity * sine_11) - (_s0 * (_s18 + ((_k31 * climb_5) * climb_6)))) - (_s20 + (pressed_0 * _s6))
     _s22 = (((((climb_0 * sine_11) + (climb_1 * sine_10)) + (climb_10 * sine_1)) + (climb_11 * sine_0)) + (climb_2 * sine_9)) + (climb_3 * sine_8)
     _s23 = ((((_s22 + (climb_4 * sine_7)) + (climb_5 * sine_6)) + (climb_6 * sine_5)) + (climb_7 * sine_4)) + (climb_8 * sine_3)
     _s24 = (((((climb_0 * cosine_11) + (climb_1 * cosine_10)) + (climb_10 * cosine_1)) + (climb_11 * cosine_0)) + (climb_2 * cosine_9)) + (climb_3 * cosine_8)
     _s25 = ((((_s24 + (climb_4 * cosine_7)) + (climb_5 * cosine_6)) + (climb_6 * cosine_5)) + (climb_7 * cosine_4)) + (climb_8 * cosine_3)
     _s26 = (((((omega_0 * _s14) + (omega_1 * tilted_10)) + (omega_10 * tilted_1)) + (omega_2 * tilted_9)) + (omega_3 * tilted_8)) + (omega_4 * tilted_7)
     _s27 = ((((_s26 + (omega_5 * tilted_6)) + (omega_6 * tilted_5)) + (omega_7 * tilted_4)) + (omega_8 * tilted_3)) + (omega_9 * tilted_2)
-    _s28 = -((_k215 * (((_k4 * cosine_11) * p_gravity) + (_s27 + (tilted_0 * _s6)))) / _s0)
+    _s28 = -((_k209 * (((_k4 * cosine_11) * p_gravity) + (_s27 + (tilted_0 * _s6)))) / _s0)
     _s29 = (((((around_0 * sine_11) + (around_1 * sine_10)) + (around_10 * sine_1)) + (around_2 * sine_9)) + (around_3 * sine_8)) + (around_4 * sine_7)
     _s30 = ((((_s29 + (around_5 * sine_6)) + (around_6 * sine_5)) + (around_7 * sine_4)) + (around_8 * sine_3)) + (around_9 * sine_2)
     _s31 = (((((climb_0 * turn_rate_11) + (climb_1 * turn_rate_10)) + (climb_10 * turn_rate_1)) + (climb_11 * turn_rate_0)) + (climb_2 * turn_rate_9)) + (climb_3 * turn_rate_8)
@@ -7602,7 +7652,7 @@ def _ring_round_11_alone(along_0: Any, along_1: Any, along_10: Any, along_11: An
     _s34 = ((((_s33 + (omega_5 * sin_6)) + (omega_6 * sin_5)) + (omega_7 * sin_4)) + (omega_8 * sin_3)) + (omega_9 * sin_2)
     _s35 = (((((cos_0 * _s6) + (cos_1 * omega_10)) + (cos_10 * omega_1)) + (cos_11 * omega_0)) + (cos_2 * omega_9)) + (cos_3 * omega_8)
     _s36 = ((((_s35 + (cos_4 * omega_7)) + (cos_5 * omega_6)) + (cos_6 * omega_5)) + (cos_7 * omega_4)) + (cos_8 * omega_3)
-    return _s3, _s6, _s9, _s14, _s17, _s21, -(_k215 * (_s23 + (climb_9 * sine_2))), _k215 * (_s25 + (climb_9 * cosine_2)), _s28, _k215 * ((_s0 * (_s30 + (sine_0 * _s9))) - (_k3 * (_s32 + (climb_9 * turn_rate_2)))), (_k215 * p_ring_radius) * _s9, -(_k215 * (_s34 + (sin_0 * _s6))), _k215 * (_s36 + (cos_9 * omega_2))
+    return _s3, _s6, _s9, _s14, _s17, _s21, -(_k209 * (_s23 + (climb_9 * sine_2))), _k209 * (_s25 + (climb_9 * cosine_2)), _s28, _k209 * ((_s0 * (_s30 + (sine_0 * _s9))) - (_k3 * (_s32 + (climb_9 * turn_rate_2)))), (_k209 * p_ring_radius) * _s9, -(_k209 * (_s34 + (sin_0 * _s6))), _k209 * (_s36 + (cos_9 * omega_2))
 
 
 def _ring_enter_alone(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
@@ -7640,7 +7690,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s7 = p_ball_radius + p_board_half_width
     _s8 = _s7 if _s7 < _s2 else _s2
     _s9 = _s6 if _s6 < _s8 else _s8
-    _s10 = _k216 * _s9
+    _s10 = _k210 * _s9
     _s11 = _s2 + _s10
     _s12 = p_board_distance + _s1
     _s13 = _s12 + x
@@ -7655,7 +7705,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s22 = vz * vz
     _s23 = (z - _s5) - _s3
     _s24 = (_s4 + _s10) - _s5
-    _s25 = _k29 * p_gravity
+    _s25 = _k31 * p_gravity
     _s26 = _s22 + (_s25 * (_s23 + _s24))
     _s27 = _k1 / p_gravity
     _s28 = _root(_s26)
@@ -7664,7 +7714,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s31 = _s30 if _s21 < _s30 else _s21
     _s32 = _s22 + (_s25 * (_s23 - _s24))
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = (_s27 * (vz + _s28)) if _s29 else _k105
+    _s34 = (_s27 * (vz + _s28)) if _s29 else _k107
     _s35 = _k2 < _s32
     _s36 = (_s27 * (vz - _s33)) if _s35 else _s34
     _s37 = (_s18 - _s19) / _s17
@@ -7679,11 +7729,11 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k29 * (((_k217 * abs((-p_gravity))) * (p_ball_radius + (_k120 * _s9))) + (_k55 * (_s48 * _s48)))
+    _s49 = _k31 * (((_k211 * abs((-p_gravity))) * (p_ball_radius + (_k122 * _s9))) + (_k59 * (_s48 * _s48)))
     _s50 = _s7 if _s2 < _s7 else _s2
     _s51 = ((_s12 + extent) + abs((_s5 + _s3))) + (_s6 if _s50 < _s6 else _s50)
-    _s52 = (_root(_k29) * _root((_s27 * (_s51 + _s9)))) + ((_k29 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k127 * (((speed * speed) * _s27) + _s51))) - (_k115 * _s9)
+    _s52 = (_root(_k31) * _root((_s27 * (_s51 + _s9)))) + ((_k31 * speed) * _s27)
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k129 * (((speed * speed) * _s27) + _s51))) - (_k117 * _s9)
     return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53
 
 
@@ -7693,21 +7743,21 @@ def _backboard_margins_alone(horizon: Any, extent: Any, speed: Any, position_err
     _s1 = p_ball_radius + p_board_half_width
     _s2 = p_ball_radius + (_k0 * p_board_thickness)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k120 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k122 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
-    _s7 = _k34 * _s6
-    _s8 = _k29 * ((position_error + (horizon * velocity_error)) + (_k21 * _s6))
-    _s9 = ((_k224 * p_board_half_width) + _s7) + _s8
-    _s10 = _k223 * _s4
-    _s11 = (((_k224 * p_board_distance) + (_k34 * p_board_thickness)) + (_k224 * _s6)) + _s8
-    _s12 = (((_k34 * abs(p_board_bottom)) + (_k34 * abs(p_board_top))) + _s7) + _s8
-    _s13 = ((((_k222 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k225 * horizon) * _s4) * _s5)
-    _s14 = _k228 * _s5
-    _s15 = ((((_k226 * _s4) * (velocity_error + (_k224 * _s5))) + ((_k227 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k223 * _s5
-    _s17 = ((((_k229 * _s4) * (velocity_error + (_k34 * _s5))) + ((_k230 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k225 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s7 = _k38 * _s6
+    _s8 = _k31 * ((position_error + (horizon * velocity_error)) + (_k21 * _s6))
+    _s9 = ((_k218 * p_board_half_width) + _s7) + _s8
+    _s10 = _k217 * _s4
+    _s11 = (((_k218 * p_board_distance) + (_k38 * p_board_thickness)) + (_k218 * _s6)) + _s8
+    _s12 = (((_k38 * abs(p_board_bottom)) + (_k38 * abs(p_board_top))) + _s7) + _s8
+    _s13 = ((((_k216 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k219 * horizon) * _s4) * _s5)
+    _s14 = _k222 * _s5
+    _s15 = ((((_k220 * _s4) * (velocity_error + (_k218 * _s5))) + ((_k221 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k217 * _s5
+    _s17 = ((((_k223 * _s4) * (velocity_error + (_k38 * _s5))) + ((_k224 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k219 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7726,7 +7776,7 @@ def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: An
     _s11 = _s10 - p_board_top
     _s12 = p_board_bottom - _s10
     _s13 = (_k2 if _s11 < _k2 else _s11) - (_k2 if _s12 < _k2 else _s12)
-    _s14 = _k29 * (((vx * _s4) + (vy * _s8)) + ((vz - (p_gravity * t)) * _s13))
+    _s14 = _k31 * (((vx * _s4) + (vy * _s8)) + ((vz - (p_gravity * t)) * _s13))
     _s15 = z - p_board_top
     _s16 = p_board_bottom - z
     _s17 = (_k2 if _s15 < _k2 else _s15) - (_k2 if _s16 < _k2 else _s16)
@@ -7775,32 +7825,32 @@ def _backboard_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_m
     _s26 = (((t * (_s3 * (_s2 + _s7))) if (_k2 < (_s2 * _s7)) else (_s8 - (_s2 * _s2))) + ((t * (vx * (_s12 + _s16))) if (_k2 < (_s12 * _s16)) else (_s17 - (_s12 * _s12)))) + ((t * (vy * (_s20 + _s24))) if (_k2 < (_s20 * _s24)) else (_s25 - (_s20 * _s20)))
     _s27 = _s26 if (_k2 < leaving) else (((_s8 + _s17) + _s25) - (p_ball_radius * p_ball_radius))
     _s28 = vz - (p_gravity * t)
-    _s29 = _k29 * (((vx * _s16) + (vy * _s24)) + (_s28 * _s7))
+    _s29 = _k31 * (((vx * _s16) + (vy * _s24)) + (_s28 * _s7))
     _s30 = abs(_s7)
-    _s31 = _k29 * (((((_s28 * _s28) - (p_gravity * _s7)) if (_k2 < _s30) else _k2) + ((vx * vx) if (_k2 < abs(_s16)) else _k2)) + ((vy * vy) if (_k2 < abs(_s24)) else _k2))
+    _s31 = _k31 * (((((_s28 * _s28) - (p_gravity * _s7)) if (_k2 < _s30) else _k2) + ((vx * vx) if (_k2 < abs(_s16)) else _k2)) + ((vy * vy) if (_k2 < abs(_s24)) else _k2))
     _s32 = abs((-p_gravity))
     _s33 = (p_ball_radius + (_k0 * p_board_top)) - (_k0 * p_board_bottom)
     _s34 = p_ball_radius + p_board_half_width
     _s35 = p_ball_radius + (_k0 * p_board_thickness)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k120 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k122 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
     _s41 = -_s31
     _s42 = _s38 < _k2
-    _s43 = _k29 * _s40
-    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k42 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
+    _s43 = _k31 * _s40
+    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k46 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
     _s45 = end - t
     _s46 = _s44 if _s44 < _s45 else _s45
     _s47 = ((((_k0 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
-    _s48 = (_k91 * ceiling) + (_k29 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
-    _s49 = ((_k29 * _s48) * _s40) + (_s38 * _s38)
+    _s48 = (_k93 * ceiling) + (_k31 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
+    _s49 = ((_k31 * _s48) * _s40) + (_s38 * _s38)
     _s50 = _root(_s49)
     _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if _k2 < _s48 else _k2))) if (_k2 <= _s49) else _k10
     _s52 = _s51 if _s51 < _s46 else _s46
     _s53 = -(rate_margin + _s29)
-    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k31 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
+    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k34 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
 
 
 def _backboard_beside_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -7815,8 +7865,8 @@ def _backboard_beside_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_dis
     _s7 = -(p_board_half_width + y)
     _s8 = (_k2 if _s6 < _k2 else _s6) - (_k2 if _s7 < _k2 else _s7)
     _s9 = _root((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)))
-    _s10 = ((_k29 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k29 * ((_k2 if (_s3 < _k2) else vx) - (_k2 if (_s4 < _k2) else (-vx)))) * _s5)
-    _s11 = _s10 + ((_k29 * ((_k2 if (_s6 < _k2) else vy) - (_k2 if (_s7 < _k2) else (-vy)))) * _s8)
+    _s10 = ((_k31 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k31 * ((_k2 if (_s3 < _k2) else vx) - (_k2 if (_s4 < _k2) else (-vx)))) * _s5)
+    _s11 = _s10 + ((_k31 * ((_k2 if (_s6 < _k2) else vy) - (_k2 if (_s7 < _k2) else (-vy)))) * _s8)
     return _s9 - p_ball_radius, (_k0 * _s11) / _s9, _k2
 
 
@@ -7836,18 +7886,18 @@ def _backboard_off_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distan
 
 def _backboard_tube_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_tube` for one shot."""
-    _s0 = _k109 * p_ball_radius
-    _s1 = (_s0 + (_k52 * p_board_distance)) + (_k109 * p_board_thickness)
+    _s0 = _k111 * p_ball_radius
+    _s1 = (_s0 + (_k56 * p_board_distance)) + (_k111 * p_board_thickness)
     _s2 = p_board_distance + x
     _s3 = -_s1
     _s4 = -((p_board_distance + p_board_thickness) + x)
     _s5 = _k1 if (((_s1 < _s2) or ((_s3 < _s2) and (_k2 < vx))) or ((_s1 < _s4) or ((_s3 < _s4) and (_k2 < (-vx))))) else _k2
-    _s6 = _s0 + (_k52 * p_board_half_width)
+    _s6 = _s0 + (_k56 * p_board_half_width)
     _s7 = y - p_board_half_width
     _s8 = -_s6
     _s9 = -(p_board_half_width + y)
     _s10 = _k1 if (((_s6 < _s7) or ((_s8 < _s7) and (_k2 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (_k2 < (-vy))))) else _k2
-    _s11 = (_s0 + (_k109 * abs(p_board_bottom))) + (_k109 * abs(p_board_top))
+    _s11 = (_s0 + (_k111 * abs(p_board_bottom))) + (_k111 * abs(p_board_top))
     _s12 = z - p_board_top
     _s13 = -_s11
     _s14 = p_board_bottom - z
@@ -7861,58 +7911,66 @@ def _backboard_parting_alone(p_board_bottom: Any, p_board_distance: Any, p_board
     _s1 = _s0 < _k2
     _s2 = p_board_bottom - z
     _s3 = _s2 < _k2
-    _s4 = (_k2 if _s1 else (-p_gravity)) - (_k2 if _s3 else p_gravity)
+    _s4 = (_k2 if _s1 else vz) - (_k2 if _s3 else (-vz))
     _s5 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s2 < _k2 else _s2)
-    _s6 = (_k2 if _s1 else vz) - (_k2 if _s3 else (-vz))
-    _s7 = p_board_distance + x
-    _s8 = -((p_board_distance + p_board_thickness) + x)
-    _s9 = (_k2 if (_s7 < _k2) else vx) - (_k2 if (_s8 < _k2) else (-vx))
+    _s6 = p_board_distance + x
+    _s7 = -((p_board_distance + p_board_thickness) + x)
+    _s8 = (_k2 if (_s6 < _k2) else vx) - (_k2 if (_s7 < _k2) else (-vx))
+    _s9 = (_k2 if _s6 < _k2 else _s6) - (_k2 if _s7 < _k2 else _s7)
     _s10 = y - p_board_half_width
     _s11 = -(p_board_half_width + y)
     _s12 = (_k2 if (_s10 < _k2) else vy) - (_k2 if (_s11 < _k2) else (-vy))
-    _s13 = ((((_k29 * _s4) * _s5) + (_k29 * (_s6 * _s6))) + (_k29 * (_s9 * _s9))) + (_k29 * (_s12 * _s12))
-    _s14 = (_k2 if _s7 < _k2 else _s7) - (_k2 if _s8 < _k2 else _s8)
-    _s15 = (_k2 if _s10 < _k2 else _s10) - (_k2 if _s11 < _k2 else _s11)
-    _s16 = ((_s5 * _s5) + (_s14 * _s14)) + (_s15 * _s15)
-    _s17 = _root(_s16)
-    _s18 = (((_k29 * _s6) * _s5) + ((_k29 * _s9) * _s14)) + ((_k29 * _s12) * _s15)
-    _s19 = _s18 * _s18
-    _s20 = _s17 * _s16
-    _s21 = (_k9 * _s4) * _s6
-    _s22 = _s16 * _s16
-    _s23 = _s17 * _s22
-    _s24 = (((_k0 * (_k9 * (_s4 * _s4))) / _s17) + (((_k189 * _s19) * _s13) / _s23)) - ((_k190 * (_s19 * _s19)) / (_s20 * _s22))
-    return ((_k0 * _s13) / _s17) - ((_k28 * _s19) / _s20), (((_k0 * _s21) / _s17) + ((_k187 * (_s18 * _s19)) / _s23)) - (((_k188 * _s18) * _s13) / _s20), (_s24 - ((_k188 * (_s13 * _s13)) / _s20)) - ((_s21 * _s18) / _s20)
+    _s13 = (_k2 if _s10 < _k2 else _s10) - (_k2 if _s11 < _k2 else _s11)
+    _s14 = (((_k31 * _s4) * _s5) + ((_k31 * _s8) * _s9)) + ((_k31 * _s12) * _s13)
+    _s15 = _k1 / _root((((_s5 * _s5) + (_s9 * _s9)) + (_s13 * _s13)))
+    _s16 = (_k0 * _s14) * _s15
+    _s17 = _s15 * _s15
+    _s18 = -(_s16 * _s17)
+    _s19 = (_k2 if _s1 else (-p_gravity)) - (_k2 if _s3 else p_gravity)
+    _s20 = ((_k31 * ((_s19 * _s5) + (_s4 * _s4))) + (_k31 * (_s8 * _s8))) + (_k31 * (_s12 * _s12))
+    _s21 = _k0 * ((_s18 * _s14) + (_s20 * _s15))
+    _s22 = _s18 * _s20
+    _s23 = _k31 * _s18
+    _s24 = -((_s21 * _s17) + ((_s23 * _s16) * _s15))
+    _s25 = _k31 * (((_k31 * _s19) * _s4) + (_s19 * _s4))
+    _s26 = _k0 * ((_s22 + (_s14 * _s24)) + (_s22 + (_s25 * _s15)))
+    _s27 = _s18 * _s25
+    _s28 = _s20 * _s24
+    _s29 = _s27 + _s28
+    _s30 = _s29 + (_s27 + (_s15 * (_k31 * (_k59 * (_s19 * _s19)))))
+    _s31 = ((_s26 * _s17) + ((_s23 * _s21) * _s15)) + (_k31 * ((((_s18 * _s18) * _s16) + ((_s18 * _s21) * _s15)) + ((_s16 * _s24) * _s15)))
+    _s32 = _k0 * (_s30 + (_s29 + ((_s14 * (-_s31)) + _s28)))
+    return _s21, _s26, _s32
 
 
 def _backboard_seam0_alone(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `backboard_seam0` for one shot."""
-    return (p_board_distance + p_board_thickness) + x, vx, ((_k109 * p_ball_radius) + (_k52 * p_board_distance)) + (_k109 * p_board_thickness)
+    return (p_board_distance + p_board_thickness) + x, vx, ((_k111 * p_ball_radius) + (_k56 * p_board_distance)) + (_k111 * p_board_thickness)
 
 
 def _backboard_seam1_alone(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `backboard_seam1` for one shot."""
-    return p_board_distance + x, vx, ((_k109 * p_ball_radius) + (_k52 * p_board_distance)) + (_k109 * p_board_thickness)
+    return p_board_distance + x, vx, ((_k111 * p_ball_radius) + (_k56 * p_board_distance)) + (_k111 * p_board_thickness)
 
 
 def _backboard_seam2_alone(p_ball_radius: Any, p_board_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `backboard_seam2` for one shot."""
-    return p_board_half_width + y, vy, (_k109 * p_ball_radius) + (_k52 * p_board_half_width)
+    return p_board_half_width + y, vy, (_k111 * p_ball_radius) + (_k56 * p_board_half_width)
 
 
 def _backboard_seam3_alone(p_ball_radius: Any, p_board_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `backboard_seam3` for one shot."""
-    return y - p_board_half_width, vy, (_k109 * p_ball_radius) + (_k52 * p_board_half_width)
+    return y - p_board_half_width, vy, (_k111 * p_ball_radius) + (_k56 * p_board_half_width)
 
 
 def _backboard_seam4_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, vz: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_seam4` for one shot."""
-    return z - p_board_bottom, vz, ((_k109 * p_ball_radius) + (_k109 * abs(p_board_bottom))) + (_k109 * abs(p_board_top))
+    return z - p_board_bottom, vz, ((_k111 * p_ball_radius) + (_k111 * abs(p_board_bottom))) + (_k111 * abs(p_board_top))
 
 
 def _backboard_seam5_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, vz: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_seam5` for one shot."""
-    return z - p_board_top, vz, ((_k109 * p_ball_radius) + (_k109 * abs(p_board_bottom))) + (_k109 * abs(p_board_top))
+    return z - p_board_top, vz, ((_k111 * p_ball_radius) + (_k111 * abs(p_board_bottom))) + (_k111 * abs(p_board_top))
 
 
 def _backboard_around_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -7930,8 +7988,8 @@ def _backboard_around_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_dis
     _s10 = _root(((_s5 * _s5) + (_s8 * _s8))) - _s9
     _s11 = _s10 if _k2 < _s10 else _k2
     _s12 = _root(((_s2 * _s2) + (_s11 * _s11)))
-    _s13 = -((_k0 * (((_k29 * vx) * x) + ((_k29 * vy) * y))) / _s9)
-    _s14 = ((_k29 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k29 * _s11) * (_s13 if (_k2 < _s10) else _k2))
+    _s13 = -((_k0 * (((_k31 * vx) * x) + ((_k31 * vy) * y))) * (_k1 / _s9))
+    _s14 = ((_k31 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k31 * _s11) * (_s13 if (_k2 < _s10) else _k2))
     return _s12 - p_ball_radius, (_k0 * _s14) / _s12
 
 
@@ -7968,7 +8026,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s7 = _s2 - _s6
     _s8 = _s5 if _s5 < _s7 else _s7
     _s9 = _s4 if _s4 < _s8 else _s8
-    _s10 = _k216 * _s9
+    _s10 = _k210 * _s9
     _s11 = (_s2 + _s10) - _s6
     _s12 = (_s1 + _s6) + x
     _s13 = (-_s12) if (vx < _k2) else _s12
@@ -7982,7 +8040,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s21 = vz * vz
     _s22 = _s4 + _s10
     _s23 = (_s3 + z) - p_wire_radius
-    _s24 = _k29 * p_gravity
+    _s24 = _k31 * p_gravity
     _s25 = _s21 + (_s24 * (_s22 + _s23))
     _s26 = _k1 / p_gravity
     _s27 = _root(_s25)
@@ -7991,7 +8049,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s30 = _s29 if _s20 < _s29 else _s20
     _s31 = _s21 + (_s24 * (_s23 - _s22))
     _s32 = _root((_k2 if _s31 < _k2 else _s31))
-    _s33 = (_s26 * (vz + _s27)) if _s28 else _k105
+    _s33 = (_s26 * (vz + _s27)) if _s28 else _k107
     _s34 = _k2 < _s31
     _s35 = (_s26 * (vz - _s32)) if _s34 else _s33
     _s36 = (_s17 - _s18) / _s16
@@ -8006,11 +8064,11 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s45 = _s43 if _s44 < _s43 else _s44
     _s46 = _s45 if _s45 < horizon else horizon
     _s47 = speed + (p_gravity * _s46)
-    _s48 = _k29 * (((_k217 * abs((-p_gravity))) * (p_ball_radius + (_k120 * _s9))) + (_k55 * (_s47 * _s47)))
+    _s48 = _k31 * (((_k211 * abs((-p_gravity))) * (p_ball_radius + (_k122 * _s9))) + (_k59 * (_s47 * _s47)))
     _s49 = _s5 if _s7 < _s5 else _s7
     _s50 = (((_s1 + extent) + _s6) + abs((_s3 - p_wire_radius))) + (_s4 if _s49 < _s4 else _s49)
-    _s51 = (_root(_k29) * _root((_s26 * (_s50 + _s9)))) + ((_k29 * speed) * _s26)
-    _s52 = ((position_error + (velocity_error * (_s51 if _s51 < horizon else horizon))) + (_k127 * (((speed * speed) * _s26) + _s50))) - (_k115 * _s9)
+    _s51 = (_root(_k31) * _root((_s26 * (_s50 + _s9)))) + ((_k31 * speed) * _s26)
+    _s52 = ((position_error + (velocity_error * (_s51 if _s51 < horizon else horizon))) + (_k129 * (((speed * speed) * _s26) + _s50))) - (_k117 * _s9)
     return _s30 if _k2 < _s30 else _k2, _s40 if _s40 < horizon else horizon, _s42 if _k2 < _s42 else _k2, _s43 if _s43 < horizon else horizon, _s48, _s46, _s52
 
 
@@ -8020,21 +8078,21 @@ def _bridge_margins_alone(horizon: Any, extent: Any, speed: Any, position_error:
     _s1 = p_ball_radius + p_bridge_half_width
     _s2 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k120 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k122 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
-    _s7 = _k34 * _s6
-    _s8 = _k29 * ((position_error + (horizon * velocity_error)) + (_k21 * _s6))
-    _s9 = ((_k224 * p_bridge_half_width) + _s7) + _s8
-    _s10 = _k223 * _s4
-    _s11 = (((_k30 * p_board_distance) + (_k30 * p_ring_radius)) + _s7) + _s8
-    _s12 = (((_k34 * p_bridge_depth) + (_k231 * p_wire_radius)) + (_k224 * _s6)) + _s8
-    _s13 = ((((_k222 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k225 * horizon) * _s4) * _s5)
-    _s14 = _k228 * _s5
-    _s15 = ((((_k226 * _s4) * (velocity_error + (_k224 * _s5))) + ((_k227 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k223 * _s5
-    _s17 = ((((_k229 * _s4) * (velocity_error + (_k34 * _s5))) + ((_k230 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k225 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s7 = _k38 * _s6
+    _s8 = _k31 * ((position_error + (horizon * velocity_error)) + (_k21 * _s6))
+    _s9 = ((_k218 * p_bridge_half_width) + _s7) + _s8
+    _s10 = _k217 * _s4
+    _s11 = (((_k33 * p_board_distance) + (_k33 * p_ring_radius)) + _s7) + _s8
+    _s12 = (((_k38 * p_bridge_depth) + (_k225 * p_wire_radius)) + (_k218 * _s6)) + _s8
+    _s13 = ((((_k216 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k219 * horizon) * _s4) * _s5)
+    _s14 = _k222 * _s5
+    _s15 = ((((_k220 * _s4) * (velocity_error + (_k218 * _s5))) + ((_k221 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k217 * _s5
+    _s17 = ((((_k223 * _s4) * (velocity_error + (_k38 * _s5))) + ((_k224 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k219 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -8053,7 +8111,7 @@ def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, 
     _s11 = p_wire_radius - p_bridge_depth
     _s12 = _s11 - _s9
     _s13 = (_k2 if _s10 < _k2 else _s10) - (_k2 if _s12 < _k2 else _s12)
-    _s14 = _k29 * (((vx * _s3) + (vy * _s7)) + ((vz - (p_gravity * t)) * _s13))
+    _s14 = _k31 * (((vx * _s3) + (vy * _s7)) + ((vz - (p_gravity * t)) * _s13))
     _s15 = p_ring_radius + x
     _s16 = -(p_board_distance + x)
     _s17 = (_k2 if _s15 < _k2 else _s15) - (_k2 if _s16 < _k2 else _s16)
@@ -8102,32 +8160,32 @@ def _bridge_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_marg
     _s26 = (((t * (vx * (_s2 + _s6))) if (_k2 < (_s2 * _s6)) else (_s7 - (_s2 * _s2))) + ((t * (vy * (_s10 + _s14))) if (_k2 < (_s10 * _s14)) else (_s15 - (_s10 * _s10)))) + ((t * (_s20 * (_s19 + _s24))) if (_k2 < (_s19 * _s24)) else (_s25 - (_s19 * _s19)))
     _s27 = _s26 if (_k2 < leaving) else (((_s7 + _s15) + _s25) - (p_ball_radius * p_ball_radius))
     _s28 = vz - (p_gravity * t)
-    _s29 = _k29 * (((vx * _s6) + (vy * _s14)) + (_s28 * _s24))
+    _s29 = _k31 * (((vx * _s6) + (vy * _s14)) + (_s28 * _s24))
     _s30 = abs(_s24)
-    _s31 = _k29 * ((((vx * vx) if (_k2 < abs(_s6)) else _k2) + ((vy * vy) if (_k2 < abs(_s14)) else _k2)) + (((_s28 * _s28) - (p_gravity * _s24)) if (_k2 < _s30) else _k2))
+    _s31 = _k31 * ((((vx * vx) if (_k2 < abs(_s6)) else _k2) + ((vy * vy) if (_k2 < abs(_s14)) else _k2)) + (((_s28 * _s28) - (p_gravity * _s24)) if (_k2 < _s30) else _k2))
     _s32 = abs((-p_gravity))
     _s33 = p_ball_radius + (_k0 * p_bridge_depth)
     _s34 = p_ball_radius + p_bridge_half_width
     _s35 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k120 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k122 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
     _s41 = -_s31
     _s42 = _s38 < _k2
-    _s43 = _k29 * _s40
-    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k42 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
+    _s43 = _k31 * _s40
+    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k46 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
     _s45 = end - t
     _s46 = _s44 if _s44 < _s45 else _s45
     _s47 = ((((_k0 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
-    _s48 = (_k91 * ceiling) + (_k29 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
-    _s49 = ((_k29 * _s48) * _s40) + (_s38 * _s38)
+    _s48 = (_k93 * ceiling) + (_k31 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
+    _s49 = ((_k31 * _s48) * _s40) + (_s38 * _s38)
     _s50 = _root(_s49)
     _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if _k2 < _s48 else _k2))) if (_k2 <= _s49) else _k10
     _s52 = _s51 if _s51 < _s46 else _s46
     _s53 = -(rate_margin + _s29)
-    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k31 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
+    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k34 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
 
 
 def _bridge_beside_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -8142,8 +8200,8 @@ def _bridge_beside_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_dep
     _s7 = (p_wire_radius - p_bridge_depth) - z
     _s8 = (_k2 if _s6 < _k2 else _s6) - (_k2 if _s7 < _k2 else _s7)
     _s9 = _root((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)))
-    _s10 = ((_k29 * ((_k2 if (_s0 < _k2) else vx) - (_k2 if (_s1 < _k2) else (-vx)))) * _s2) + ((_k29 * ((_k2 if (_s3 < _k2) else vy) - (_k2 if (_s4 < _k2) else (-vy)))) * _s5)
-    _s11 = _s10 + ((_k29 * ((_k2 if (_s6 < _k2) else vz) - (_k2 if (_s7 < _k2) else (-vz)))) * _s8)
+    _s10 = ((_k31 * ((_k2 if (_s0 < _k2) else vx) - (_k2 if (_s1 < _k2) else (-vx)))) * _s2) + ((_k31 * ((_k2 if (_s3 < _k2) else vy) - (_k2 if (_s4 < _k2) else (-vy)))) * _s5)
+    _s11 = _s10 + ((_k31 * ((_k2 if (_s6 < _k2) else vz) - (_k2 if (_s7 < _k2) else (-vz)))) * _s8)
     return _s9 - p_ball_radius, (_k0 * _s11) / _s9, _k2
 
 
@@ -8163,18 +8221,18 @@ def _bridge_off_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth:
 
 def _bridge_tube_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_tube` for one shot."""
-    _s0 = _k109 * p_ball_radius
-    _s1 = (_s0 + (_k109 * p_board_distance)) + (_k109 * p_ring_radius)
+    _s0 = _k111 * p_ball_radius
+    _s1 = (_s0 + (_k111 * p_board_distance)) + (_k111 * p_ring_radius)
     _s2 = p_ring_radius + x
     _s3 = -_s1
     _s4 = -(p_board_distance + x)
     _s5 = _k1 if (((_s1 < _s2) or ((_s3 < _s2) and (_k2 < vx))) or ((_s1 < _s4) or ((_s3 < _s4) and (_k2 < (-vx))))) else _k2
-    _s6 = _s0 + (_k52 * p_bridge_half_width)
+    _s6 = _s0 + (_k56 * p_bridge_half_width)
     _s7 = y - p_bridge_half_width
     _s8 = -_s6
     _s9 = -(p_bridge_half_width + y)
     _s10 = _k1 if (((_s6 < _s7) or ((_s8 < _s7) and (_k2 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (_k2 < (-vy))))) else _k2
-    _s11 = (_s0 + (_k109 * p_wire_radius)) + (_k109 * abs((p_bridge_depth - p_wire_radius)))
+    _s11 = (_s0 + (_k111 * p_wire_radius)) + (_k111 * abs((p_bridge_depth - p_wire_radius)))
     _s12 = z - p_wire_radius
     _s13 = -_s11
     _s14 = (p_wire_radius - p_bridge_depth) - z
@@ -8184,62 +8242,70 @@ def _bridge_tube_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth
 
 def _bridge_parting_alone(p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_parting` for one shot."""
-    _s0 = z - p_wire_radius
-    _s1 = _s0 < _k2
-    _s2 = (p_wire_radius - p_bridge_depth) - z
-    _s3 = _s2 < _k2
-    _s4 = (_k2 if _s1 else (-p_gravity)) - (_k2 if _s3 else p_gravity)
-    _s5 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s2 < _k2 else _s2)
-    _s6 = (_k2 if _s1 else vz) - (_k2 if _s3 else (-vz))
-    _s7 = p_ring_radius + x
-    _s8 = -(p_board_distance + x)
-    _s9 = (_k2 if (_s7 < _k2) else vx) - (_k2 if (_s8 < _k2) else (-vx))
-    _s10 = y - p_bridge_half_width
-    _s11 = -(p_bridge_half_width + y)
-    _s12 = (_k2 if (_s10 < _k2) else vy) - (_k2 if (_s11 < _k2) else (-vy))
-    _s13 = ((((_k29 * _s4) * _s5) + (_k29 * (_s6 * _s6))) + (_k29 * (_s9 * _s9))) + (_k29 * (_s12 * _s12))
-    _s14 = (_k2 if _s7 < _k2 else _s7) - (_k2 if _s8 < _k2 else _s8)
-    _s15 = (_k2 if _s10 < _k2 else _s10) - (_k2 if _s11 < _k2 else _s11)
-    _s16 = ((_s14 * _s14) + (_s15 * _s15)) + (_s5 * _s5)
-    _s17 = _root(_s16)
-    _s18 = (((_k29 * _s9) * _s14) + ((_k29 * _s12) * _s15)) + ((_k29 * _s6) * _s5)
-    _s19 = _s18 * _s18
-    _s20 = _s17 * _s16
-    _s21 = (_k9 * _s4) * _s6
-    _s22 = _s16 * _s16
-    _s23 = _s17 * _s22
-    _s24 = (((_k0 * (_k9 * (_s4 * _s4))) / _s17) + (((_k189 * _s19) * _s13) / _s23)) - ((_k190 * (_s19 * _s19)) / (_s20 * _s22))
-    return ((_k0 * _s13) / _s17) - ((_k28 * _s19) / _s20), (((_k0 * _s21) / _s17) + ((_k187 * (_s18 * _s19)) / _s23)) - (((_k188 * _s18) * _s13) / _s20), (_s24 - ((_k188 * (_s13 * _s13)) / _s20)) - ((_s21 * _s18) / _s20)
+    _s0 = p_ring_radius + x
+    _s1 = -(p_board_distance + x)
+    _s2 = (_k2 if (_s0 < _k2) else vx) - (_k2 if (_s1 < _k2) else (-vx))
+    _s3 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s1 < _k2 else _s1)
+    _s4 = y - p_bridge_half_width
+    _s5 = -(p_bridge_half_width + y)
+    _s6 = (_k2 if (_s4 < _k2) else vy) - (_k2 if (_s5 < _k2) else (-vy))
+    _s7 = (_k2 if _s4 < _k2 else _s4) - (_k2 if _s5 < _k2 else _s5)
+    _s8 = z - p_wire_radius
+    _s9 = _s8 < _k2
+    _s10 = (p_wire_radius - p_bridge_depth) - z
+    _s11 = _s10 < _k2
+    _s12 = (_k2 if _s9 else vz) - (_k2 if _s11 else (-vz))
+    _s13 = (_k2 if _s8 < _k2 else _s8) - (_k2 if _s10 < _k2 else _s10)
+    _s14 = (((_k31 * _s2) * _s3) + ((_k31 * _s6) * _s7)) + ((_k31 * _s12) * _s13)
+    _s15 = _k1 / _root((((_s3 * _s3) + (_s7 * _s7)) + (_s13 * _s13)))
+    _s16 = (_k0 * _s14) * _s15
+    _s17 = _s15 * _s15
+    _s18 = -(_s16 * _s17)
+    _s19 = (_k2 if _s9 else (-p_gravity)) - (_k2 if _s11 else p_gravity)
+    _s20 = ((_k31 * ((_s19 * _s13) + (_s12 * _s12))) + (_k31 * (_s2 * _s2))) + (_k31 * (_s6 * _s6))
+    _s21 = _k0 * ((_s18 * _s14) + (_s20 * _s15))
+    _s22 = _s18 * _s20
+    _s23 = _k31 * _s18
+    _s24 = -((_s21 * _s17) + ((_s23 * _s16) * _s15))
+    _s25 = _k31 * (((_k31 * _s19) * _s12) + (_s19 * _s12))
+    _s26 = _k0 * ((_s22 + (_s14 * _s24)) + (_s22 + (_s25 * _s15)))
+    _s27 = _s18 * _s25
+    _s28 = _s20 * _s24
+    _s29 = _s27 + _s28
+    _s30 = _s29 + (_s27 + (_s15 * (_k31 * (_k59 * (_s19 * _s19)))))
+    _s31 = ((_s26 * _s17) + ((_s23 * _s21) * _s15)) + (_k31 * ((((_s18 * _s18) * _s16) + ((_s18 * _s21) * _s15)) + ((_s16 * _s24) * _s15)))
+    _s32 = _k0 * (_s30 + (_s29 + ((_s14 * (-_s31)) + _s28)))
+    return _s21, _s26, _s32
 
 
 def _bridge_seam0_alone(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `bridge_seam0` for one shot."""
-    return p_board_distance + x, vx, ((_k109 * p_ball_radius) + (_k109 * p_board_distance)) + (_k109 * p_ring_radius)
+    return p_board_distance + x, vx, ((_k111 * p_ball_radius) + (_k111 * p_board_distance)) + (_k111 * p_ring_radius)
 
 
 def _bridge_seam1_alone(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `bridge_seam1` for one shot."""
-    return p_ring_radius + x, vx, ((_k109 * p_ball_radius) + (_k109 * p_board_distance)) + (_k109 * p_ring_radius)
+    return p_ring_radius + x, vx, ((_k111 * p_ball_radius) + (_k111 * p_board_distance)) + (_k111 * p_ring_radius)
 
 
 def _bridge_seam2_alone(p_ball_radius: Any, p_bridge_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `bridge_seam2` for one shot."""
-    return p_bridge_half_width + y, vy, (_k109 * p_ball_radius) + (_k52 * p_bridge_half_width)
+    return p_bridge_half_width + y, vy, (_k111 * p_ball_radius) + (_k56 * p_bridge_half_width)
 
 
 def _bridge_seam3_alone(p_ball_radius: Any, p_bridge_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `bridge_seam3` for one shot."""
-    return y - p_bridge_half_width, vy, (_k109 * p_ball_radius) + (_k52 * p_bridge_half_width)
+    return y - p_bridge_half_width, vy, (_k111 * p_ball_radius) + (_k56 * p_bridge_half_width)
 
 
 def _bridge_seam4_alone(p_ball_radius: Any, p_bridge_depth: Any, vz: Any, p_wire_radius: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_seam4` for one shot."""
-    return (p_bridge_depth + z) - p_wire_radius, vz, ((_k109 * p_ball_radius) + (_k109 * p_wire_radius)) + (_k109 * abs((p_bridge_depth - p_wire_radius)))
+    return (p_bridge_depth + z) - p_wire_radius, vz, ((_k111 * p_ball_radius) + (_k111 * p_wire_radius)) + (_k111 * abs((p_bridge_depth - p_wire_radius)))
 
 
 def _bridge_seam5_alone(p_ball_radius: Any, p_bridge_depth: Any, vz: Any, p_wire_radius: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_seam5` for one shot."""
-    return z - p_wire_radius, vz, ((_k109 * p_ball_radius) + (_k109 * p_wire_radius)) + (_k109 * abs((p_bridge_depth - p_wire_radius)))
+    return z - p_wire_radius, vz, ((_k111 * p_ball_radius) + (_k111 * p_wire_radius)) + (_k111 * abs((p_bridge_depth - p_wire_radius)))
 
 
 def _bridge_around_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -8257,8 +8323,8 @@ def _bridge_around_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_dep
     _s10 = _root(((_s5 * _s5) + (_s8 * _s8))) - _s9
     _s11 = _s10 if _k2 < _s10 else _k2
     _s12 = _root(((_s2 * _s2) + (_s11 * _s11)))
-    _s13 = -((_k0 * (((_k29 * vx) * x) + ((_k29 * vy) * y))) / _s9)
-    _s14 = ((_k29 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k29 * _s11) * (_s13 if (_k2 < _s10) else _k2))
+    _s13 = -((_k0 * (((_k31 * vx) * x) + ((_k31 * vy) * y))) * (_k1 / _s9))
+    _s14 = ((_k31 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k31 * _s11) * (_s13 if (_k2 < _s10) else _k2))
     return _s12 - p_ball_radius, (_k0 * _s14) / _s12
 
 
@@ -8480,7 +8546,7 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
     _flat_, _tilt_, _rate_slack_, = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
     _t_, _end_, _searching_, = _bridge_enter_alone(_k2, _k2, _high0_, _high1_, _low0_, _low1_, _k2)
     if _searching_:
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k31, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -8493,7 +8559,7 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
     for _ in range(201):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k31, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -8504,7 +8570,7 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
         if _exhausted_:
             _t_, _end_, _searching_, = _bridge_enter_alone(_end_, _end_, _high0_, _high1_, _low0_, _low1_, _t_)
     _arrives_, _refining_, _, = _found_alone(_arrival_)
-    _leaving_, _, = _nearby_alone(_flat_, _k29, _last_, _arrival_, _tilt_)
+    _leaving_, _, = _nearby_alone(_flat_, _k31, _last_, _arrival_, _tilt_)
     if _refining_:
         _refined_, _gap_, _rate_, = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
@@ -8517,7 +8583,7 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
         _refined_, _gap_, _rate_, = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
     _time_, = _landed_alone(_arrival_)
-    _when_, _which_, = _sooner_alone(_arrives_, _k29, _time_, _when_, _which_)
+    _when_, _which_, = _sooner_alone(_arrives_, _k31, _time_, _when_, _which_)
     return (_when_, _which_,)
 
 
@@ -8526,7 +8592,7 @@ def _alone9(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _flat_: 
     for _ in range(_turns):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k31, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -8559,7 +8625,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
         _turn_rate_, = _roll_turn_rate_alone(_p_ball_radius_, _nx_, _ny_, _nz_, _wx_, _wy_, _wz_)
@@ -8570,7 +8636,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
         _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, = _roll_placed_alone(_p_ball_radius_, _gap_, _nx_, _ny_, _nz_, _turn_rate_, _rolled_x_, _rolled_y_, _rolled_z_, _x_, _y_, _z_)
@@ -8583,7 +8649,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8606,12 +8672,12 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k1, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k29)
+        _beside_, = _beside_alone(_held_, _k31)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k29, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k31, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k55, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k59, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
@@ -8626,7 +8692,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -8647,7 +8713,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8676,9 +8742,9 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k1, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k29, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k31, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k55, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k59, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _over_, = _passing_from_alone(_z_)
         _berth_, _, = _alone_alone()
@@ -8710,7 +8776,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         if _here_:
             _, _, _, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _lift_, _surge_, _snap_, = _backboard_parting_alone(_p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _p_gravity_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _, _, _, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _lift_, _surge_, _snap_, = _bridge_parting_alone(_p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_gravity_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8723,11 +8789,11 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k29)
+        _beside_, = _beside_alone(_held_, _k31)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k55)
+        _beside_, = _beside_alone(_held_, _k59)
         if _beside_:
             _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
@@ -8745,7 +8811,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
@@ -8773,7 +8839,7 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8796,12 +8862,12 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k1, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k29)
+        _beside_, = _beside_alone(_held_, _k31)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k29, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k31, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k55, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k59, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
@@ -8816,7 +8882,7 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -8837,7 +8903,7 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8871,9 +8937,9 @@ def _alone13(_circled_: Any, _circling_: Any, _clock_: Any, _p_ball_radius_: Any
         _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k1, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k29, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k31, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k55, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k59, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _over_, = _passing_from_alone(_z_)
         _berth_, _, = _alone_alone()
@@ -9121,7 +9187,7 @@ def _alone22(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
     _t_, _end_, _searching_, = _bridge_enter_alone(_k2, _k2, _high0_, _high1_, _low0_, _low1_, _k2)
     _doubt_, = _beyond_windows_alone(_doubt_, _excess_, _late_, _lost_, _pad_, _searching_)
     if _searching_:
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k31, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -9135,7 +9201,7 @@ def _alone22(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
     for _ in range(201):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k31, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -9148,7 +9214,7 @@ def _alone22(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
             _t_, _end_, _searching_, = _bridge_enter_alone(_end_, _end_, _high0_, _high1_, _low0_, _low1_, _t_)
     _doubt_, = _questioned_alone(_doubt_, _t_, _searching_)
     _arrives_, _refining_, _rate_, = _found_alone(_arrival_)
-    _leaving_, _, = _nearby_alone(_flat_, _k29, _last_, _arrival_, _tilt_)
+    _leaving_, _, = _nearby_alone(_flat_, _k31, _last_, _arrival_, _tilt_)
     if _refining_:
         _refined_, _gap_, _rate_, = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
@@ -9166,7 +9232,7 @@ def _alone22(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
     _time_, = _landed_alone(_arrival_)
     _delay_, _doubt_, = _landed_surely_alone(_arrives_, _certain_, _clearance_, _delay_, _doubt_, _time_)
     _doubt_, _late_, = _tied_alone(_arrives_, _delay_, _doubt_, _late_, _time_, _when_)
-    _when_, _which_, = _sooner_alone(_arrives_, _k29, _time_, _when_, _which_)
+    _when_, _which_, = _sooner_alone(_arrives_, _k31, _time_, _when_, _which_)
     return (_doubt_, _late_, _when_, _which_,)
 
 
@@ -9175,7 +9241,7 @@ def _alone23(_arrival_: Any, _ceiling_: Any, _certain_: Any, _doubt_: Any, _end_
     for _ in range(_turns):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k31, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -9209,7 +9275,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
         _turn_rate_, = _roll_turn_rate_alone(_p_ball_radius_, _nx_, _ny_, _nz_, _wx_, _wy_, _wz_)
@@ -9220,7 +9286,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
         _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, = _roll_placed_alone(_p_ball_radius_, _gap_, _nx_, _ny_, _nz_, _turn_rate_, _rolled_x_, _rolled_y_, _rolled_z_, _x_, _y_, _z_)
@@ -9236,7 +9302,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -9254,7 +9320,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_backboard_friction_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_bridge_friction_)
         _loses_, = _losing_alone(_grip_lost_, _strain_)
@@ -9270,12 +9336,12 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k1, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k29)
+        _beside_, = _beside_alone(_held_, _k31)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k29, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k31, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k55, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k59, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
@@ -9290,7 +9356,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -9313,7 +9379,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
@@ -9322,7 +9388,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
         _turn_rate_, = _roll_turn_rate_alone(_p_ball_radius_, _far_nx_, _far_ny_, _far_nz_, _far_wx_, _far_wy_, _far_wz_)
@@ -9330,7 +9396,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _far_gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _far_gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_)
@@ -9349,7 +9415,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _far_gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _far_gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_)
@@ -9385,9 +9451,9 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k1, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k29, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k31, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k55, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k59, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _apart_, = _apart_alone(_p_ball_radius_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, _, _, _, = _neighbour_alone(_apart_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
@@ -9437,7 +9503,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _here_:
             _, _, _, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _lift_, _surge_, _snap_, = _backboard_parting_alone(_p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _p_gravity_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _, _, _, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _lift_, _surge_, _snap_, = _bridge_parting_alone(_p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_gravity_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -9450,11 +9516,11 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k29)
+        _beside_, = _beside_alone(_held_, _k31)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k55)
+        _beside_, = _beside_alone(_held_, _k59)
         if _beside_:
             _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
@@ -9472,7 +9538,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
@@ -9501,7 +9567,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -9519,7 +9585,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_backboard_friction_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_bridge_friction_)
         _loses_, = _losing_alone(_grip_lost_, _strain_)
@@ -9535,12 +9601,12 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k1, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k29)
+        _beside_, = _beside_alone(_held_, _k31)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k29, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k31, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k55, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k59, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
@@ -9555,7 +9621,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -9578,7 +9644,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
@@ -9587,7 +9653,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
         _turn_rate_, = _roll_turn_rate_alone(_p_ball_radius_, _far_nx_, _far_ny_, _far_nz_, _far_wx_, _far_wy_, _far_wz_)
@@ -9595,7 +9661,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _far_gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _far_gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_)
@@ -9614,7 +9680,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _far_gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _far_gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_)
@@ -9655,9 +9721,9 @@ def _alone27(_circled_: Any, _circling_: Any, _clock_: Any, _clock_error_: Any, 
         _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k1, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k29, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k31, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k55, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k59, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _apart_, = _apart_alone(_p_ball_radius_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, _, _, _, = _neighbour_alone(_apart_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
@@ -9799,8 +9865,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _limited_0, = limited(_time_limit_0)
     _kept_0, _when_0, _rests_0, _rolling_0, _began_0 = kept(_mode_0, _when_0)
     _leaving_0, = left(3.0, _last_0)
-    _time_0, _rate_0, _bend_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
-    _arrives_0, *_ = meeting_plane(_bend_0, _rate_0, _time_0)
+    _time_0, _rate_0, _bend_0, _apex_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
+    _arrives_0, *_ = meeting_plane(_apex_0, _bend_0, _rate_0, _time_0)
     _possible_0, = timely(_arrives_0, 0.0, 0.0, _time_0, _when_0)
     _when_1, _which_1 = sooner(_arrives_0, 3.0, _time_0, _when_0, _which_0)
     _when_0 = _choose(_possible_0, _when_1, _when_0)
@@ -12449,11 +12515,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _kept_0, _when_0, _rests_0, _rolling_0, _began_0 = kept(_mode_0, _when_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, _apex_0, _height_0 = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
-    _arrives_0, _ceiling_0 = meeting_plane(_bend_0, _rate_0, _time_0)
-    _margin_0, = end_margin(_time_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
+    _arrives_0, _ceiling_0, _nearest_0 = meeting_plane(_apex_0, _bend_0, _rate_0, _time_0)
+    _margin_0, = end_margin(_nearest_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0, _room_0)
     _possible_0, = timely(_arrives_0, _delay_0, _late_0, _time_0, _when_0)
-    _margin_0, = end_margin(_apex_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _doubt_0, = grazed(_apex_0, _doubt_0, _height_0, _margin_0)
     _doubt_1, = crossed(_arrives_0, _clearance_0, _doubt_0, _time_0)
     _doubt_1, _late_1 = tied(_arrives_0, _delay_0, _doubt_1, _late_0, _time_0, _when_0)
@@ -15340,14 +15405,10 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _p_ring_restitution_0 = columns["p_ring_restitution"]
     _p_tangential_restitution_0 = columns["p_tangential_restitution"]
     _p_wire_radius_0 = columns["p_wire_radius"]
-    _position_claim_0 = columns["position_claim"]
     _position_error_0 = columns["position_error"]
     _slip_left_0 = columns["slip_left"]
-    _spin_claim_0 = columns["spin_claim"]
-    _time_claim_0 = columns["time_claim"]
     _touches_0 = columns["touches"]
     _uncertain_0 = columns["uncertain"]
-    _velocity_claim_0 = columns["velocity_claim"]
     _velocity_error_0 = columns["velocity_error"]
     _vx_0 = columns["vx"]
     _vy_0 = columns["vy"]
@@ -15360,7 +15421,6 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _x_0 = columns["x"]
     _y_0 = columns["y"]
     _z_0 = columns["z"]
-    _room_0 = room(shots)
     _meeting_0, = meeting(_claims_0, _ends_0, _touches_0)
     _slow_0, = unslowed()
     _rows1, _count2 = _rows(_meeting_0, shots)
@@ -15517,8 +15577,8 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _left_nx_1 = _put(_left_nx_1, _rows7, _left_nx_2, _count2, _again_1)
             _left_ny_1 = _put(_left_ny_1, _rows7, _left_ny_2, _count2, _again_1)
             _left_nz_1 = _put(_left_nz_1, _rows7, _left_nz_2, _count2, _again_1)
-        _dx_1, _dy_1, _dz_1, _lifting_1, _dvx_1, _dvy_1, _dvz_1, _delay_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _late_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _left_nx_1, _left_ny_1, _left_nz_1, _curving_1, _p_gravity_1, _room_1)
-        _clock_error_1, = delayed(_clock_error_1, _delay_1)
+        _dx_1, _dy_1, _dz_1, _lifting_1, _dvx_1, _dvy_1, _dvz_1, _belated_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _late_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _left_nx_1, _left_ny_1, _left_nz_1, _curving_1, _p_gravity_1, _room_1)
+        _clock_error_1, = delayed(_clock_error_1, _belated_1)
         _dx_2, _dy_2, _dz_2 = floored(_dx_1, _dy_1, _dz_1, _shift_1)
         _dx_1 = _choose(_ends_1, _dx_2, _dx_1)
         _dy_1 = _choose(_ends_1, _dy_2, _dy_1)
@@ -15949,12 +16009,25 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _dx_0 = _put(_dx_0, _rows27, _dx_1, shots, _hopped_0)
         _dy_0 = _put(_dy_0, _rows27, _dy_1, shots, _hopped_0)
         _dz_0 = _put(_dz_0, _rows27, _dz_1, shots, _hopped_0)
-    _closed_0, = closing(_claims_0, _outcome_0)
-    _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _room_0)
-    _position_claim_0 = _choose(_closed_0, _position_claim_1, _position_claim_0)
-    _spin_claim_0 = _choose(_closed_0, _spin_claim_1, _spin_claim_0)
-    _time_claim_0 = _choose(_closed_0, _time_claim_1, _time_claim_0)
-    _velocity_claim_0 = _choose(_closed_0, _velocity_claim_1, _velocity_claim_0)
+    _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_claims_0, _outcome_0)
+    _rows29, _count30 = _most(_closed_0, shots)
+    if _count30:
+        _clock_error_1 = _take(_clock_error_0, _rows29)
+        _dvx_1 = _take(_dvx_0, _rows29)
+        _dvy_1 = _take(_dvy_0, _rows29)
+        _dvz_1 = _take(_dvz_0, _rows29)
+        _dwx_1 = _take(_dwx_0, _rows29)
+        _dwy_1 = _take(_dwy_0, _rows29)
+        _dwz_1 = _take(_dwz_0, _rows29)
+        _dx_1 = _take(_dx_0, _rows29)
+        _dy_1 = _take(_dy_0, _rows29)
+        _dz_1 = _take(_dz_0, _rows29)
+        _room_1 = room(_count30)
+        _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _room_1)
+        _position_claim_0 = _put(_position_claim_0, _rows29, _position_claim_1, shots, _closed_0)
+        _spin_claim_0 = _put(_spin_claim_0, _rows29, _spin_claim_1, shots, _closed_0)
+        _time_claim_0 = _put(_time_claim_0, _rows29, _time_claim_1, shots, _closed_0)
+        _velocity_claim_0 = _put(_velocity_claim_0, _rows29, _velocity_claim_1, shots, _closed_0)
     columns["assured"] = _assured_0
     columns["clock_error"] = _clock_error_0
     columns["count_0"] = _count_0_0
