@@ -246,4 +246,4 @@ def _finish(
 
 def _take(values: Any, rows: NDArray[np.int64]) -> Any:
     """Return the rows of a column; what all shots share stays."""
-    return values[rows] if np.ndim(values) else values
+    return values.take(rows, None, None, "clip") if np.ndim(values) else values
