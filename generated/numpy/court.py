@@ -5887,7 +5887,7 @@ def _take(values: Any, rows: Any) -> Any:
     """Return some rows of a column; what all shots share stays."""
     if rows is None or type(values) is not _ndarray or not values.ndim:
         return values
-    return values[rows]
+    return values.take(rows, None, None, "clip")
 
 
 def _of(rows: Any, some: Any) -> Any:
