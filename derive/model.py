@@ -236,6 +236,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> lis
             order,
             "Errors of a state at the end of a flight to a surface, from those at its start.",
             "derivative of Eq. 3 and of the contact time, with roundings",
+            not scene.rolls,
         ),
         kernel(
             "carry_time",
@@ -243,6 +244,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> lis
             order,
             "Errors of a state at the time limit, from those at the start of the flight.",
             "derivative of Eq. 3, with roundings",
+            not scene.rolls,
         ),
         kernel(
             "error_bounds",
@@ -250,6 +252,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> lis
             order,
             "Bounds on the errors of a state and its time that decisions allow for.",
             "the carried errors times a guard",
+            not scene.rolls,
         ),
         kernel(
             "claimed_errors",
@@ -257,6 +260,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> lis
             order,
             "Bounds on the errors of a state and its time that a shot claims.",
             "the carried errors times a larger guard",
+            not scene.rolls,
         ),
         kernel(
             "allowed",
@@ -325,6 +329,7 @@ def _law_kernels(
             order,
             "Errors of velocity and spin after a contact, from those before it.",
             f"derivative of {law.called}, with roundings",
+            not scene.rolls,
         ),
     }
 
@@ -379,10 +384,9 @@ def _surface_kernels(
                 formulas |= _of_groups(surface)
     elif isinstance(surface, Box):
         formulas["near"] = (far.near_box(surface), _NEAR, "boxes that do not meet")
+    single = found.single | (frozenset() if scene.rolls else {"carry_normal"})
     kernels = {
-        part: kernel(
-            f"{surface.name}_{part}", outputs, order, summary, equation, part in found.single
-        )
+        part: kernel(f"{surface.name}_{part}", outputs, order, summary, equation, part in single)
         for part, (outputs, summary, equation) in formulas.items()
     }
     if differing is not None:
@@ -496,7 +500,7 @@ def build(scene: Scene) -> Model:
     choices = (
         {"swept": swept, "halved": halved}
         | of_kinds.KERNELS
-        | decisions.kernels(scene.faces, scene.outcomes, len(scene.gates))
+        | decisions.kernels(scene.faces, scene.outcomes, len(scene.gates), not scene.rolls)
     )
     laws: dict[Law, dict[str, Kernel]] = {}
     of_laws = kinds(scene.laws, _shared(scene))

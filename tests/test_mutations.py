@@ -447,7 +447,7 @@ FAULTS = (
     Fault("decisions carry no guard", lambda patch: patch.setattr(tangent, "GUARD", 1)),
     Fault(
         "errors are not lifted",
-        in_text(tangent, "_lifted", "return IfLess(size(error), floor,", "return IfLess(1, 0,"),
+        in_text(tangent, "_lifted", "largest(length, floor)", "largest(length, 0)"),
     ),
     Fault(
         "the ring's margins are zero",

@@ -37,6 +37,11 @@ CLAIM = 64
 a bound on a number is held to the last digit, and a segment can be worse than its predecessors
 foretell. `make exactness` holds both against the judge."""
 
+LEAST = sp.Rational(1, 2**100)
+"""No rounding counts for less: single precision, in which errors are carried where balls do not
+roll, has no smaller numbers to speak of. It rounds the errors themselves by 2^-24 of them, which
+`GUARD` covers; what it does not hold is infinite, or not a number, and then nothing is certain."""
+
 LIFT = 8
 """See above. Constant, it would make an exponential growth of its own; so it is a power's."""
 
@@ -53,7 +58,7 @@ late = sp.Symbol("late", nonnegative=True)
 left_normal = sp.Matrix(sp.symbols("left_nx left_ny left_nz", real=True))
 """Normal where the flight to a contact began, if on the very surface that it meets; else zero."""
 lifting = sp.Symbol("lifting", positive=True)
-"""By how much of the worst errors are no smaller: after a short hop, `LIFT` itself."""
+"""The share of the worst than which errors are no smaller: after a short hop, 1/`LIFT` itself."""
 contacts = sp.Symbol("contacts", nonnegative=True)
 """How many contacts there were, this one too."""
 clock, clock_error = sp.symbols("clock clock_error", nonnegative=True)
@@ -96,14 +101,18 @@ def directional(expression: sp.Expr, tangents: dict[sp.Symbol, sp.Expr]) -> sp.E
         if e.is_Add:
             return sp.Add(*map(derive, e.args))
         if e.is_Mul:
-            rest = [
-                sp.Mul(*(f for j, f in enumerate(e.args) if j != i)) for i in range(len(e.args))
-            ]
-            return sp.Add(*(derive(f) * r for f, r in zip(e.args, rest, strict=True)))
+            # What is the same for all terms is outside, so that products that are alike serve once.
+            moving = [f for f in e.args if f.free_symbols & set(tangents)]
+            still = sp.Mul(*(f for f in e.args if f not in moving))
+            rest = [sp.Mul(*(f for f in moving if f is not one)) for one in moving]
+            turned = sp.Add(*(derive(f) * r for f, r in zip(moving, rest, strict=True)))
+            return still * (turned if len(moving) == 1 else hold(turned))
         if e.is_Pow and e.exp.is_Rational:
             return e.exp * e.base ** (e.exp - 1) * derive(e.base)
         if isinstance(e, Held) and e.args[0].is_Pow and e.args[0].exp == -1:
             return hold(-(e**2) * derive(e.args[0].base))  # the inverse, once computed, serves
+        if isinstance(e, Held) and e.args[0].is_Pow and e.args[0].exp == sp.Rational(1, 2):
+            return hold(_halved(derive(e.args[0].base)) * hold(1 / e))  # so does the root
         if isinstance(e, Held):
             return hold(derive(e.args[0]))
         if isinstance(e, IfLess | IfAtMost):
@@ -113,19 +122,30 @@ def directional(expression: sp.Expr, tangents: dict[sp.Symbol, sp.Expr]) -> sp.E
     return derive(expression)
 
 
+def _halved(total: sp.Expr) -> sp.Expr:
+    return sp.Add(*(term / 2 for term in sp.Add.make_args(total)))
+
+
+def _signed(length: sp.Expr, like: sp.Expr) -> sp.Expr:
+    return IfLess(like, 0, -length, length)
+
+
 def _away(error: sp.Expr, rounding: sp.Expr) -> sp.Expr:
     """Return the error, further from zero by `rounding`."""
-    return error + IfLess(error, 0, -rounding, rounding)
+    return error + _signed(rounding, error)
 
 
 def _greatest(components: Iterable[sp.Expr]) -> sp.Expr:
     return hold(largest(*map(size, components)))
 
 
-def _lifted(error: sp.Expr, worst: sp.Expr, by: sp.Expr | None = None) -> sp.Expr:
-    """Return the error, not nearer to zero than 1/(LIFT k) of the worst."""
-    floor = hold(worst / (hold(LIFT * (1 + contacts)) if by is None else by))
-    return IfLess(size(error), floor, IfLess(error, 0, -floor, floor), error)
+_usual = hold(1 / hold(LIFT * (1 + contacts)))
+"""The share of the worst than which errors are no smaller: 1/(LIFT k)."""
+
+
+def _lifted(length: sp.Expr, floor: sp.Expr) -> sp.Expr:
+    """Return the size of an error, no smaller than that share of the worst."""
+    return hold(largest(length, floor))
 
 
 def carried_to_contact(flight: Parabola, returning: bool = False) -> dict[str, sp.Expr]:
@@ -146,26 +166,28 @@ def carried_to_contact(flight: Parabola, returning: bool = False) -> dict[str, s
     ]
     moved = sp.Matrix(shifts)
     off = hold(_off_level(flight, roundings)) if returning else moved.dot(normal)
-    delay = hold(-off / hold(velocity.dot(normal)))
+    per_approach = hold(1 / hold(velocity.dot(normal)))
+    delay = hold(-off * per_approach)
     _, fallen = flight.at(delay)
     falling = [after - before for after, before in zip(fallen, velocity, strict=True)]
     # An error along the surface that the ball left is across it only as far as the normal turned.
     across = smallest(1, hold(_greatest(velocity) * t) * curving)
     drift = hold(_greatest(dv) * t + hold(largest(*roundings)))
-    glancing = hold(_greatest(velocity) / size(hold(velocity.dot(normal))))
+    glancing = hold(_greatest(velocity) * size(per_approach))
     aside, slow = drift, hold(_greatest(dx) + drift)
     if returning:
         aside = hold(_greatest(dv) * t + hold(largest(*_returned(flight, roundings))))
     slid = hold(slow + hold(hold(across * _greatest(dx)) + aside) * glancing)
     places = [hold(value) for value in moved + delay * velocity]
-    lifts = [_lifted(value, slid) for value in places]
+    floor = hold(slid * _usual)
+    lifts = [_signed(_lifted(size(value), floor), value) for value in places]
     told: dict[str, sp.Expr] = {}
     if returning:
         # A hop changes errors by little of them, and leaves what V is off by in proportion to V.
         short = sp.Rational(1, 4)
         slid = hold(IfLess(across, short, slow, slid))
         lifts = [IfLess(across, short, *both) for both in zip(places, lifts, strict=True)]
-        told["lifting"] = IfLess(across, short, LIFT, hold(LIFT * (1 + contacts)))
+        told["lifting"] = IfLess(across, short, sp.Rational(1, LIFT), _usual)
     outputs = {str(name): value for name, value in zip(dx, lifts, strict=True)} | told
     outputs |= {str(s): s + f for s, f in zip(dv, falling, strict=True)}
     return outputs | {
@@ -212,7 +234,7 @@ def _ways(flight: Parabola) -> list[sp.Expr]:
 def _flown(flight: Parabola) -> list[sp.Expr]:
     """Return what a flight of time t rounds of each coordinate, given the state at its end."""
     return [
-        UNIT_ROUNDOFF * hold(size(place) + far)
+        hold(UNIT_ROUNDOFF * hold(size(place) + far) + LEAST)
         for place, far in zip(position, _ways(flight), strict=True)
     ]
 
@@ -263,15 +285,19 @@ def carried_through_impact(
     after = law.after(normal, velocity, spin, ball_radius)
     speed, worst = before_impact(ball_radius)
     outputs: dict[str, sp.Expr] = {}
-    for names, vector, scale in ((dv, after[0], speed), (dw, after[1], speed / ball_radius)):
-        largest_one = worst if scale is speed else worst / ball_radius
-        grown = [
-            hold(_away(hold(directional(component, tangents)), 2 * UNIT_ROUNDOFF * scale))
-            for component in vector
-        ]
-        lifts = [_lifted(one, largest_one, lifting if returning else None) for one in grown]
-        if returning and scale is speed:
-            gained = [hold(more - one) for more, one in zip(lifts, grown, strict=True)]
+    per_radius = hold(1 / ball_radius)
+    for names, vector, per_length in ((dv, after[0], 1), (dw, after[1], per_radius)):
+        rounded = hold(hold(2 * UNIT_ROUNDOFF * speed + LEAST) * per_length)
+        grown = [hold(directional(component, tangents)) for component in vector]
+        lengths = [hold(size(one) + rounded) for one in grown]
+        floor = hold(hold(worst * (lifting if returning else _usual)) * per_length)
+        lifted = [_lifted(length, floor) for length in lengths]
+        lifts = [_signed(length, one) for length, one in zip(lifted, grown, strict=True)]
+        if returning and names is dv:
+            gained = [
+                _signed(hold(more - length), one)
+                for more, length, one in zip(lifted, lengths, grown, strict=True)
+            ]
             off = hold(normal.dot(sp.Matrix(gained)))
             lifts = [more - off * n for more, n in zip(lifts, normal, strict=True)]
         outputs |= {str(name): value for name, value in zip(names, lifts, strict=True)}

@@ -29,7 +29,7 @@ from ..ground.rounding import position_error, velocity_error
 from ..ground.symbols import STATE, UNIT_ROUNDOFF
 from ..search import decisions as searching
 from ..search.decisions import delay, doubt, excess, index, last, unsure, when, which
-from .fields import IN_FLIGHT, NONE
+from .fields import CLAIMS, IN_FLIGHT, NONE
 
 first, body, reached, outcome, most_contacts, claims, count, valid, uncertain = sp.symbols(
     "first body reached outcome most_contacts claims count valid uncertain", real=True
@@ -55,7 +55,9 @@ def body_of(faces: Sequence[int], gates: int) -> sp.Expr:
     return Choose(Less(which, 0), NONE, found)
 
 
-def kernels(faces: Sequence[int], outcomes: Mapping[str, int], gates: int) -> dict[str, Kernel]:
+def kernels(
+    faces: Sequence[int], outcomes: Mapping[str, int], gates: int, single: bool
+) -> dict[str, Kernel]:
     """Return the decisions of a scene.
 
     Parameters
@@ -66,8 +68,10 @@ def kernels(faces: Sequence[int], outcomes: Mapping[str, int], gates: int) -> di
         The number of each outcome, by name.
     gates
         How many planes end a shot.
+    single
+        Whether errors are carried in single precision.
     """
-    own = _of_scene(faces, outcomes, gates)
+    own = (*_of_scene(faces, outcomes, gates), *_of_errors(single))
     return searching.KERNELS | KERNELS | {kernel.name: kernel for kernel in own}
 
 
@@ -116,6 +120,38 @@ def _of_scene(faces: Sequence[int], outcomes: Mapping[str, int], gates: int) -> 
                 "outcome": Choose(touches, capped, reached),
             },
             "How many contacts there were, and whether the shot ends and how.",
+        ),
+    )
+
+
+def _of_errors(single: bool) -> tuple[Kernel, ...]:
+    return (
+        decision(
+            "delayed",
+            {"clock_error": clock_error + delay},
+            "The error of the event's time.",
+            single,
+        ),
+        decision(
+            "closing",
+            {
+                "closed": every(Less(0, claims), AtMost(0, outcome)),
+                **dict.fromkeys(CLAIMS, sp.Integer(0)),
+            },
+            "Where a shot has ended whose errors are asked for; no other one claims any.",
+            single,
+        ),
+        decision(
+            "floored",
+            {s.name: Choose(Less(size(s), shift), shift, s) for s in dx},
+            "Errors of the position at the end, not below what one flight can make.",
+            single,
+        ),
+        decision(
+            "unturned",
+            {"dnx": 0, "dny": 0, "dnz": 0, "turn": 0},
+            "A normal without error.",
+            single,
         ),
     )
 
@@ -182,17 +218,6 @@ KERNELS = {
             {"again": every(Equal(which, index), Equal(last, which))},
             "Whether the ball meets the surface that it touched last.",
         ),
-        decision("delayed", {"clock_error": clock_error + delay}, "The error of the event's time."),
-        decision(
-            "floored",
-            {s.name: Choose(Less(size(s), shift), shift, s) for s in dx},
-            "Errors of the position at the end, not below what one flight can make.",
-        ),
-        decision(
-            "unturned",
-            {"dnx": 0, "dny": 0, "dnz": 0, "turn": 0},
-            "A normal without error.",
-        ),
         decision(
             "touched",
             {"first": Choose(Less(first, 0), body, first), "last": which},
@@ -202,11 +227,6 @@ KERNELS = {
             "timed",
             {"timed": every(Equal(which, index), Less(0, claims))},
             "Where a shot has ended at the time limit whose errors are asked for.",
-        ),
-        decision(
-            "closing",
-            {"closed": every(Less(0, claims), AtMost(0, outcome))},
-            "Where a shot has ended whose errors are asked for.",
         ),
         decision(
             "undecided",

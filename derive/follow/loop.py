@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from itertools import groupby
 
+from ..ground.kernel import Kind as Type
 from ..ground.tree import (
     Do,
     Each,
@@ -24,6 +25,7 @@ from ..ground.tree import (
     needed,
     walk,
     without,
+    writes,
 )
 from ..search.search import Parts, given, proposed
 from . import staying
@@ -62,6 +64,12 @@ class Loop:
     def tallied(self) -> bool:
         """Whether contacts are counted by body where they happen, and not in fields of a shot."""
         return all(field.name != "count_0" for field in self.fields)
+
+    @property
+    def kinds(self) -> dict[str, Type]:
+        """What each field is."""
+        written = writes(node for stage in self.stages.values() for node in stage)
+        return {field.name: written.get(field.name, "double") for field in self.fields}
 
     @property
     def called(self) -> frozenset[str]:
@@ -248,7 +256,7 @@ def _meet(
     yield Do(common["closing"])
     names = ("position_error", "velocity_error", "spin_error", "time_error")
     claims = dict(zip(names, CLAIMS, strict=True))
-    yield Guard("closed", (Do(common["claimed_errors"], {}, claims),))
+    yield Guard("closed", (Do(common["claimed_errors"], {}, claims),), rare=True)
 
 
 def _contact(
@@ -273,8 +281,8 @@ def _contact(
         yield Do(common["anew"])
     for kind in kinds:
         yield from kind.bent(common)
-    yield Do(common["carry_flight"], {"t": "when"})
-    yield Do(common["delayed"])
+    yield Do(common["carry_flight"], {"t": "when"}, {"delay": "belated"})
+    yield Do(common["delayed"], {"delay": "belated"})
     if gates:
         yield Guard("ends", (Do(common["floored"]),))
     yield Do(common["unturned"])

@@ -95,9 +95,11 @@ def kernel(
     return Kernel(name, arguments, tuple(sympified.items()), summary, equation, single)
 
 
-def decision(name: str, outputs: Mapping[str, sp.Basic], summary: str) -> Kernel:
+def decision(
+    name: str, outputs: Mapping[str, sp.Basic], summary: str, single: bool = False
+) -> Kernel:
     """Return a kernel of the event loop, whose arguments come in the order of their names."""
     sympified = {key: sp.sympify(value) for key, value in outputs.items()}
     free = symbols_in(sympified.values())
     arguments = tuple(sorted(free, key=lambda symbol: symbol.name))
-    return Kernel(name, arguments, tuple(sympified.items()), summary, "Table 1")
+    return Kernel(name, arguments, tuple(sympified.items()), summary, "Table 1", single)

@@ -61,6 +61,7 @@ CONVERGED = sp.Rational(1, 2**24)
 _sooner = every(arrives, Less(time, when))
 _tie = AtMost(size(time - when), delay + late)
 _meets = some(Less(rate, 0), every(AtMost(rate, 0), Less(bend, 0), Equal(time, 0)))
+_plane_met = every(_meets, AtMost(0, time), Less(time, sp.oo))
 _falling = some(Less(rate, 0), every(AtMost(rate, rate_margin), Less(bend, 0)))
 _clears = every(_falling, Less(0, clearance))
 _strikes = every(_falling, some(AtMost(gap - margin, margin), Less(0, clearance)))
@@ -88,10 +89,11 @@ KERNELS = {
         decision(
             "meeting_plane",
             {
-                "arrives": every(_meets, AtMost(0, time), Less(time, sp.oo)),
+                "arrives": _plane_met,
                 "ceiling": size(bend),
+                "nearest": Choose(_plane_met, time, apex),
             },
-            "Whether a plane's only arrival is one, and the size of the bend there.",
+            "Whether a plane's only arrival is one, the bend's size; when the ball is nearest.",
         ),
         decision(
             "timely",

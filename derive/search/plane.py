@@ -109,10 +109,10 @@ class PlaneSearch(Search):
         yield Do(KERNELS["left"], {"index": index})
         yield Do(own["arrival"])
         yield Do(KERNELS["meeting_plane"])
-        yield Do(own["margin"], {"horizon": "time"})
+        # An arrival in doubt about its apex is at the same time, as far as a margin can tell.
+        yield Do(own["margin"], {"horizon": "nearest"})
         yield Do(common["crossing"], {"rate_margin": 0.0})
         yield Do(KERNELS["timely"])
-        yield Do(own["margin"], {"horizon": "apex"})
         yield Do(KERNELS["grazed"])
         if not self.surface.bounds:
             yield Guard("possible", (Do(KERNELS["crossed"]), *proposed(index)))

@@ -1,6 +1,6 @@
 /* court: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene court, derivation fdb99a920399295a,
+   Generated from templates/c/scene.c.j2, scene court, derivation afd6566da598ff1c,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -101,7 +101,8 @@ typedef struct {
 #endif
 
 /* Shots in flight at once: what the stages read and write of them stays in the nearest caches. */
-#define LANES_SHOTS 128
+/* Where balls roll there are more: what few shots need at a time then fills more lanes. */
+#define LANES_SHOTS 256
 
 /* Whether a number that threads have in common was still *seen, and is `then` now; else *seen is
    what it is. */
@@ -129,6 +130,26 @@ static size_t court_take(const court_job *job, size_t *end)
     } while (!exchanged(job->next, &start, start + some));
     *end = start + some;
     return start;
+}
+
+/* Write numbers that nobody here reads again past the caches, where the processor can. */
+static void stream(double *to, const double *numbers, size_t count)
+{
+#if defined(__GNUC__) && defined(__x86_64__)
+    if ((uintptr_t)to % 16 == 0) {
+        for (; count > 1; to += 2, numbers += 2, count -= 2)
+            _mm_stream_pd(to, _mm_loadu_pd(numbers));
+    }
+#endif
+    memcpy(to, numbers, count * sizeof *numbers);
+}
+
+/* Have all threads see what went past the caches. */
+static void streamed(void)
+{
+#if defined(__GNUC__) && defined(__x86_64__)
+    _mm_sfence();
+#endif
 }
 
 /* Idle lanes for which the next shots are fetched. */
@@ -233,6 +254,7 @@ int court_share(size_t shots, const double *states, const double *const *paramet
         if (!court_exact_w##width()) \
             return -2; \
         court_run_w##width(&job); \
+        streamed(); \
         return width;
     switch (width) {
 #if BUILT(1)

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation fdb99a920399295a,
+   Generated from templates/c/engine.h.j2, scene court, derivation afd6566da598ff1c,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -15,8 +15,8 @@ typedef double LANES(court_column)[2 * LANES_SHOTS + LANES_WIDTH];
 typedef float LANES(court_singles)[2 * LANES_SHOTS + LANES_WIDTH];
 
 /* Have the states of the shots from one on fetched while others are worked on, and the places of
-   their results: else each store waits for its line. */
-LANES_INLINE void LANES(court_ahead)(const court_job *job, size_t shot)
+   their results, those apart that go past the caches: else each store waits for its line. */
+LANES_INLINE void LANES(court_ahead)(const court_job *job, size_t shot, int streams)
 {
 #ifdef __GNUC__
     const double *state = job->states + COURT_STATE * shot;
@@ -38,7 +38,7 @@ LANES_INLINE void LANES(court_ahead)(const court_job *job, size_t shot)
     if (out->time)
         for (size_t byte = 0; byte < sizeof *out->time * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->time + sizeof *out->time * shot + byte, 1, 3);
-    if (out->state)
+    if (out->state && !streams)
         for (size_t byte = 0; byte < 9 * sizeof *out->state * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->state + 9 * sizeof *out->state * shot + byte, 1, 3);
     if (out->rolls)
@@ -60,7 +60,7 @@ LANES_INLINE void LANES(court_ahead)(const court_job *job, size_t shot)
         for (size_t byte = 0; byte < sizeof *out->uncertain * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->uncertain + sizeof *out->uncertain * shot + byte, 1, 3);
 #else
-    (void)job, (void)shot;
+    (void)job, (void)shot, (void)streams;
 #endif
 }
 
@@ -129,7 +129,6 @@ typedef struct {
     LANES(court_column) waiting_rolls;
     LANES(court_column) waiting_slip_left;
     LANES(court_column) waiting_through;
-    LANES(court_column) waiting_outcome;
     LANES(court_column) waiting_p_ball_radius, waiting_p_ring_radius, waiting_p_wire_radius, waiting_p_board_distance, waiting_p_board_half_width, waiting_p_board_bottom, waiting_p_board_top, waiting_p_board_thickness, waiting_p_bridge_half_width, waiting_p_bridge_depth, waiting_p_gravity, waiting_p_end_depth, waiting_p_ring_restitution, waiting_p_backboard_restitution, waiting_p_bridge_restitution, waiting_p_ring_friction, waiting_p_backboard_friction, waiting_p_bridge_friction, waiting_p_tangential_restitution, waiting_p_restitution_speed;
     LANES(court_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(court_column) body;
@@ -535,7 +534,7 @@ typedef struct {
     LANES(court_column) slow_y;
     LANES(court_column) slow_z;
     /* What kernels make of parameters alone. */
-    _Alignas(64) double fixed[172][LANES_WIDTH];
+    _Alignas(64) double fixed[175][LANES_WIDTH];
     _Alignas(64) float fixed_single[26][LANES_WIDTH];
 } LANES(court_plain_lists);
 
@@ -653,18 +652,26 @@ LANES_INLINE void LANES(court_plain_finish_all)(const LANES(court_plain_lists) *
         for (size_t k = 0; k < shots; k++) {
             out->time[start + k] = (double)lists->clock[k];
         }
-    if (out->state)
-        for (size_t k = 0; k < shots; k++) {
-            out->state[9 * (start + k) + 0] = (double)lists->x[k];
-            out->state[9 * (start + k) + 1] = (double)lists->y[k];
-            out->state[9 * (start + k) + 2] = (double)lists->z[k];
-            out->state[9 * (start + k) + 3] = (double)lists->vx[k];
-            out->state[9 * (start + k) + 4] = (double)lists->vy[k];
-            out->state[9 * (start + k) + 5] = (double)lists->vz[k];
-            out->state[9 * (start + k) + 6] = (double)lists->wx[k];
-            out->state[9 * (start + k) + 7] = (double)lists->wy[k];
-            out->state[9 * (start + k) + 8] = (double)lists->wz[k];
+    if (out->state) {
+        /* As many rows as there are lanes fill whole lines: they go past the caches. */
+        double rows[COURT_STATE * LANES_WIDTH];
+        for (size_t k = 0; k < shots; k += LANES_WIDTH) {
+            const double *const columns[] = {
+                lists->x + k,
+                lists->y + k,
+                lists->z + k,
+                lists->vx + k,
+                lists->vy + k,
+                lists->vz + k,
+                lists->wx + k,
+                lists->wy + k,
+                lists->wz + k,
+            };
+            const size_t some = shots - k < LANES_WIDTH ? shots - k : LANES_WIDTH;
+            lanes_rows(rows, columns, COURT_STATE);
+            stream(out->state + COURT_STATE * (start + k), rows, COURT_STATE * some);
         }
+    }
     if (out->rolls)
         for (size_t k = 0; k < shots; k++) {
             out->rolls[start + k] = (int32_t)(int32_t)lists->rolls[k];
@@ -745,7 +752,6 @@ LANES_INLINE void LANES(court_plain_wait)(LANES(court_plain_lists) *lists, size_
     lanes_pack(lists->waiting_rolls + lists->waiting, who, lanes_load(lists->rolls + row));
     lanes_pack(lists->waiting_slip_left + lists->waiting, who, lanes_load(lists->slip_left + row));
     lanes_pack(lists->waiting_through + lists->waiting, who, lanes_load(lists->through + row));
-    lanes_pack(lists->waiting_outcome + lists->waiting, who, lanes_load(lists->outcome + row));
     if (job->varying) {
         lanes_pack(lists->waiting_p_ball_radius + lists->waiting, who, lanes_load(lists->p_ball_radius + row));
         lanes_pack(lists->waiting_p_ring_radius + lists->waiting, who, lanes_load(lists->p_ring_radius + row));
@@ -777,29 +783,28 @@ LANES_INLINE size_t LANES(court_plain_resume)(LANES(court_plain_lists) *lists, s
     const size_t room = 2 * LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
-    memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
-    memcpy(lists->y + row, lists->waiting_y + from, shots * sizeof(double));
-    memcpy(lists->z + row, lists->waiting_z + from, shots * sizeof(double));
-    memcpy(lists->vx + row, lists->waiting_vx + from, shots * sizeof(double));
-    memcpy(lists->vy + row, lists->waiting_vy + from, shots * sizeof(double));
-    memcpy(lists->vz + row, lists->waiting_vz + from, shots * sizeof(double));
-    memcpy(lists->wx + row, lists->waiting_wx + from, shots * sizeof(double));
-    memcpy(lists->wy + row, lists->waiting_wy + from, shots * sizeof(double));
-    memcpy(lists->wz + row, lists->waiting_wz + from, shots * sizeof(double));
-    memcpy(lists->clock + row, lists->waiting_clock + from, shots * sizeof(double));
-    memcpy(lists->last + row, lists->waiting_last + from, shots * sizeof(double));
-    memcpy(lists->first + row, lists->waiting_first + from, shots * sizeof(double));
-    memcpy(lists->contacts + row, lists->waiting_contacts + from, shots * sizeof(double));
-    memcpy(lists->count_0 + row, lists->waiting_count_0 + from, shots * sizeof(double));
-    memcpy(lists->count_1 + row, lists->waiting_count_1 + from, shots * sizeof(double));
-    memcpy(lists->count_2 + row, lists->waiting_count_2 + from, shots * sizeof(double));
-    memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof(double));
-    memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof(double));
-    memcpy(lists->circled + row, lists->waiting_circled + from, shots * sizeof(double));
-    memcpy(lists->rolls + row, lists->waiting_rolls + from, shots * sizeof(double));
-    memcpy(lists->slip_left + row, lists->waiting_slip_left + from, shots * sizeof(double));
-    memcpy(lists->through + row, lists->waiting_through + from, shots * sizeof(double));
-    memcpy(lists->outcome + row, lists->waiting_outcome + from, shots * sizeof(double));
+    memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof *lists->x);
+    memcpy(lists->y + row, lists->waiting_y + from, shots * sizeof *lists->y);
+    memcpy(lists->z + row, lists->waiting_z + from, shots * sizeof *lists->z);
+    memcpy(lists->vx + row, lists->waiting_vx + from, shots * sizeof *lists->vx);
+    memcpy(lists->vy + row, lists->waiting_vy + from, shots * sizeof *lists->vy);
+    memcpy(lists->vz + row, lists->waiting_vz + from, shots * sizeof *lists->vz);
+    memcpy(lists->wx + row, lists->waiting_wx + from, shots * sizeof *lists->wx);
+    memcpy(lists->wy + row, lists->waiting_wy + from, shots * sizeof *lists->wy);
+    memcpy(lists->wz + row, lists->waiting_wz + from, shots * sizeof *lists->wz);
+    memcpy(lists->clock + row, lists->waiting_clock + from, shots * sizeof *lists->clock);
+    memcpy(lists->last + row, lists->waiting_last + from, shots * sizeof *lists->last);
+    memcpy(lists->first + row, lists->waiting_first + from, shots * sizeof *lists->first);
+    memcpy(lists->contacts + row, lists->waiting_contacts + from, shots * sizeof *lists->contacts);
+    memcpy(lists->count_0 + row, lists->waiting_count_0 + from, shots * sizeof *lists->count_0);
+    memcpy(lists->count_1 + row, lists->waiting_count_1 + from, shots * sizeof *lists->count_1);
+    memcpy(lists->count_2 + row, lists->waiting_count_2 + from, shots * sizeof *lists->count_2);
+    memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof *lists->held);
+    memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof *lists->mode);
+    memcpy(lists->circled + row, lists->waiting_circled + from, shots * sizeof *lists->circled);
+    memcpy(lists->rolls + row, lists->waiting_rolls + from, shots * sizeof *lists->rolls);
+    memcpy(lists->slip_left + row, lists->waiting_slip_left + from, shots * sizeof *lists->slip_left);
+    memcpy(lists->through + row, lists->waiting_through + from, shots * sizeof *lists->through);
     if (job->varying) {
         memcpy(lists->p_ball_radius + row, lists->waiting_p_ball_radius + from, shots * sizeof(double));
         memcpy(lists->p_ring_radius + row, lists->waiting_p_ring_radius + from, shots * sizeof(double));
@@ -866,7 +871,6 @@ LANES_INLINE size_t LANES(court_plain_leave)(LANES(court_plain_lists) *lists, si
             lanes_pack(lists->rolls + kept, going, lanes_load(lists->rolls + i));
             lanes_pack(lists->slip_left + kept, going, lanes_load(lists->slip_left + i));
             lanes_pack(lists->through + kept, going, lanes_load(lists->through + i));
-            lanes_pack(lists->outcome + kept, going, lanes_load(lists->outcome + i));
             if (job->varying) {
                 lanes_pack(lists->p_ball_radius + kept, going, lanes_load(lists->p_ball_radius + i));
                 lanes_pack(lists->p_ring_radius + kept, going, lanes_load(lists->p_ring_radius + i));
@@ -937,66 +941,65 @@ static void LANES(court_plain_fix)(LANES(court_plain_lists) *lists)
         const V _s14 = lanes_div(K(1.0), p_gravity);
         const V _s15 = lanes_neg(p_gravity);
         const V _s16 = lanes_neg(_s14);
-        const V _s17 = lanes_sub(p_ring_radius, _s12);
-        const V _s18 = lanes_mul(K(1.00006103515625), _s12);
-        const V _s19 = lanes_add(p_ring_radius, _s18);
-        const V _s20 = lanes_mul(_s19, _s19);
-        const V _s21 = lanes_mul(K(9.313225746154785e-10), _s20);
-        const V _s22 = lanes_sub(p_ring_radius, _s18);
-        const V _s23 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s24 = lanes_max(_s22, _s23);
-        const V _s25 = lanes_mul(_s24, _s24);
-        const V _s26 = lanes_div(K(1.0), _s24);
-        const V _s27 = lanes_div(_s18, _s24);
-        const V _s28 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s29 = lanes_mul(K(0.5), p_board_bottom);
-        const V _s30 = lanes_mul(K(0.5), p_board_top);
-        const V _s31 = lanes_add(_s29, _s30);
-        const V _s32 = lanes_add(p_ball_radius, _s30);
-        const V _s33 = lanes_sub(_s32, _s29);
-        const V _s34 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s35 = lanes_min(_s34, _s6);
-        const V _s36 = lanes_min(_s33, _s35);
-        const V _s37 = lanes_mul(K(6.103515625e-05), _s36);
-        const V _s38 = lanes_abs(_s15);
-        const V _s39 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s36));
-        const V _s40 = lanes_mul(K(1.25), _s38);
-        const V _s41 = lanes_max(_s6, _s34);
-        const V _s42 = lanes_mul(K(0.5), p_bridge_depth);
-        const V _s43 = lanes_add(p_ball_radius, _s42);
-        const V _s44 = lanes_add(p_ball_radius, p_bridge_half_width);
-        const V _s45 = lanes_min(_s44, _s11);
-        const V _s46 = lanes_min(_s43, _s45);
-        const V _s47 = lanes_mul(K(6.103515625e-05), _s46);
-        const V _s48 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s46));
-        const V _s49 = lanes_max(_s11, _s44);
-        const V _s50 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
-        const V _s51 = lanes_add(lanes_add(_s50, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
-        const V _s52 = lanes_add(_s50, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
-        const V _s53 = lanes_add(lanes_add(_s50, lanes_mul(K(1.4210854715202004e-14), _s0)), lanes_mul(K(1.4210854715202004e-14), _s1));
-        const V _s54 = lanes_add(lanes_add(_s50, lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius));
-        const V _s55 = lanes_add(_s50, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
-        const V _s56 = lanes_add(lanes_add(_s50, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
-        const V _s57 = lanes_neg(p_board_half_width);
-        const V _s58 = lanes_max(K(0.0), _s57);
-        const V _s59 = lanes_max(_s58, _s57);
-        const V _s60 = lanes_neg(_s13);
-        const V _s61 = lanes_max(K(0.0), _s60);
-        const V _s62 = lanes_max(_s61, p_board_distance);
-        const V _s63 = lanes_neg(p_board_distance);
-        const V _s64 = lanes_max(K(0.0), _s63);
-        const V _s65 = lanes_max(_s64, p_ring_radius);
-        const V _s66 = lanes_neg(p_bridge_half_width);
-        const V _s67 = lanes_max(K(0.0), _s66);
-        const V _s68 = lanes_max(_s67, _s66);
-        const V _s69 = lanes_mul(p_gravity, p_gravity);
-        const V _s70 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
-        const V _s71 = lanes_sub(K(1.0), p_ring_restitution);
-        const V _s72 = lanes_add(K(1.0), p_ring_restitution);
-        const V _s73 = lanes_sub(K(1.0), p_backboard_restitution);
-        const V _s74 = lanes_add(K(1.0), p_backboard_restitution);
-        const V _s75 = lanes_sub(K(1.0), p_bridge_restitution);
-        const V _s76 = lanes_add(K(1.0), p_bridge_restitution);
+        const V _s17 = lanes_mul(K(1.00006103515625), _s12);
+        const V _s18 = lanes_add(p_ring_radius, _s17);
+        const V _s19 = lanes_mul(_s18, _s18);
+        const V _s20 = lanes_mul(K(9.313225746154785e-10), _s19);
+        const V _s21 = lanes_sub(p_ring_radius, _s17);
+        const V _s22 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s23 = lanes_max(_s21, _s22);
+        const V _s24 = lanes_mul(_s23, _s23);
+        const V _s25 = lanes_div(K(1.0), _s23);
+        const V _s26 = lanes_div(_s17, _s23);
+        const V _s27 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s28 = lanes_mul(K(0.5), p_board_bottom);
+        const V _s29 = lanes_mul(K(0.5), p_board_top);
+        const V _s30 = lanes_add(_s28, _s29);
+        const V _s31 = lanes_add(p_ball_radius, _s29);
+        const V _s32 = lanes_sub(_s31, _s28);
+        const V _s33 = lanes_add(p_ball_radius, p_board_half_width);
+        const V _s34 = lanes_min(_s33, _s6);
+        const V _s35 = lanes_min(_s32, _s34);
+        const V _s36 = lanes_mul(K(6.103515625e-05), _s35);
+        const V _s37 = lanes_abs(_s15);
+        const V _s38 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s35));
+        const V _s39 = lanes_mul(K(1.25), _s37);
+        const V _s40 = lanes_max(_s6, _s33);
+        const V _s41 = lanes_mul(K(0.5), p_bridge_depth);
+        const V _s42 = lanes_add(p_ball_radius, _s41);
+        const V _s43 = lanes_add(p_ball_radius, p_bridge_half_width);
+        const V _s44 = lanes_min(_s43, _s11);
+        const V _s45 = lanes_min(_s42, _s44);
+        const V _s46 = lanes_mul(K(6.103515625e-05), _s45);
+        const V _s47 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s45));
+        const V _s48 = lanes_max(_s11, _s43);
+        const V _s49 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
+        const V _s50 = lanes_add(lanes_add(_s49, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
+        const V _s51 = lanes_add(_s49, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
+        const V _s52 = lanes_add(lanes_add(_s49, lanes_mul(K(1.4210854715202004e-14), _s0)), lanes_mul(K(1.4210854715202004e-14), _s1));
+        const V _s53 = lanes_add(lanes_add(_s49, lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius));
+        const V _s54 = lanes_add(_s49, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
+        const V _s55 = lanes_add(lanes_add(_s49, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
+        const V _s56 = lanes_neg(p_board_half_width);
+        const V _s57 = lanes_max(K(0.0), _s56);
+        const V _s58 = lanes_max(_s57, _s56);
+        const V _s59 = lanes_neg(_s13);
+        const V _s60 = lanes_max(K(0.0), _s59);
+        const V _s61 = lanes_max(_s60, p_board_distance);
+        const V _s62 = lanes_neg(p_board_distance);
+        const V _s63 = lanes_max(K(0.0), _s62);
+        const V _s64 = lanes_max(_s63, p_ring_radius);
+        const V _s65 = lanes_neg(p_bridge_half_width);
+        const V _s66 = lanes_max(K(0.0), _s65);
+        const V _s67 = lanes_max(_s66, _s65);
+        const V _s68 = lanes_mul(p_gravity, p_gravity);
+        const V _s69 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+        const V _s70 = lanes_sub(K(1.0), p_ring_restitution);
+        const V _s71 = lanes_add(K(1.0), p_ring_restitution);
+        const V _s72 = lanes_sub(K(1.0), p_backboard_restitution);
+        const V _s73 = lanes_add(K(1.0), p_backboard_restitution);
+        const V _s74 = lanes_sub(K(1.0), p_bridge_restitution);
+        const V _s75 = lanes_add(K(1.0), p_bridge_restitution);
         lanes_store(lists->fixed[0], _s3);
         lanes_store(lists->fixed[1], lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius));
         lanes_store(lists->fixed[2], lanes_neg(_s5));
@@ -1023,104 +1026,104 @@ static void LANES(court_plain_fix)(LANES(court_plain_lists) *lists)
         lanes_store(lists->fixed[23], _s15);
         lanes_store(lists->fixed[24], _s16);
         lanes_store(lists->fixed[25], lanes_mul(K(0.5), _s16));
-        lanes_store(lists->fixed[26], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), _s17));
+        lanes_store(lists->fixed[26], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s12)));
         lanes_store(lists->fixed[27], lanes_sqrt(K(2.0)));
         lanes_store(lists->fixed[28], lanes_mul(K(2.0), p_ball_radius));
         lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_wire_radius));
         lanes_store(lists->fixed[30], lanes_mul(K(1.52587890625e-05), p_ball_radius));
         lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[32], _s18);
-        lanes_store(lists->fixed[33], lanes_mul(K(5.820766091346741e-11), _s19));
-        lanes_store(lists->fixed[34], lanes_mul(K(65536.0), _s19));
+        lanes_store(lists->fixed[32], _s17);
+        lanes_store(lists->fixed[33], lanes_mul(K(5.820766091346741e-11), _s18));
+        lanes_store(lists->fixed[34], lanes_mul(K(65536.0), _s18));
         lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[36], _s20);
-        lanes_store(lists->fixed[37], _s21);
+        lanes_store(lists->fixed[36], _s19);
+        lanes_store(lists->fixed[37], _s20);
         lanes_store(lists->fixed[38], lanes_mul(K(4.0), p_gravity));
         lanes_store(lists->fixed[39], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s12));
-        lanes_store(lists->fixed[40], _s25);
-        lanes_store(lists->fixed[41], lanes_mul(_s24, _s25));
+        lanes_store(lists->fixed[40], _s24);
+        lanes_store(lists->fixed[41], lanes_mul(_s23, _s24));
         lanes_store(lists->fixed[42], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[43], lanes_add(_s21, _s25));
-        lanes_store(lists->fixed[44], lanes_mul(_s26, lanes_mul(_s26, _s26)));
-        lanes_store(lists->fixed[45], _s19);
-        lanes_store(lists->fixed[46], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s12), _s19));
+        lanes_store(lists->fixed[43], lanes_add(_s20, _s24));
+        lanes_store(lists->fixed[44], lanes_mul(_s25, lanes_mul(_s25, _s25)));
+        lanes_store(lists->fixed[45], _s18);
+        lanes_store(lists->fixed[46], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s12), _s18));
         lanes_store(lists->fixed[47], lanes_mul(K(5.00030517578125), _s12));
-        lanes_store(lists->fixed[48], lanes_max(K(1.0), _s27));
+        lanes_store(lists->fixed[48], lanes_max(K(1.0), _s26));
         lanes_store(lists->fixed[49], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[50], lanes_mul(K(9.094947017729282e-13), _s19));
-        lanes_store(lists->fixed[51], _s24);
+        lanes_store(lists->fixed[50], lanes_mul(K(9.094947017729282e-13), _s18));
+        lanes_store(lists->fixed[51], _s23);
         lanes_store(lists->fixed[52], lanes_abs(K(0.0)));
         lanes_store(lists->fixed[53], lanes_mul(K(0.0625), p_gravity));
-        lanes_store(lists->fixed[54], lanes_mul(K(1.0000000009313226), _s28));
+        lanes_store(lists->fixed[54], lanes_mul(K(1.0000000009313226), _s27));
         lanes_store(lists->fixed[55], lanes_mul(K(1.0000000009313226), _s4));
         lanes_store(lists->fixed[56], lanes_mul(K(1.0000000009313226), p_board_half_width));
-        lanes_store(lists->fixed[57], _s31);
-        lanes_store(lists->fixed[58], lanes_mul(K(1.0000000009313226), lanes_sub(_s30, _s29)));
-        lanes_store(lists->fixed[59], _s30);
-        lanes_store(lists->fixed[60], _s29);
-        lanes_store(lists->fixed[61], _s36);
-        lanes_store(lists->fixed[62], lanes_add(_s6, _s37));
+        lanes_store(lists->fixed[57], _s30);
+        lanes_store(lists->fixed[58], lanes_mul(K(1.0000000009313226), lanes_sub(_s29, _s28)));
+        lanes_store(lists->fixed[59], _s29);
+        lanes_store(lists->fixed[60], _s28);
+        lanes_store(lists->fixed[61], _s35);
+        lanes_store(lists->fixed[62], lanes_add(_s6, _s36));
         lanes_store(lists->fixed[63], _s5);
-        lanes_store(lists->fixed[64], lanes_add(_s34, _s37));
-        lanes_store(lists->fixed[65], lanes_sub(lanes_add(_s32, _s37), _s29));
-        lanes_store(lists->fixed[66], lanes_mul(_s40, _s39));
-        lanes_store(lists->fixed[67], lanes_abs(_s31));
-        lanes_store(lists->fixed[68], lanes_max(_s41, _s33));
-        lanes_store(lists->fixed[69], lanes_mul(K(1.52587890625e-05), _s36));
-        lanes_store(lists->fixed[70], lanes_mul(K(5.55653613398821e-16), _s28));
-        lanes_store(lists->fixed[71], _s39);
+        lanes_store(lists->fixed[64], lanes_add(_s33, _s36));
+        lanes_store(lists->fixed[65], lanes_sub(lanes_add(_s31, _s36), _s28));
+        lanes_store(lists->fixed[66], lanes_mul(_s39, _s38));
+        lanes_store(lists->fixed[67], lanes_abs(_s30));
+        lanes_store(lists->fixed[68], lanes_max(_s40, _s32));
+        lanes_store(lists->fixed[69], lanes_mul(K(1.52587890625e-05), _s35));
+        lanes_store(lists->fixed[70], lanes_mul(K(5.55653613398821e-16), _s27));
+        lanes_store(lists->fixed[71], _s38);
         lanes_store(lists->fixed[72], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        lanes_store(lists->fixed[73], lanes_mul(K(2.001953125), _s39));
+        lanes_store(lists->fixed[73], lanes_mul(K(2.001953125), _s38));
         lanes_store(lists->fixed[74], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
         lanes_store(lists->fixed[75], lanes_add(lanes_mul(K(2.220446049250313e-16), _s0), lanes_mul(K(2.220446049250313e-16), _s1)));
-        lanes_store(lists->fixed[76], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s39, _s39)));
-        lanes_store(lists->fixed[77], lanes_mul(K(12.01171875), _s39));
-        lanes_store(lists->fixed[78], lanes_mul(K(6.667843360785852e-15), _s39));
-        lanes_store(lists->fixed[79], lanes_mul(K(6.005859375), _s39));
-        lanes_store(lists->fixed[80], lanes_mul(K(2.667137344314341e-15), _s39));
-        lanes_store(lists->fixed[81], _s28);
-        lanes_store(lists->fixed[82], _s38);
-        lanes_store(lists->fixed[83], lanes_mul(K(0.5), _s38));
+        lanes_store(lists->fixed[76], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s38, _s38)));
+        lanes_store(lists->fixed[77], lanes_mul(K(12.01171875), _s38));
+        lanes_store(lists->fixed[78], lanes_mul(K(6.667843360785852e-15), _s38));
+        lanes_store(lists->fixed[79], lanes_mul(K(6.005859375), _s38));
+        lanes_store(lists->fixed[80], lanes_mul(K(2.667137344314341e-15), _s38));
+        lanes_store(lists->fixed[81], _s27);
+        lanes_store(lists->fixed[82], _s37);
+        lanes_store(lists->fixed[83], lanes_mul(K(0.5), _s37));
         lanes_store(lists->fixed[84], lanes_mul(K(1.0000000009313226), lanes_sub(_s7, _s8)));
         lanes_store(lists->fixed[85], lanes_mul(K(1.0000000009313226), p_bridge_half_width));
-        lanes_store(lists->fixed[86], lanes_sub(p_wire_radius, _s42));
-        lanes_store(lists->fixed[87], lanes_mul(K(1.0000000009313226), _s42));
+        lanes_store(lists->fixed[86], lanes_sub(p_wire_radius, _s41));
+        lanes_store(lists->fixed[87], lanes_mul(K(1.0000000009313226), _s41));
         lanes_store(lists->fixed[88], _s7);
-        lanes_store(lists->fixed[89], _s42);
+        lanes_store(lists->fixed[89], _s41);
         lanes_store(lists->fixed[90], _s8);
-        lanes_store(lists->fixed[91], _s46);
-        lanes_store(lists->fixed[92], lanes_sub(lanes_add(_s10, _s47), _s8));
+        lanes_store(lists->fixed[91], _s45);
+        lanes_store(lists->fixed[92], lanes_sub(lanes_add(_s10, _s46), _s8));
         lanes_store(lists->fixed[93], _s9);
-        lanes_store(lists->fixed[94], lanes_add(_s44, _s47));
-        lanes_store(lists->fixed[95], lanes_add(_s43, _s47));
-        lanes_store(lists->fixed[96], lanes_mul(_s40, _s48));
-        lanes_store(lists->fixed[97], lanes_abs(lanes_sub(_s42, p_wire_radius)));
-        lanes_store(lists->fixed[98], lanes_max(_s49, _s43));
-        lanes_store(lists->fixed[99], lanes_mul(K(1.52587890625e-05), _s46));
-        lanes_store(lists->fixed[100], _s48);
+        lanes_store(lists->fixed[94], lanes_add(_s43, _s46));
+        lanes_store(lists->fixed[95], lanes_add(_s42, _s46));
+        lanes_store(lists->fixed[96], lanes_mul(_s39, _s47));
+        lanes_store(lists->fixed[97], lanes_abs(lanes_sub(_s41, p_wire_radius)));
+        lanes_store(lists->fixed[98], lanes_max(_s48, _s42));
+        lanes_store(lists->fixed[99], lanes_mul(K(1.52587890625e-05), _s45));
+        lanes_store(lists->fixed[100], _s47);
         lanes_store(lists->fixed[101], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
-        lanes_store(lists->fixed[102], lanes_mul(K(2.001953125), _s48));
+        lanes_store(lists->fixed[102], lanes_mul(K(2.001953125), _s47));
         lanes_store(lists->fixed[103], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
         lanes_store(lists->fixed[104], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
-        lanes_store(lists->fixed[105], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s48, _s48)));
-        lanes_store(lists->fixed[106], lanes_mul(K(12.01171875), _s48));
-        lanes_store(lists->fixed[107], lanes_mul(K(6.667843360785852e-15), _s48));
-        lanes_store(lists->fixed[108], lanes_mul(K(6.005859375), _s48));
-        lanes_store(lists->fixed[109], lanes_mul(K(2.667137344314341e-15), _s48));
+        lanes_store(lists->fixed[105], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s47, _s47)));
+        lanes_store(lists->fixed[106], lanes_mul(K(12.01171875), _s47));
+        lanes_store(lists->fixed[107], lanes_mul(K(6.667843360785852e-15), _s47));
+        lanes_store(lists->fixed[108], lanes_mul(K(6.005859375), _s47));
+        lanes_store(lists->fixed[109], lanes_mul(K(2.667137344314341e-15), _s47));
         lanes_store(lists->fixed[110], lanes_div(K(1.0), _s12));
         lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[112], _s51);
-        lanes_store(lists->fixed[113], lanes_neg(_s51));
-        lanes_store(lists->fixed[114], _s52);
-        lanes_store(lists->fixed[115], lanes_neg(_s52));
-        lanes_store(lists->fixed[116], _s53);
-        lanes_store(lists->fixed[117], lanes_neg(_s53));
-        lanes_store(lists->fixed[118], _s54);
-        lanes_store(lists->fixed[119], lanes_neg(_s54));
-        lanes_store(lists->fixed[120], _s55);
-        lanes_store(lists->fixed[121], lanes_neg(_s55));
-        lanes_store(lists->fixed[122], _s56);
-        lanes_store(lists->fixed[123], lanes_neg(_s56));
+        lanes_store(lists->fixed[112], _s50);
+        lanes_store(lists->fixed[113], lanes_neg(_s50));
+        lanes_store(lists->fixed[114], _s51);
+        lanes_store(lists->fixed[115], lanes_neg(_s51));
+        lanes_store(lists->fixed[116], _s52);
+        lanes_store(lists->fixed[117], lanes_neg(_s52));
+        lanes_store(lists->fixed[118], _s53);
+        lanes_store(lists->fixed[119], lanes_neg(_s53));
+        lanes_store(lists->fixed[120], _s54);
+        lanes_store(lists->fixed[121], lanes_neg(_s54));
+        lanes_store(lists->fixed[122], _s55);
+        lanes_store(lists->fixed[123], lanes_neg(_s55));
         lanes_store(lists->fixed[124], lanes_mul(K(0.6), p_gravity));
         lanes_store(lists->fixed[125], lanes_mul(K(0.015625), p_gravity));
         lanes_store(lists->fixed[126], lanes_mul(K(0.4), p_gravity));
@@ -1129,46 +1132,49 @@ static void LANES(court_plain_fix)(LANES(court_plain_lists) *lists)
         lanes_store(lists->fixed[129], _s12);
         lanes_store(lists->fixed[130], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
         lanes_store(lists->fixed[131], p_bridge_depth);
-        lanes_store(lists->fixed[132], lanes_mul(K(0.3333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[133], lanes_mul(K(0.25), p_ring_radius));
-        lanes_store(lists->fixed[134], lanes_mul(K(0.2), p_ring_radius));
-        lanes_store(lists->fixed[135], lanes_mul(K(0.16666666666666666), p_ring_radius));
-        lanes_store(lists->fixed[136], lanes_mul(K(0.14285714285714285), p_ring_radius));
-        lanes_store(lists->fixed[137], lanes_mul(K(0.125), p_ring_radius));
-        lanes_store(lists->fixed[138], lanes_mul(K(0.1111111111111111), p_ring_radius));
-        lanes_store(lists->fixed[139], lanes_mul(K(0.1), p_ring_radius));
-        lanes_store(lists->fixed[140], lanes_mul(K(0.09090909090909091), p_ring_radius));
-        lanes_store(lists->fixed[141], lanes_mul(K(0.08333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[142], lanes_sqrt(lanes_div(p_gravity, _s12)));
-        lanes_store(lists->fixed[143], lanes_div(K(1.0), _s17));
-        lanes_store(lists->fixed[144], lanes_mul(K(0.8), p_gravity));
-        lanes_store(lists->fixed[145], lanes_sqrt(lanes_add(lanes_mul(_s59, _s59), lanes_mul(_s62, _s62))));
-        lanes_store(lists->fixed[146], lanes_sqrt(lanes_add(lanes_mul(_s65, _s65), lanes_mul(_s68, _s68))));
-        lanes_store(lists->fixed[147], lanes_mul(K(0.000244140625), _s12));
-        lanes_store(lists->fixed[148], lanes_mul(K(0.00390625), p_gravity));
-        lanes_store(lists->fixed[149], lanes_mul(lanes_mul(K(0.000244140625), _s69), _s12));
-        lanes_store(lists->fixed[150], lanes_mul(K(6.0), _s69));
-        lanes_store(lists->fixed[151], lanes_mul(K(0.0078125), p_gravity));
-        lanes_store(lists->fixed[152], lanes_max(K(0.0), p_gravity));
-        lanes_store(lists->fixed[153], p_restitution_speed);
-        lanes_store(lists->fixed[154], _s70);
-        lanes_store(lists->fixed[155], lanes_mul(_s70, _s70));
-        lanes_store(lists->fixed[156], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        lanes_store(lists->fixed[157], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
-        lanes_store(lists->fixed[158], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[159], _s71);
-        lanes_store(lists->fixed[160], lanes_mul(_s71, _s71));
-        lanes_store(lists->fixed[161], lanes_mul(p_ring_friction, _s72));
-        lanes_store(lists->fixed[162], lanes_mul(_s72, _s71));
-        lanes_store(lists->fixed[163], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        lanes_store(lists->fixed[164], _s73);
-        lanes_store(lists->fixed[165], lanes_mul(_s73, _s73));
-        lanes_store(lists->fixed[166], lanes_mul(p_backboard_friction, _s74));
-        lanes_store(lists->fixed[167], lanes_mul(_s74, _s73));
-        lanes_store(lists->fixed[168], _s75);
-        lanes_store(lists->fixed[169], lanes_mul(_s75, _s75));
-        lanes_store(lists->fixed[170], lanes_mul(p_bridge_friction, _s76));
-        lanes_store(lists->fixed[171], lanes_mul(_s76, _s75));
+        lanes_store(lists->fixed[132], lanes_mul(K(0.6), p_ring_radius));
+        lanes_store(lists->fixed[133], lanes_mul(K(0.3333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[134], lanes_mul(K(0.25), p_ring_radius));
+        lanes_store(lists->fixed[135], lanes_mul(K(0.2), p_ring_radius));
+        lanes_store(lists->fixed[136], lanes_mul(K(0.16666666666666666), p_ring_radius));
+        lanes_store(lists->fixed[137], lanes_mul(K(0.14285714285714285), p_ring_radius));
+        lanes_store(lists->fixed[138], lanes_mul(K(0.125), p_ring_radius));
+        lanes_store(lists->fixed[139], lanes_mul(K(0.1111111111111111), p_ring_radius));
+        lanes_store(lists->fixed[140], lanes_mul(K(0.1), p_ring_radius));
+        lanes_store(lists->fixed[141], lanes_mul(K(0.09090909090909091), p_ring_radius));
+        lanes_store(lists->fixed[142], lanes_mul(K(0.08333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[143], lanes_mul(K(2.2), p_gravity));
+        lanes_store(lists->fixed[144], lanes_mul(K(3.0), p_ring_radius));
+        lanes_store(lists->fixed[145], lanes_mul(K(6.0), p_ring_radius));
+        lanes_store(lists->fixed[146], lanes_mul(K(0.8), p_gravity));
+        lanes_store(lists->fixed[147], lanes_sqrt(lanes_add(lanes_mul(_s58, _s58), lanes_mul(_s61, _s61))));
+        lanes_store(lists->fixed[148], lanes_sqrt(lanes_add(lanes_mul(_s64, _s64), lanes_mul(_s67, _s67))));
+        lanes_store(lists->fixed[149], lanes_mul(K(0.000244140625), _s12));
+        lanes_store(lists->fixed[150], lanes_mul(K(0.00390625), p_gravity));
+        lanes_store(lists->fixed[151], lanes_mul(lanes_mul(K(0.000244140625), _s68), _s12));
+        lanes_store(lists->fixed[152], lanes_mul(K(3.0), p_gravity));
+        lanes_store(lists->fixed[153], lanes_mul(K(2.0), lanes_mul(K(3.0), _s68)));
+        lanes_store(lists->fixed[154], lanes_mul(K(0.0078125), p_gravity));
+        lanes_store(lists->fixed[155], lanes_max(K(0.0), p_gravity));
+        lanes_store(lists->fixed[156], p_restitution_speed);
+        lanes_store(lists->fixed[157], _s69);
+        lanes_store(lists->fixed[158], lanes_mul(_s69, _s69));
+        lanes_store(lists->fixed[159], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        lanes_store(lists->fixed[160], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+        lanes_store(lists->fixed[161], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[162], _s70);
+        lanes_store(lists->fixed[163], lanes_mul(_s70, _s70));
+        lanes_store(lists->fixed[164], lanes_mul(p_ring_friction, _s71));
+        lanes_store(lists->fixed[165], lanes_mul(_s71, _s70));
+        lanes_store(lists->fixed[166], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        lanes_store(lists->fixed[167], _s72);
+        lanes_store(lists->fixed[168], lanes_mul(_s72, _s72));
+        lanes_store(lists->fixed[169], lanes_mul(p_backboard_friction, _s73));
+        lanes_store(lists->fixed[170], lanes_mul(_s73, _s72));
+        lanes_store(lists->fixed[171], _s74);
+        lanes_store(lists->fixed[172], lanes_mul(_s74, _s74));
+        lanes_store(lists->fixed[173], lanes_mul(p_bridge_friction, _s75));
+        lanes_store(lists->fixed[174], lanes_mul(_s75, _s74));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -2115,24 +2121,26 @@ static void LANES(court_plain_fix_f268)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[128], lanes_mul(K(5.684341886080802e-14), p_gravity));
         lanes_store(lists->fixed[129], _s0);
         lanes_store(lists->fixed[130], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
-        lanes_store(lists->fixed[132], lanes_mul(K(0.3333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[133], lanes_mul(K(0.25), p_ring_radius));
-        lanes_store(lists->fixed[134], lanes_mul(K(0.2), p_ring_radius));
-        lanes_store(lists->fixed[135], lanes_mul(K(0.16666666666666666), p_ring_radius));
-        lanes_store(lists->fixed[136], lanes_mul(K(0.14285714285714285), p_ring_radius));
-        lanes_store(lists->fixed[137], lanes_mul(K(0.125), p_ring_radius));
-        lanes_store(lists->fixed[138], lanes_mul(K(0.1111111111111111), p_ring_radius));
-        lanes_store(lists->fixed[139], lanes_mul(K(0.1), p_ring_radius));
-        lanes_store(lists->fixed[140], lanes_mul(K(0.09090909090909091), p_ring_radius));
-        lanes_store(lists->fixed[141], lanes_mul(K(0.08333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[142], lanes_sqrt(lanes_div(p_gravity, _s0)));
-        lanes_store(lists->fixed[143], lanes_div(K(1.0), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[144], lanes_mul(K(0.8), p_gravity));
-        lanes_store(lists->fixed[145], lanes_sqrt(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s7, _s7))));
-        lanes_store(lists->fixed[146], lanes_sqrt(lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s13, _s13))));
-        lanes_store(lists->fixed[147], lanes_mul(K(0.000244140625), _s0));
-        lanes_store(lists->fixed[148], lanes_mul(K(0.00390625), p_gravity));
-        lanes_store(lists->fixed[149], lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s0));
+        lanes_store(lists->fixed[132], lanes_mul(K(0.6), p_ring_radius));
+        lanes_store(lists->fixed[133], lanes_mul(K(0.3333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[134], lanes_mul(K(0.25), p_ring_radius));
+        lanes_store(lists->fixed[135], lanes_mul(K(0.2), p_ring_radius));
+        lanes_store(lists->fixed[136], lanes_mul(K(0.16666666666666666), p_ring_radius));
+        lanes_store(lists->fixed[137], lanes_mul(K(0.14285714285714285), p_ring_radius));
+        lanes_store(lists->fixed[138], lanes_mul(K(0.125), p_ring_radius));
+        lanes_store(lists->fixed[139], lanes_mul(K(0.1111111111111111), p_ring_radius));
+        lanes_store(lists->fixed[140], lanes_mul(K(0.1), p_ring_radius));
+        lanes_store(lists->fixed[141], lanes_mul(K(0.09090909090909091), p_ring_radius));
+        lanes_store(lists->fixed[142], lanes_mul(K(0.08333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[143], lanes_mul(K(2.2), p_gravity));
+        lanes_store(lists->fixed[144], lanes_mul(K(3.0), p_ring_radius));
+        lanes_store(lists->fixed[145], lanes_mul(K(6.0), p_ring_radius));
+        lanes_store(lists->fixed[146], lanes_mul(K(0.8), p_gravity));
+        lanes_store(lists->fixed[147], lanes_sqrt(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s7, _s7))));
+        lanes_store(lists->fixed[148], lanes_sqrt(lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s13, _s13))));
+        lanes_store(lists->fixed[149], lanes_mul(K(0.000244140625), _s0));
+        lanes_store(lists->fixed[150], lanes_mul(K(0.00390625), p_gravity));
+        lanes_store(lists->fixed[151], lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s0));
     }
 }
 
@@ -2178,7 +2186,6 @@ static void LANES(court_plain_fix_f313)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
         lanes_store(lists->fixed[23], lanes_neg(p_gravity));
         lanes_store(lists->fixed[42], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[49], lanes_mul(K(6.0), p_gravity));
         lanes_store(lists->fixed[110], lanes_div(K(1.0), _s0));
         lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
         lanes_store(lists->fixed[112], _s2);
@@ -2196,9 +2203,10 @@ static void LANES(court_plain_fix_f313)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[128], lanes_mul(K(5.684341886080802e-14), p_gravity));
         lanes_store(lists->fixed[129], _s0);
         lanes_store(lists->fixed[131], p_bridge_depth);
-        lanes_store(lists->fixed[150], lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)));
-        lanes_store(lists->fixed[151], lanes_mul(K(0.0078125), p_gravity));
-        lanes_store(lists->fixed[152], lanes_max(K(0.0), p_gravity));
+        lanes_store(lists->fixed[152], lanes_mul(K(3.0), p_gravity));
+        lanes_store(lists->fixed[153], lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
+        lanes_store(lists->fixed[154], lanes_mul(K(0.0078125), p_gravity));
+        lanes_store(lists->fixed[155], lanes_max(K(0.0), p_gravity));
     }
 }
 
@@ -2232,7 +2240,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
                 LANES(court_ring_tube)(lanes_load(lists->fixed[110]));
             per_reach = lanes_select(_m315, _o316.per_reach, per_reach);
             const LANES(court_ring_parting_out) _o317 =
-                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[49]), lanes_load(lists->fixed[150]));
+                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[152]), lanes_load(lists->fixed[153]));
             lift = lanes_select(_m315, _o317.lift, lift);
             surge = lanes_select(_m315, _o317.surge, surge);
             snap = lanes_select(_m315, _o317.snap, snap);
@@ -2246,7 +2254,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
                 LANES(court_backboard_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[114]), lanes_load(lists->fixed[115]), lanes_load(lists->fixed[116]), lanes_load(lists->fixed[117]), lanes_load(lists->fixed[111]));
             per_reach = lanes_select(_m319, _o320.per_reach, per_reach);
             const LANES(court_backboard_parting_out) _o321 =
-                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[15]));
+                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]));
             lift = lanes_select(_m319, _o321.lift, lift);
             surge = lanes_select(_m319, _o321.surge, surge);
             snap = lanes_select(_m319, _o321.snap, snap);
@@ -2260,7 +2268,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
                 LANES(court_bridge_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[118]), lanes_load(lists->fixed[119]), lanes_load(lists->fixed[120]), lanes_load(lists->fixed[121]), lanes_load(lists->fixed[122]), lanes_load(lists->fixed[123]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[111]));
             per_reach = lanes_select(_m323, _o324.per_reach, per_reach);
             const LANES(court_bridge_parting_out) _o325 =
-                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[16]));
+                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[23]));
             lift = lanes_select(_m323, _o325.lift, lift);
             surge = lanes_select(_m323, _o325.surge, surge);
             snap = lanes_select(_m323, _o325.snap, snap);
@@ -2279,7 +2287,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             V nearing = _o329.nearing;
             V dent = _o329.dent;
             const LANES(court_spared_out) _o330 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[151]));
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[154]));
             spare = lanes_select(_m328, _o330.spare, spare);
         }
         const LANES(court_beside_out) _o331 =
@@ -2293,7 +2301,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             V nearing = _o333.nearing;
             V dent = _o333.dent;
             const LANES(court_spared_out) _o334 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[151]));
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[154]));
             spare = lanes_select(_m332, _o334.spare, spare);
         }
         const LANES(court_beside_out) _o335 =
@@ -2307,7 +2315,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             V nearing = _o337.nearing;
             V dent = _o337.dent;
             const LANES(court_spared_out) _o338 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[151]));
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[154]));
             spare = lanes_select(_m336, _o338.spare, spare);
         }
         const LANES(court_beside_out) _o339 =
@@ -2321,7 +2329,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             V nearing = _o341.nearing;
             V dent = _o341.dent;
             const LANES(court_spared_out) _o342 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[151]));
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[154]));
             spare = lanes_select(_m340, _o342.spare, spare);
         }
         const LANES(court_holding_out) _o343 =
@@ -2335,7 +2343,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             V nearing = _o345.nearing;
             V near = _o345.near;
             const LANES(court_spared_seam_out) _o346 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[155]));
             spare = lanes_select(_m344, _o346.spare, spare);
             const LANES(court_backboard_seam1_out) _o347 =
                 LANES(court_backboard_seam1)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[112]));
@@ -2343,7 +2351,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             nearing = _o347.nearing;
             near = _o347.near;
             const LANES(court_spared_seam_out) _o348 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[155]));
             spare = lanes_select(_m344, _o348.spare, spare);
             const LANES(court_backboard_seam2_out) _o349 =
                 LANES(court_backboard_seam2)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[114]));
@@ -2351,7 +2359,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             nearing = _o349.nearing;
             near = _o349.near;
             const LANES(court_spared_seam_out) _o350 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[155]));
             spare = lanes_select(_m344, _o350.spare, spare);
             const LANES(court_backboard_seam3_out) _o351 =
                 LANES(court_backboard_seam3)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[114]));
@@ -2359,7 +2367,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             nearing = _o351.nearing;
             near = _o351.near;
             const LANES(court_spared_seam_out) _o352 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[155]));
             spare = lanes_select(_m344, _o352.spare, spare);
             const LANES(court_backboard_seam4_out) _o353 =
                 LANES(court_backboard_seam4)(vz, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[116]));
@@ -2367,7 +2375,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             nearing = _o353.nearing;
             near = _o353.near;
             const LANES(court_spared_seam_out) _o354 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[155]));
             spare = lanes_select(_m344, _o354.spare, spare);
             const LANES(court_backboard_seam5_out) _o355 =
                 LANES(court_backboard_seam5)(vz, z, lanes_load(lists->fixed[12]), lanes_load(lists->fixed[116]));
@@ -2375,7 +2383,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             nearing = _o355.nearing;
             near = _o355.near;
             const LANES(court_spared_seam_out) _o356 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[155]));
             spare = lanes_select(_m344, _o356.spare, spare);
         }
         const LANES(court_holding_out) _o357 =
@@ -2389,7 +2397,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             V nearing = _o359.nearing;
             V near = _o359.near;
             const LANES(court_spared_seam_out) _o360 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[155]));
             spare = lanes_select(_m358, _o360.spare, spare);
             const LANES(court_bridge_seam1_out) _o361 =
                 LANES(court_bridge_seam1)(vx, x, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[118]));
@@ -2397,7 +2405,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             nearing = _o361.nearing;
             near = _o361.near;
             const LANES(court_spared_seam_out) _o362 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[155]));
             spare = lanes_select(_m358, _o362.spare, spare);
             const LANES(court_bridge_seam2_out) _o363 =
                 LANES(court_bridge_seam2)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[120]));
@@ -2405,7 +2413,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             nearing = _o363.nearing;
             near = _o363.near;
             const LANES(court_spared_seam_out) _o364 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[155]));
             spare = lanes_select(_m358, _o364.spare, spare);
             const LANES(court_bridge_seam3_out) _o365 =
                 LANES(court_bridge_seam3)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[120]));
@@ -2413,7 +2421,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             nearing = _o365.nearing;
             near = _o365.near;
             const LANES(court_spared_seam_out) _o366 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[155]));
             spare = lanes_select(_m358, _o366.spare, spare);
             const LANES(court_bridge_seam4_out) _o367 =
                 LANES(court_bridge_seam4)(vz, z, lanes_load(lists->fixed[131]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[122]));
@@ -2421,7 +2429,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             nearing = _o367.nearing;
             near = _o367.near;
             const LANES(court_spared_seam_out) _o368 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[155]));
             spare = lanes_select(_m358, _o368.spare, spare);
             const LANES(court_bridge_seam5_out) _o369 =
                 LANES(court_bridge_seam5)(vz, z, lanes_load(lists->fixed[8]), lanes_load(lists->fixed[122]));
@@ -2429,11 +2437,11 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
             nearing = _o369.nearing;
             near = _o369.near;
             const LANES(court_spared_seam_out) _o370 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[152]));
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[155]));
             spare = lanes_select(_m358, _o370.spare, spare);
         }
         const LANES(court_parted_out) _o371 =
-            LANES(court_parted)(K(INFINITY), lift, per_reach, K(0.0), snap, spare, surge, K(0.0), vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[151]), lanes_load(lists->fixed[128]));
+            LANES(court_parted)(K(INFINITY), lift, per_reach, K(0.0), snap, spare, surge, K(0.0), vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[154]), lanes_load(lists->fixed[128]));
         V when = _o371.when;
         const LANES(court_hopping_out) _o372 =
             LANES(court_hopping)();
@@ -3237,7 +3245,7 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 LANES(court_ring_tube)(lanes_load(lists->fixed[110]));
             V per_reach = _o269.per_reach;
             const LANES(court_ring_round_start_out) _o270 =
-                LANES(court_ring_round_start)(vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[129]));
+                LANES(court_ring_round_start)(per_reach, vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[129]));
             V cosine_0 = _o270.cosine_0;
             V sine_0 = _o270.sine_0;
             V climb_0 = _o270.climb_0;
@@ -3245,183 +3253,128 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             V turn_rate_0 = _o270.turn_rate_0;
             V cos_0 = _o270.cos_0;
             V sin_0 = _o270.sin_0;
+            V tilted_0 = _o270.tilted_0;
             V near_0 = _o270.near_0;
             const LANES(court_ring_round_0_out) _o271 =
-                LANES(court_ring_round_0)(along_0, climb_0, cos_0, cosine_0, near_0, sin_0, sine_0, turn_rate_0, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[129]));
+                LANES(court_ring_round_0)(along_0, climb_0, cosine_0, near_0, per_reach, sine_0, tilted_0, turn_rate_0, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[132]));
             V omega_0 = _o271.omega_0;
             V around_0 = _o271.around_0;
-            V tilted_0 = _o271.tilted_0;
-            V pressed_0 = _o271.pressed_0;
-            V force_0 = _o271.force_0;
             V cosine_1 = _o271.cosine_1;
             V sine_1 = _o271.sine_1;
             V climb_1 = _o271.climb_1;
             V along_1 = _o271.along_1;
             V turn_rate_1 = _o271.turn_rate_1;
-            V cos_1 = _o271.cos_1;
-            V sin_1 = _o271.sin_1;
+            V tilted_1 = _o271.tilted_1;
             const LANES(court_ring_round_1_out) _o272 =
-                LANES(court_ring_round_1)(along_0, along_1, around_0, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, near_0, omega_0, pressed_0, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[90]));
-            V near_1 = _o272.near_1;
+                LANES(court_ring_round_1)(along_1, around_0, climb_0, climb_1, cosine_0, cosine_1, near_0, omega_0, per_reach, sine_0, sine_1, tilted_0, tilted_1, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[90]), lanes_load(lists->fixed[132]));
             V omega_1 = _o272.omega_1;
             V around_1 = _o272.around_1;
-            V tilted_1 = _o272.tilted_1;
-            V pressed_1 = _o272.pressed_1;
-            V force_1 = _o272.force_1;
             V cosine_2 = _o272.cosine_2;
             V sine_2 = _o272.sine_2;
             V climb_2 = _o272.climb_2;
             V along_2 = _o272.along_2;
             V turn_rate_2 = _o272.turn_rate_2;
-            V cos_2 = _o272.cos_2;
-            V sin_2 = _o272.sin_2;
+            V tilted_2 = _o272.tilted_2;
             const LANES(court_ring_round_2_out) _o273 =
-                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[132]));
-            V near_2 = _o273.near_2;
+                LANES(court_ring_round_2)(along_2, around_0, around_1, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, near_0, omega_0, omega_1, per_reach, sine_0, sine_1, sine_2, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[133]), lanes_load(lists->fixed[132]));
             V omega_2 = _o273.omega_2;
             V around_2 = _o273.around_2;
-            V tilted_2 = _o273.tilted_2;
-            V pressed_2 = _o273.pressed_2;
-            V force_2 = _o273.force_2;
             V cosine_3 = _o273.cosine_3;
             V sine_3 = _o273.sine_3;
             V climb_3 = _o273.climb_3;
             V along_3 = _o273.along_3;
             V turn_rate_3 = _o273.turn_rate_3;
-            V cos_3 = _o273.cos_3;
-            V sin_3 = _o273.sin_3;
+            V tilted_3 = _o273.tilted_3;
             const LANES(court_ring_round_3_out) _o274 =
-                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[133]));
-            V near_3 = _o274.near_3;
+                LANES(court_ring_round_3)(along_3, around_0, around_1, around_2, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, near_0, omega_0, omega_1, omega_2, per_reach, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[134]), lanes_load(lists->fixed[132]));
             V omega_3 = _o274.omega_3;
             V around_3 = _o274.around_3;
-            V tilted_3 = _o274.tilted_3;
-            V pressed_3 = _o274.pressed_3;
-            V force_3 = _o274.force_3;
             V cosine_4 = _o274.cosine_4;
             V sine_4 = _o274.sine_4;
             V climb_4 = _o274.climb_4;
             V along_4 = _o274.along_4;
             V turn_rate_4 = _o274.turn_rate_4;
-            V cos_4 = _o274.cos_4;
-            V sin_4 = _o274.sin_4;
+            V tilted_4 = _o274.tilted_4;
             const LANES(court_ring_round_4_out) _o275 =
-                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[134]));
-            V near_4 = _o275.near_4;
+                LANES(court_ring_round_4)(along_4, around_0, around_1, around_2, around_3, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, near_0, omega_0, omega_1, omega_2, omega_3, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[132]));
             V omega_4 = _o275.omega_4;
             V around_4 = _o275.around_4;
-            V tilted_4 = _o275.tilted_4;
-            V pressed_4 = _o275.pressed_4;
-            V force_4 = _o275.force_4;
             V cosine_5 = _o275.cosine_5;
             V sine_5 = _o275.sine_5;
             V climb_5 = _o275.climb_5;
             V along_5 = _o275.along_5;
             V turn_rate_5 = _o275.turn_rate_5;
-            V cos_5 = _o275.cos_5;
-            V sin_5 = _o275.sin_5;
+            V tilted_5 = _o275.tilted_5;
             const LANES(court_ring_round_5_out) _o276 =
-                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[135]));
-            V near_5 = _o276.near_5;
+                LANES(court_ring_round_5)(along_5, around_0, around_1, around_2, around_3, around_4, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[136]), lanes_load(lists->fixed[132]));
             V omega_5 = _o276.omega_5;
             V around_5 = _o276.around_5;
-            V tilted_5 = _o276.tilted_5;
-            V pressed_5 = _o276.pressed_5;
-            V force_5 = _o276.force_5;
             V cosine_6 = _o276.cosine_6;
             V sine_6 = _o276.sine_6;
             V climb_6 = _o276.climb_6;
             V along_6 = _o276.along_6;
             V turn_rate_6 = _o276.turn_rate_6;
-            V cos_6 = _o276.cos_6;
-            V sin_6 = _o276.sin_6;
+            V tilted_6 = _o276.tilted_6;
             const LANES(court_ring_round_6_out) _o277 =
-                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[136]));
-            V near_6 = _o277.near_6;
+                LANES(court_ring_round_6)(along_6, around_0, around_1, around_2, around_3, around_4, around_5, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[137]), lanes_load(lists->fixed[132]));
             V omega_6 = _o277.omega_6;
             V around_6 = _o277.around_6;
-            V tilted_6 = _o277.tilted_6;
-            V pressed_6 = _o277.pressed_6;
-            V force_6 = _o277.force_6;
             V cosine_7 = _o277.cosine_7;
             V sine_7 = _o277.sine_7;
             V climb_7 = _o277.climb_7;
             V along_7 = _o277.along_7;
             V turn_rate_7 = _o277.turn_rate_7;
-            V cos_7 = _o277.cos_7;
-            V sin_7 = _o277.sin_7;
+            V tilted_7 = _o277.tilted_7;
             const LANES(court_ring_round_7_out) _o278 =
-                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[137]));
-            V near_7 = _o278.near_7;
+                LANES(court_ring_round_7)(along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[138]), lanes_load(lists->fixed[132]));
             V omega_7 = _o278.omega_7;
             V around_7 = _o278.around_7;
-            V tilted_7 = _o278.tilted_7;
-            V pressed_7 = _o278.pressed_7;
-            V force_7 = _o278.force_7;
             V cosine_8 = _o278.cosine_8;
             V sine_8 = _o278.sine_8;
             V climb_8 = _o278.climb_8;
             V along_8 = _o278.along_8;
             V turn_rate_8 = _o278.turn_rate_8;
-            V cos_8 = _o278.cos_8;
-            V sin_8 = _o278.sin_8;
+            V tilted_8 = _o278.tilted_8;
             const LANES(court_ring_round_8_out) _o279 =
-                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[138]));
-            V near_8 = _o279.near_8;
+                LANES(court_ring_round_8)(along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[139]), lanes_load(lists->fixed[132]));
             V omega_8 = _o279.omega_8;
             V around_8 = _o279.around_8;
-            V tilted_8 = _o279.tilted_8;
-            V pressed_8 = _o279.pressed_8;
-            V force_8 = _o279.force_8;
             V cosine_9 = _o279.cosine_9;
             V sine_9 = _o279.sine_9;
             V climb_9 = _o279.climb_9;
             V along_9 = _o279.along_9;
             V turn_rate_9 = _o279.turn_rate_9;
-            V cos_9 = _o279.cos_9;
-            V sin_9 = _o279.sin_9;
+            V tilted_9 = _o279.tilted_9;
             const LANES(court_ring_round_9_out) _o280 =
-                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[139]));
-            V near_9 = _o280.near_9;
+                LANES(court_ring_round_9)(along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[140]), lanes_load(lists->fixed[132]));
             V omega_9 = _o280.omega_9;
             V around_9 = _o280.around_9;
-            V tilted_9 = _o280.tilted_9;
-            V pressed_9 = _o280.pressed_9;
-            V force_9 = _o280.force_9;
             V cosine_10 = _o280.cosine_10;
             V sine_10 = _o280.sine_10;
             V climb_10 = _o280.climb_10;
             V along_10 = _o280.along_10;
             V turn_rate_10 = _o280.turn_rate_10;
-            V cos_10 = _o280.cos_10;
-            V sin_10 = _o280.sin_10;
+            V tilted_10 = _o280.tilted_10;
             const LANES(court_ring_round_10_out) _o281 =
-                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[140]));
-            V near_10 = _o281.near_10;
+                LANES(court_ring_round_10)(along_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, per_reach, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[141]), lanes_load(lists->fixed[132]));
             V omega_10 = _o281.omega_10;
             V around_10 = _o281.around_10;
-            V tilted_10 = _o281.tilted_10;
-            V pressed_10 = _o281.pressed_10;
-            V force_10 = _o281.force_10;
             V cosine_11 = _o281.cosine_11;
             V sine_11 = _o281.sine_11;
             V climb_11 = _o281.climb_11;
             V along_11 = _o281.along_11;
             V turn_rate_11 = _o281.turn_rate_11;
-            V cos_11 = _o281.cos_11;
-            V sin_11 = _o281.sin_11;
+            V tilted_11 = _o281.tilted_11;
             const LANES(court_ring_round_11_out) _o282 =
-                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[141]));
-            V force_11 = _o282.force_11;
+                LANES(court_ring_round_11)(along_11, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, per_reach, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_11, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[142]), lanes_load(lists->fixed[132]));
+            V omega_11 = _o282.omega_11;
             V cosine_12 = _o282.cosine_12;
             V sine_12 = _o282.sine_12;
             V climb_12 = _o282.climb_12;
             V along_12 = _o282.along_12;
             V turn_rate_12 = _o282.turn_rate_12;
-            V cos_12 = _o282.cos_12;
-            V sin_12 = _o282.sin_12;
             const LANES(court_ring_round_pace_out) _o283 =
-                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, omega_0, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, lanes_load(lists->fixed[125]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[142]), lanes_load(lists->fixed[143]), lanes_load(lists->fixed[144]));
+                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cosine_0, cosine_12, omega_0, omega_1, omega_10, omega_11, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, per_reach, sin_0, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[125]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[143]), lanes_load(lists->fixed[144]), lanes_load(lists->fixed[145]), lanes_load(lists->fixed[146]));
             V stride = _o283.stride;
             V strongest = _o283.strongest;
             V fastest = _o283.fastest;
@@ -3480,14 +3433,14 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             V forth = _o294.forth;
             V back = _o294.back;
             const LANES(court_backboard_around_out) _o295 =
-                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[145]));
+                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[147]));
             gap = _o295.gap;
             nearing = _o295.nearing;
             const LANES(court_cleared_out) _o296 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
             berth = _o296.berth;
             const LANES(court_bridge_around_out) _o297 =
-                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[146]));
+                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[148]));
             gap = _o297.gap;
             nearing = _o297.nearing;
             const LANES(court_cleared_out) _o298 =
@@ -3501,7 +3454,7 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 LANES(court_cleared)(berth, gap, forth, nearing);
             berth = _o300.berth;
             const LANES(court_ring_round_moved_out) _o301 =
-                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[111]));
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, omega_0, omega_1, omega_10, omega_11, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, sin_0, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[111]));
             x = _o301.x;
             y = _o301.y;
             z = _o301.z;
@@ -3516,14 +3469,14 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 LANES(court_passing_in_contact)(over, through, x, y, z, lanes_load(lists->fixed[19]));
             through = _o302.through;
             const LANES(court_backboard_around_out) _o303 =
-                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[145]));
+                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[147]));
             gap = _o303.gap;
             nearing = _o303.nearing;
             const LANES(court_cleared_out) _o304 =
                 LANES(court_cleared)(berth, gap, back, nearing);
             berth = _o304.berth;
             const LANES(court_bridge_around_out) _o305 =
-                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[146]));
+                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[148]));
             gap = _o305.gap;
             nearing = _o305.nearing;
             const LANES(court_cleared_out) _o306 =
@@ -3537,7 +3490,7 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 LANES(court_cleared)(berth, gap, back, nearing);
             berth = _o308.berth;
             const LANES(court_ring_swung_out) _o309 =
-                LANES(court_ring_swung)(berth, circled, climb, climb_0, K(INFINITY), fastest, force, force_bend, force_rate, K(0.0), stride, sway, K(0.0), which, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[147]), lanes_load(lists->fixed[148]), lanes_load(lists->fixed[125]), lanes_load(lists->fixed[110]), lanes_load(lists->fixed[149]));
+                LANES(court_ring_swung)(berth, circled, climb, climb_0, K(INFINITY), fastest, force, force_bend, force_rate, K(0.0), stride, sway, K(0.0), which, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[149]), lanes_load(lists->fixed[150]), lanes_load(lists->fixed[125]), lanes_load(lists->fixed[110]), lanes_load(lists->fixed[151]));
             circled = _o309.circled;
             M endless = _o309.endless;
             const LANES(court_for_ever_out) _o310 =
@@ -3711,11 +3664,11 @@ static void LANES(court_plain_fix_f373)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[110], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
         lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[153], p_restitution_speed);
-        lanes_store(lists->fixed[154], _s0);
-        lanes_store(lists->fixed[155], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[156], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        lanes_store(lists->fixed[157], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+        lanes_store(lists->fixed[156], p_restitution_speed);
+        lanes_store(lists->fixed[157], _s0);
+        lanes_store(lists->fixed[158], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[159], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        lanes_store(lists->fixed[160], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
     }
 }
 
@@ -3762,29 +3715,28 @@ static void LANES(court_plain_fix_f418)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
         lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
         lanes_store(lists->fixed[23], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[49], lanes_mul(K(6.0), p_gravity));
         lanes_store(lists->fixed[110], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
         lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
         lanes_store(lists->fixed[126], lanes_mul(K(0.4), p_gravity));
         lanes_store(lists->fixed[130], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
-        lanes_store(lists->fixed[150], lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)));
-        lanes_store(lists->fixed[156], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        lanes_store(lists->fixed[158], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[159], _s0);
-        lanes_store(lists->fixed[160], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[161], lanes_mul(p_ring_friction, _s1));
-        lanes_store(lists->fixed[162], lanes_mul(_s1, _s0));
-        lanes_store(lists->fixed[163], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        lanes_store(lists->fixed[164], _s2);
-        lanes_store(lists->fixed[165], lanes_mul(_s2, _s2));
-        lanes_store(lists->fixed[166], lanes_mul(p_backboard_friction, _s3));
-        lanes_store(lists->fixed[167], lanes_mul(_s3, _s2));
-        lanes_store(lists->fixed[168], _s4);
-        lanes_store(lists->fixed[169], lanes_mul(_s4, _s4));
-        lanes_store(lists->fixed[170], lanes_mul(p_bridge_friction, _s5));
-        lanes_store(lists->fixed[171], lanes_mul(_s5, _s4));
+        lanes_store(lists->fixed[152], lanes_mul(K(3.0), p_gravity));
+        lanes_store(lists->fixed[153], lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
+        lanes_store(lists->fixed[159], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        lanes_store(lists->fixed[161], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[162], _s0);
+        lanes_store(lists->fixed[163], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[164], lanes_mul(p_ring_friction, _s1));
+        lanes_store(lists->fixed[165], lanes_mul(_s1, _s0));
+        lanes_store(lists->fixed[166], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        lanes_store(lists->fixed[167], _s2);
+        lanes_store(lists->fixed[168], lanes_mul(_s2, _s2));
+        lanes_store(lists->fixed[169], lanes_mul(p_backboard_friction, _s3));
+        lanes_store(lists->fixed[170], lanes_mul(_s3, _s2));
+        lanes_store(lists->fixed[171], _s4);
+        lanes_store(lists->fixed[172], lanes_mul(_s4, _s4));
+        lanes_store(lists->fixed[173], lanes_mul(p_bridge_friction, _s5));
+        lanes_store(lists->fixed[174], lanes_mul(_s5, _s4));
     }
 }
 
@@ -3840,7 +3792,7 @@ static void LANES(court_plain_slow)(LANES(court_plain_lists) *lists, size_t slow
             nz = lanes_select(_m424, _o425.nz, nz);
         }
         const LANES(court_nearly_out) _o426 =
-            LANES(court_nearly)(nx, ny, nz, vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[156]));
+            LANES(court_nearly)(nx, ny, nz, vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[159]));
         M nearly = _o426.nearly;
         const LANES(court_gripped_out) _o427 =
             LANES(court_gripped)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[6]));
@@ -3860,7 +3812,7 @@ static void LANES(court_plain_slow)(LANES(court_plain_lists) *lists, size_t slow
             V turning_y = _o430.turning_y;
             V turning_z = _o430.turning_z;
             const LANES(court_pressed_on_out) _o431 =
-                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[158]), lanes_load(lists->fixed[126]));
+                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[161]), lanes_load(lists->fixed[126]));
             V press = _o431.press;
             V weight = _o431.weight;
             V drag = _o431.drag;
@@ -3898,10 +3850,10 @@ static void LANES(court_plain_slow)(LANES(court_plain_lists) *lists, size_t slow
                 LANES(court_neared)(gap, nearest);
             nearest = _o438.nearest;
             const LANES(court_ring_parting_out) _o439 =
-                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[49]), lanes_load(lists->fixed[150]));
+                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[152]), lanes_load(lists->fixed[153]));
             V lift = _o439.lift;
             const LANES(court_ring_impact_settling_out) _o440 =
-                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[159]), lanes_load(lists->fixed[160]), lanes_load(lists->fixed[161]), lanes_load(lists->fixed[162]), lanes_load(lists->fixed[130]), lanes_load(lists->fixed[163]));
+                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[162]), lanes_load(lists->fixed[163]), lanes_load(lists->fixed[164]), lanes_load(lists->fixed[165]), lanes_load(lists->fixed[130]), lanes_load(lists->fixed[166]));
             M settles = _o440.settles;
             M lodges = _o440.lodges;
             M slides = _o440.slides;
@@ -3925,7 +3877,7 @@ static void LANES(court_plain_slow)(LANES(court_plain_lists) *lists, size_t slow
             V turning_y = _o444.turning_y;
             V turning_z = _o444.turning_z;
             const LANES(court_pressed_on_out) _o445 =
-                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[158]), lanes_load(lists->fixed[126]));
+                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[161]), lanes_load(lists->fixed[126]));
             V press = _o445.press;
             V weight = _o445.weight;
             V drag = _o445.drag;
@@ -3963,10 +3915,10 @@ static void LANES(court_plain_slow)(LANES(court_plain_lists) *lists, size_t slow
                 LANES(court_neared)(gap, nearest);
             nearest = _o452.nearest;
             const LANES(court_backboard_parting_out) _o453 =
-                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[15]));
+                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]));
             V lift = _o453.lift;
             const LANES(court_ring_impact_settling_out) _o454 =
-                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[164]), lanes_load(lists->fixed[165]), lanes_load(lists->fixed[166]), lanes_load(lists->fixed[167]), lanes_load(lists->fixed[130]), lanes_load(lists->fixed[163]));
+                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[167]), lanes_load(lists->fixed[168]), lanes_load(lists->fixed[169]), lanes_load(lists->fixed[170]), lanes_load(lists->fixed[130]), lanes_load(lists->fixed[166]));
             M settles = _o454.settles;
             M lodges = _o454.lodges;
             M slides = _o454.slides;
@@ -3990,7 +3942,7 @@ static void LANES(court_plain_slow)(LANES(court_plain_lists) *lists, size_t slow
             V turning_y = _o458.turning_y;
             V turning_z = _o458.turning_z;
             const LANES(court_pressed_on_out) _o459 =
-                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[158]), lanes_load(lists->fixed[126]));
+                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[161]), lanes_load(lists->fixed[126]));
             V press = _o459.press;
             V weight = _o459.weight;
             V drag = _o459.drag;
@@ -4028,10 +3980,10 @@ static void LANES(court_plain_slow)(LANES(court_plain_lists) *lists, size_t slow
                 LANES(court_neared)(gap, nearest);
             nearest = _o466.nearest;
             const LANES(court_bridge_parting_out) _o467 =
-                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[16]));
+                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[23]));
             V lift = _o467.lift;
             const LANES(court_ring_impact_settling_out) _o468 =
-                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[168]), lanes_load(lists->fixed[169]), lanes_load(lists->fixed[170]), lanes_load(lists->fixed[171]), lanes_load(lists->fixed[130]), lanes_load(lists->fixed[163]));
+                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[171]), lanes_load(lists->fixed[172]), lanes_load(lists->fixed[173]), lanes_load(lists->fixed[174]), lanes_load(lists->fixed[130]), lanes_load(lists->fixed[166]));
             M settles = _o468.settles;
             M lodges = _o468.lodges;
             M slides = _o468.slides;
@@ -4061,6 +4013,7 @@ static void LANES(court_plain)(const court_job *job)
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
     size_t begun = 0, end = 0, shots = 0;
+    int streams = 0; /* whether the shots before ended all at once: then those to come will, too */
 
     lists->waiting = 0;
     if (job->shots == 0)
@@ -4128,9 +4081,9 @@ static void LANES(court_plain)(const court_job *job)
             M finite = _o2.finite;
             const LANES(court_aside_out) _o3 =
                 LANES(court_aside)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]));
-            M near = _o3.near;
+            M close = _o3.close;
             V valid = _o3.valid;
-            const M _m4 = lanes_both(rows, near);
+            const M _m4 = lanes_both(rows, close);
             if (lanes_any(_m4)) {
                 const LANES(court_valid_out) _o5 =
                     LANES(court_valid)(last, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[0]));
@@ -4159,7 +4112,7 @@ static void LANES(court_plain)(const court_job *job)
         size_t open_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
-            LANES(court_ahead)(job, begun + i);
+            LANES(court_ahead)(job, begun + i, streams);
             if (LANES_SELDOM(varying))
                 LANES(court_plain_fix_f8)(lists, i);
             V last = lanes_load(lists->last + i);
@@ -4200,8 +4153,9 @@ static void LANES(court_plain)(const court_job *job)
             V time = _o15.time;
             V rate = _o15.rate;
             V bend = _o15.bend;
+            V apex = _o15.apex;
             const LANES(court_meeting_plane_out) _o16 =
-                LANES(court_meeting_plane)(bend, rate, time);
+                LANES(court_meeting_plane)(apex, bend, rate, time);
             M arrives = _o16.arrives;
             const LANES(court_timely_out) _o17 =
                 LANES(court_timely)(arrives, K(0.0), K(0.0), time, when);
@@ -6272,7 +6226,7 @@ static void LANES(court_plain)(const court_job *job)
                 const M _m413 = lanes_both(_m391, struck_0);
                 if (lanes_any(_m413)) {
                     const LANES(court_ring_impact_out) _o414 =
-                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[153]), lanes_load(lists->fixed[154]), lanes_load(lists->fixed[155]));
+                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[156]), lanes_load(lists->fixed[157]), lanes_load(lists->fixed[158]));
                     vx = lanes_select(_m413, _o414.vx, vx);
                     vy = lanes_select(_m413, _o414.vy, vy);
                     vz = lanes_select(_m413, _o414.vz, vz);
@@ -6287,7 +6241,7 @@ static void LANES(court_plain)(const court_job *job)
                     first = lanes_select(_m415, _o416.first, first);
                     last = lanes_select(_m415, _o416.last, last);
                     const LANES(court_slowed_out) _o417 =
-                        LANES(court_slowed)(nx, ny, nz, K(0.0), vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[156]), lanes_load(lists->fixed[157]));
+                        LANES(court_slowed)(nx, ny, nz, K(0.0), vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[159]), lanes_load(lists->fixed[160]));
                     slow = lanes_choose(_m415, _o417.slow, slow);
                 }
             }
@@ -6400,8 +6354,10 @@ static void LANES(court_plain)(const court_job *job)
         if (following && !lanes_any(going)) {
             LANES(court_plain_finish_all)(lists, shots, job);
             shots = 0;
+            streams = 1;
             continue;
         }
+        streams = 0;
         shots = LANES(court_plain_leave)(lists, 0, shots, job);
     }
 }
@@ -6495,11 +6451,6 @@ typedef struct {
     LANES(court_column) waiting_taut_clock;
     LANES(court_column) waiting_through;
     LANES(court_column) waiting_uncertain;
-    LANES(court_column) waiting_position_claim;
-    LANES(court_column) waiting_velocity_claim;
-    LANES(court_column) waiting_spin_claim;
-    LANES(court_column) waiting_time_claim;
-    LANES(court_column) waiting_outcome;
     LANES(court_column) waiting_p_ball_radius, waiting_p_ring_radius, waiting_p_wire_radius, waiting_p_board_distance, waiting_p_board_half_width, waiting_p_board_bottom, waiting_p_board_top, waiting_p_board_thickness, waiting_p_bridge_half_width, waiting_p_bridge_depth, waiting_p_gravity, waiting_p_end_depth, waiting_p_ring_restitution, waiting_p_backboard_restitution, waiting_p_bridge_restitution, waiting_p_ring_friction, waiting_p_backboard_friction, waiting_p_bridge_friction, waiting_p_tangential_restitution, waiting_p_restitution_speed;
     LANES(court_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(court_column) body;
@@ -7013,7 +6964,7 @@ typedef struct {
     LANES(court_column) slow_y;
     LANES(court_column) slow_z;
     /* What kernels make of parameters alone. */
-    _Alignas(64) double fixed[183][LANES_WIDTH];
+    _Alignas(64) double fixed[186][LANES_WIDTH];
     _Alignas(64) float fixed_single[26][LANES_WIDTH];
 } LANES(court_bounded_lists);
 
@@ -7151,18 +7102,26 @@ LANES_INLINE void LANES(court_bounded_finish_all)(const LANES(court_bounded_list
         for (size_t k = 0; k < shots; k++) {
             out->time[start + k] = (double)lists->clock[k];
         }
-    if (out->state)
-        for (size_t k = 0; k < shots; k++) {
-            out->state[9 * (start + k) + 0] = (double)lists->x[k];
-            out->state[9 * (start + k) + 1] = (double)lists->y[k];
-            out->state[9 * (start + k) + 2] = (double)lists->z[k];
-            out->state[9 * (start + k) + 3] = (double)lists->vx[k];
-            out->state[9 * (start + k) + 4] = (double)lists->vy[k];
-            out->state[9 * (start + k) + 5] = (double)lists->vz[k];
-            out->state[9 * (start + k) + 6] = (double)lists->wx[k];
-            out->state[9 * (start + k) + 7] = (double)lists->wy[k];
-            out->state[9 * (start + k) + 8] = (double)lists->wz[k];
+    if (out->state) {
+        /* As many rows as there are lanes fill whole lines: they go past the caches. */
+        double rows[COURT_STATE * LANES_WIDTH];
+        for (size_t k = 0; k < shots; k += LANES_WIDTH) {
+            const double *const columns[] = {
+                lists->x + k,
+                lists->y + k,
+                lists->z + k,
+                lists->vx + k,
+                lists->vy + k,
+                lists->vz + k,
+                lists->wx + k,
+                lists->wy + k,
+                lists->wz + k,
+            };
+            const size_t some = shots - k < LANES_WIDTH ? shots - k : LANES_WIDTH;
+            lanes_rows(rows, columns, COURT_STATE);
+            stream(out->state + COURT_STATE * (start + k), rows, COURT_STATE * some);
         }
+    }
     if (out->rolls)
         for (size_t k = 0; k < shots; k++) {
             out->rolls[start + k] = (int32_t)(int32_t)lists->rolls[k];
@@ -7291,11 +7250,6 @@ LANES_INLINE void LANES(court_bounded_wait)(LANES(court_bounded_lists) *lists, s
     lanes_pack(lists->waiting_taut_clock + lists->waiting, who, lanes_load(lists->taut_clock + row));
     lanes_pack(lists->waiting_through + lists->waiting, who, lanes_load(lists->through + row));
     lanes_pack(lists->waiting_uncertain + lists->waiting, who, lanes_load(lists->uncertain + row));
-    lanes_pack(lists->waiting_position_claim + lists->waiting, who, lanes_load(lists->position_claim + row));
-    lanes_pack(lists->waiting_velocity_claim + lists->waiting, who, lanes_load(lists->velocity_claim + row));
-    lanes_pack(lists->waiting_spin_claim + lists->waiting, who, lanes_load(lists->spin_claim + row));
-    lanes_pack(lists->waiting_time_claim + lists->waiting, who, lanes_load(lists->time_claim + row));
-    lanes_pack(lists->waiting_outcome + lists->waiting, who, lanes_load(lists->outcome + row));
     if (job->varying) {
         lanes_pack(lists->waiting_p_ball_radius + lists->waiting, who, lanes_load(lists->p_ball_radius + row));
         lanes_pack(lists->waiting_p_ring_radius + lists->waiting, who, lanes_load(lists->p_ring_radius + row));
@@ -7327,49 +7281,44 @@ LANES_INLINE size_t LANES(court_bounded_resume)(LANES(court_bounded_lists) *list
     const size_t room = 2 * LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
-    memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
-    memcpy(lists->y + row, lists->waiting_y + from, shots * sizeof(double));
-    memcpy(lists->z + row, lists->waiting_z + from, shots * sizeof(double));
-    memcpy(lists->vx + row, lists->waiting_vx + from, shots * sizeof(double));
-    memcpy(lists->vy + row, lists->waiting_vy + from, shots * sizeof(double));
-    memcpy(lists->vz + row, lists->waiting_vz + from, shots * sizeof(double));
-    memcpy(lists->wx + row, lists->waiting_wx + from, shots * sizeof(double));
-    memcpy(lists->wy + row, lists->waiting_wy + from, shots * sizeof(double));
-    memcpy(lists->wz + row, lists->waiting_wz + from, shots * sizeof(double));
-    memcpy(lists->dx + row, lists->waiting_dx + from, shots * sizeof(double));
-    memcpy(lists->dy + row, lists->waiting_dy + from, shots * sizeof(double));
-    memcpy(lists->dz + row, lists->waiting_dz + from, shots * sizeof(double));
-    memcpy(lists->dvx + row, lists->waiting_dvx + from, shots * sizeof(double));
-    memcpy(lists->dvy + row, lists->waiting_dvy + from, shots * sizeof(double));
-    memcpy(lists->dvz + row, lists->waiting_dvz + from, shots * sizeof(double));
-    memcpy(lists->dwx + row, lists->waiting_dwx + from, shots * sizeof(double));
-    memcpy(lists->dwy + row, lists->waiting_dwy + from, shots * sizeof(double));
-    memcpy(lists->dwz + row, lists->waiting_dwz + from, shots * sizeof(double));
-    memcpy(lists->clock + row, lists->waiting_clock + from, shots * sizeof(double));
-    memcpy(lists->clock_error + row, lists->waiting_clock_error + from, shots * sizeof(double));
-    memcpy(lists->last + row, lists->waiting_last + from, shots * sizeof(double));
-    memcpy(lists->first + row, lists->waiting_first + from, shots * sizeof(double));
-    memcpy(lists->contacts + row, lists->waiting_contacts + from, shots * sizeof(double));
-    memcpy(lists->count_0 + row, lists->waiting_count_0 + from, shots * sizeof(double));
-    memcpy(lists->count_1 + row, lists->waiting_count_1 + from, shots * sizeof(double));
-    memcpy(lists->count_2 + row, lists->waiting_count_2 + from, shots * sizeof(double));
-    memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof(double));
-    memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof(double));
-    memcpy(lists->circled + row, lists->waiting_circled + from, shots * sizeof(double));
-    memcpy(lists->assured + row, lists->waiting_assured + from, shots * sizeof(double));
-    memcpy(lists->rolls + row, lists->waiting_rolls + from, shots * sizeof(double));
-    memcpy(lists->slip_left + row, lists->waiting_slip_left + from, shots * sizeof(double));
-    memcpy(lists->grip_lost + row, lists->waiting_grip_lost + from, shots * sizeof(double));
-    memcpy(lists->taut + row, lists->waiting_taut + from, shots * sizeof(double));
-    memcpy(lists->taut_rate + row, lists->waiting_taut_rate + from, shots * sizeof(double));
-    memcpy(lists->taut_clock + row, lists->waiting_taut_clock + from, shots * sizeof(double));
-    memcpy(lists->through + row, lists->waiting_through + from, shots * sizeof(double));
-    memcpy(lists->uncertain + row, lists->waiting_uncertain + from, shots * sizeof(double));
-    memcpy(lists->position_claim + row, lists->waiting_position_claim + from, shots * sizeof(double));
-    memcpy(lists->velocity_claim + row, lists->waiting_velocity_claim + from, shots * sizeof(double));
-    memcpy(lists->spin_claim + row, lists->waiting_spin_claim + from, shots * sizeof(double));
-    memcpy(lists->time_claim + row, lists->waiting_time_claim + from, shots * sizeof(double));
-    memcpy(lists->outcome + row, lists->waiting_outcome + from, shots * sizeof(double));
+    memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof *lists->x);
+    memcpy(lists->y + row, lists->waiting_y + from, shots * sizeof *lists->y);
+    memcpy(lists->z + row, lists->waiting_z + from, shots * sizeof *lists->z);
+    memcpy(lists->vx + row, lists->waiting_vx + from, shots * sizeof *lists->vx);
+    memcpy(lists->vy + row, lists->waiting_vy + from, shots * sizeof *lists->vy);
+    memcpy(lists->vz + row, lists->waiting_vz + from, shots * sizeof *lists->vz);
+    memcpy(lists->wx + row, lists->waiting_wx + from, shots * sizeof *lists->wx);
+    memcpy(lists->wy + row, lists->waiting_wy + from, shots * sizeof *lists->wy);
+    memcpy(lists->wz + row, lists->waiting_wz + from, shots * sizeof *lists->wz);
+    memcpy(lists->dx + row, lists->waiting_dx + from, shots * sizeof *lists->dx);
+    memcpy(lists->dy + row, lists->waiting_dy + from, shots * sizeof *lists->dy);
+    memcpy(lists->dz + row, lists->waiting_dz + from, shots * sizeof *lists->dz);
+    memcpy(lists->dvx + row, lists->waiting_dvx + from, shots * sizeof *lists->dvx);
+    memcpy(lists->dvy + row, lists->waiting_dvy + from, shots * sizeof *lists->dvy);
+    memcpy(lists->dvz + row, lists->waiting_dvz + from, shots * sizeof *lists->dvz);
+    memcpy(lists->dwx + row, lists->waiting_dwx + from, shots * sizeof *lists->dwx);
+    memcpy(lists->dwy + row, lists->waiting_dwy + from, shots * sizeof *lists->dwy);
+    memcpy(lists->dwz + row, lists->waiting_dwz + from, shots * sizeof *lists->dwz);
+    memcpy(lists->clock + row, lists->waiting_clock + from, shots * sizeof *lists->clock);
+    memcpy(lists->clock_error + row, lists->waiting_clock_error + from, shots * sizeof *lists->clock_error);
+    memcpy(lists->last + row, lists->waiting_last + from, shots * sizeof *lists->last);
+    memcpy(lists->first + row, lists->waiting_first + from, shots * sizeof *lists->first);
+    memcpy(lists->contacts + row, lists->waiting_contacts + from, shots * sizeof *lists->contacts);
+    memcpy(lists->count_0 + row, lists->waiting_count_0 + from, shots * sizeof *lists->count_0);
+    memcpy(lists->count_1 + row, lists->waiting_count_1 + from, shots * sizeof *lists->count_1);
+    memcpy(lists->count_2 + row, lists->waiting_count_2 + from, shots * sizeof *lists->count_2);
+    memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof *lists->held);
+    memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof *lists->mode);
+    memcpy(lists->circled + row, lists->waiting_circled + from, shots * sizeof *lists->circled);
+    memcpy(lists->assured + row, lists->waiting_assured + from, shots * sizeof *lists->assured);
+    memcpy(lists->rolls + row, lists->waiting_rolls + from, shots * sizeof *lists->rolls);
+    memcpy(lists->slip_left + row, lists->waiting_slip_left + from, shots * sizeof *lists->slip_left);
+    memcpy(lists->grip_lost + row, lists->waiting_grip_lost + from, shots * sizeof *lists->grip_lost);
+    memcpy(lists->taut + row, lists->waiting_taut + from, shots * sizeof *lists->taut);
+    memcpy(lists->taut_rate + row, lists->waiting_taut_rate + from, shots * sizeof *lists->taut_rate);
+    memcpy(lists->taut_clock + row, lists->waiting_taut_clock + from, shots * sizeof *lists->taut_clock);
+    memcpy(lists->through + row, lists->waiting_through + from, shots * sizeof *lists->through);
+    memcpy(lists->uncertain + row, lists->waiting_uncertain + from, shots * sizeof *lists->uncertain);
     if (job->varying) {
         memcpy(lists->p_ball_radius + row, lists->waiting_p_ball_radius + from, shots * sizeof(double));
         memcpy(lists->p_ring_radius + row, lists->waiting_p_ring_radius + from, shots * sizeof(double));
@@ -7452,11 +7401,6 @@ LANES_INLINE size_t LANES(court_bounded_leave)(LANES(court_bounded_lists) *lists
             lanes_pack(lists->taut_clock + kept, going, lanes_load(lists->taut_clock + i));
             lanes_pack(lists->through + kept, going, lanes_load(lists->through + i));
             lanes_pack(lists->uncertain + kept, going, lanes_load(lists->uncertain + i));
-            lanes_pack(lists->position_claim + kept, going, lanes_load(lists->position_claim + i));
-            lanes_pack(lists->velocity_claim + kept, going, lanes_load(lists->velocity_claim + i));
-            lanes_pack(lists->spin_claim + kept, going, lanes_load(lists->spin_claim + i));
-            lanes_pack(lists->time_claim + kept, going, lanes_load(lists->time_claim + i));
-            lanes_pack(lists->outcome + kept, going, lanes_load(lists->outcome + i));
             if (job->varying) {
                 lanes_pack(lists->p_ball_radius + kept, going, lanes_load(lists->p_ball_radius + i));
                 lanes_pack(lists->p_ring_radius + kept, going, lanes_load(lists->p_ring_radius + i));
@@ -7527,69 +7471,68 @@ static void LANES(court_bounded_fix)(LANES(court_bounded_lists) *lists)
         const V _s14 = lanes_div(K(1.0), p_gravity);
         const V _s15 = lanes_neg(p_gravity);
         const V _s16 = lanes_neg(_s14);
-        const V _s17 = lanes_sub(p_ring_radius, _s12);
-        const V _s18 = lanes_mul(K(1.00006103515625), _s12);
-        const V _s19 = lanes_add(p_ring_radius, _s18);
-        const V _s20 = lanes_mul(_s19, _s19);
-        const V _s21 = lanes_mul(K(9.313225746154785e-10), _s20);
-        const V _s22 = lanes_sub(p_ring_radius, _s18);
-        const V _s23 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s24 = lanes_max(_s22, _s23);
-        const V _s25 = lanes_mul(_s24, _s24);
-        const V _s26 = lanes_div(K(1.0), _s24);
-        const V _s27 = lanes_div(_s18, _s24);
-        const V _s28 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s29 = lanes_mul(K(0.5), p_board_bottom);
-        const V _s30 = lanes_mul(K(0.5), p_board_top);
-        const V _s31 = lanes_add(_s29, _s30);
-        const V _s32 = lanes_add(p_ball_radius, _s30);
-        const V _s33 = lanes_sub(_s32, _s29);
-        const V _s34 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s35 = lanes_min(_s34, _s6);
-        const V _s36 = lanes_min(_s33, _s35);
-        const V _s37 = lanes_mul(K(6.103515625e-05), _s36);
-        const V _s38 = lanes_abs(_s15);
-        const V _s39 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s36));
-        const V _s40 = lanes_mul(K(1.25), _s38);
-        const V _s41 = lanes_max(_s6, _s34);
-        const V _s42 = lanes_mul(K(0.5), p_bridge_depth);
-        const V _s43 = lanes_add(p_ball_radius, _s42);
-        const V _s44 = lanes_add(p_ball_radius, p_bridge_half_width);
-        const V _s45 = lanes_min(_s44, _s11);
-        const V _s46 = lanes_min(_s43, _s45);
-        const V _s47 = lanes_mul(K(6.103515625e-05), _s46);
-        const V _s48 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s46));
-        const V _s49 = lanes_max(_s11, _s44);
-        const V _s50 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
-        const V _s51 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
-        const V _s52 = lanes_add(lanes_add(_s51, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
-        const V _s53 = lanes_add(_s51, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
-        const V _s54 = lanes_add(lanes_add(_s51, lanes_mul(K(1.4210854715202004e-14), _s0)), lanes_mul(K(1.4210854715202004e-14), _s1));
-        const V _s55 = lanes_add(lanes_add(_s51, lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius));
-        const V _s56 = lanes_add(_s51, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
-        const V _s57 = lanes_add(lanes_add(_s51, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
-        const V _s58 = lanes_neg(p_board_half_width);
-        const V _s59 = lanes_max(K(0.0), _s58);
-        const V _s60 = lanes_max(_s59, _s58);
-        const V _s61 = lanes_neg(_s13);
-        const V _s62 = lanes_max(K(0.0), _s61);
-        const V _s63 = lanes_max(_s62, p_board_distance);
-        const V _s64 = lanes_neg(p_board_distance);
-        const V _s65 = lanes_max(K(0.0), _s64);
-        const V _s66 = lanes_max(_s65, p_ring_radius);
-        const V _s67 = lanes_neg(p_bridge_half_width);
-        const V _s68 = lanes_max(K(0.0), _s67);
-        const V _s69 = lanes_max(_s68, _s67);
-        const V _s70 = lanes_mul(p_gravity, p_gravity);
-        const V _s71 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_board_thickness), p_bridge_depth), p_bridge_half_width), p_end_depth);
-        const V _s72 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
-        const V _s73 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
-        const V _s74 = lanes_sub(K(1.0), p_ring_restitution);
-        const V _s75 = lanes_add(K(1.0), p_ring_restitution);
-        const V _s76 = lanes_sub(K(1.0), p_backboard_restitution);
-        const V _s77 = lanes_add(K(1.0), p_backboard_restitution);
-        const V _s78 = lanes_sub(K(1.0), p_bridge_restitution);
-        const V _s79 = lanes_add(K(1.0), p_bridge_restitution);
+        const V _s17 = lanes_mul(K(1.00006103515625), _s12);
+        const V _s18 = lanes_add(p_ring_radius, _s17);
+        const V _s19 = lanes_mul(_s18, _s18);
+        const V _s20 = lanes_mul(K(9.313225746154785e-10), _s19);
+        const V _s21 = lanes_sub(p_ring_radius, _s17);
+        const V _s22 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s23 = lanes_max(_s21, _s22);
+        const V _s24 = lanes_mul(_s23, _s23);
+        const V _s25 = lanes_div(K(1.0), _s23);
+        const V _s26 = lanes_div(_s17, _s23);
+        const V _s27 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s28 = lanes_mul(K(0.5), p_board_bottom);
+        const V _s29 = lanes_mul(K(0.5), p_board_top);
+        const V _s30 = lanes_add(_s28, _s29);
+        const V _s31 = lanes_add(p_ball_radius, _s29);
+        const V _s32 = lanes_sub(_s31, _s28);
+        const V _s33 = lanes_add(p_ball_radius, p_board_half_width);
+        const V _s34 = lanes_min(_s33, _s6);
+        const V _s35 = lanes_min(_s32, _s34);
+        const V _s36 = lanes_mul(K(6.103515625e-05), _s35);
+        const V _s37 = lanes_abs(_s15);
+        const V _s38 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s35));
+        const V _s39 = lanes_mul(K(1.25), _s37);
+        const V _s40 = lanes_max(_s6, _s33);
+        const V _s41 = lanes_mul(K(0.5), p_bridge_depth);
+        const V _s42 = lanes_add(p_ball_radius, _s41);
+        const V _s43 = lanes_add(p_ball_radius, p_bridge_half_width);
+        const V _s44 = lanes_min(_s43, _s11);
+        const V _s45 = lanes_min(_s42, _s44);
+        const V _s46 = lanes_mul(K(6.103515625e-05), _s45);
+        const V _s47 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s45));
+        const V _s48 = lanes_max(_s11, _s43);
+        const V _s49 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+        const V _s50 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
+        const V _s51 = lanes_add(lanes_add(_s50, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
+        const V _s52 = lanes_add(_s50, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
+        const V _s53 = lanes_add(lanes_add(_s50, lanes_mul(K(1.4210854715202004e-14), _s0)), lanes_mul(K(1.4210854715202004e-14), _s1));
+        const V _s54 = lanes_add(lanes_add(_s50, lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius));
+        const V _s55 = lanes_add(_s50, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
+        const V _s56 = lanes_add(lanes_add(_s50, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
+        const V _s57 = lanes_neg(p_board_half_width);
+        const V _s58 = lanes_max(K(0.0), _s57);
+        const V _s59 = lanes_max(_s58, _s57);
+        const V _s60 = lanes_neg(_s13);
+        const V _s61 = lanes_max(K(0.0), _s60);
+        const V _s62 = lanes_max(_s61, p_board_distance);
+        const V _s63 = lanes_neg(p_board_distance);
+        const V _s64 = lanes_max(K(0.0), _s63);
+        const V _s65 = lanes_max(_s64, p_ring_radius);
+        const V _s66 = lanes_neg(p_bridge_half_width);
+        const V _s67 = lanes_max(K(0.0), _s66);
+        const V _s68 = lanes_max(_s67, _s66);
+        const V _s69 = lanes_mul(p_gravity, p_gravity);
+        const V _s70 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_board_thickness), p_bridge_depth), p_bridge_half_width), p_end_depth);
+        const V _s71 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+        const V _s72 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+        const V _s73 = lanes_sub(K(1.0), p_ring_restitution);
+        const V _s74 = lanes_add(K(1.0), p_ring_restitution);
+        const V _s75 = lanes_sub(K(1.0), p_backboard_restitution);
+        const V _s76 = lanes_add(K(1.0), p_backboard_restitution);
+        const V _s77 = lanes_sub(K(1.0), p_bridge_restitution);
+        const V _s78 = lanes_add(K(1.0), p_bridge_restitution);
         lanes_store(lists->fixed[0], _s3);
         lanes_store(lists->fixed[1], lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius));
         lanes_store(lists->fixed[2], lanes_neg(_s5));
@@ -7617,107 +7560,107 @@ static void LANES(court_bounded_fix)(LANES(court_bounded_lists) *lists)
         lanes_store(lists->fixed[24], _s16);
         lanes_store(lists->fixed[25], lanes_mul(K(0.5), _s16));
         lanes_store(lists->fixed[26], lanes_mul(K(6.667843360785852e-16), p_end_depth));
-        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), _s17));
+        lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s12)));
         lanes_store(lists->fixed[28], lanes_sqrt(K(2.0)));
         lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_ball_radius));
         lanes_store(lists->fixed[30], lanes_mul(K(2.0), p_wire_radius));
         lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_ball_radius));
         lanes_store(lists->fixed[32], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[33], _s18);
-        lanes_store(lists->fixed[34], lanes_mul(K(5.820766091346741e-11), _s19));
-        lanes_store(lists->fixed[35], lanes_mul(K(65536.0), _s19));
+        lanes_store(lists->fixed[33], _s17);
+        lanes_store(lists->fixed[34], lanes_mul(K(5.820766091346741e-11), _s18));
+        lanes_store(lists->fixed[35], lanes_mul(K(65536.0), _s18));
         lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[37], _s20);
-        lanes_store(lists->fixed[38], _s21);
+        lanes_store(lists->fixed[37], _s19);
+        lanes_store(lists->fixed[38], _s20);
         lanes_store(lists->fixed[39], lanes_mul(K(4.0), p_gravity));
         lanes_store(lists->fixed[40], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s12));
-        lanes_store(lists->fixed[41], _s25);
-        lanes_store(lists->fixed[42], lanes_mul(_s24, _s25));
+        lanes_store(lists->fixed[41], _s24);
+        lanes_store(lists->fixed[42], lanes_mul(_s23, _s24));
         lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[44], lanes_add(_s21, _s25));
-        lanes_store(lists->fixed[45], lanes_mul(_s26, lanes_mul(_s26, _s26)));
-        lanes_store(lists->fixed[46], _s19);
-        lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s12), _s19));
+        lanes_store(lists->fixed[44], lanes_add(_s20, _s24));
+        lanes_store(lists->fixed[45], lanes_mul(_s25, lanes_mul(_s25, _s25)));
+        lanes_store(lists->fixed[46], _s18);
+        lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s12), _s18));
         lanes_store(lists->fixed[48], lanes_mul(K(5.00030517578125), _s12));
-        lanes_store(lists->fixed[49], lanes_max(K(1.0), _s27));
+        lanes_store(lists->fixed[49], lanes_max(K(1.0), _s26));
         lanes_store(lists->fixed[50], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[51], lanes_mul(K(9.094947017729282e-13), _s19));
-        lanes_store(lists->fixed[52], _s24);
+        lanes_store(lists->fixed[51], lanes_mul(K(9.094947017729282e-13), _s18));
+        lanes_store(lists->fixed[52], _s23);
         lanes_store(lists->fixed[53], lanes_abs(K(0.0)));
         lanes_store(lists->fixed[54], lanes_mul(K(0.0625), p_gravity));
-        lanes_store(lists->fixed[55], lanes_mul(K(1.0000000009313226), _s28));
+        lanes_store(lists->fixed[55], lanes_mul(K(1.0000000009313226), _s27));
         lanes_store(lists->fixed[56], lanes_mul(K(1.0000000009313226), _s4));
         lanes_store(lists->fixed[57], lanes_mul(K(1.0000000009313226), p_board_half_width));
-        lanes_store(lists->fixed[58], _s31);
-        lanes_store(lists->fixed[59], lanes_mul(K(1.0000000009313226), lanes_sub(_s30, _s29)));
-        lanes_store(lists->fixed[60], _s30);
-        lanes_store(lists->fixed[61], _s29);
-        lanes_store(lists->fixed[62], _s36);
-        lanes_store(lists->fixed[63], lanes_add(_s6, _s37));
+        lanes_store(lists->fixed[58], _s30);
+        lanes_store(lists->fixed[59], lanes_mul(K(1.0000000009313226), lanes_sub(_s29, _s28)));
+        lanes_store(lists->fixed[60], _s29);
+        lanes_store(lists->fixed[61], _s28);
+        lanes_store(lists->fixed[62], _s35);
+        lanes_store(lists->fixed[63], lanes_add(_s6, _s36));
         lanes_store(lists->fixed[64], _s5);
-        lanes_store(lists->fixed[65], lanes_add(_s34, _s37));
-        lanes_store(lists->fixed[66], lanes_sub(lanes_add(_s32, _s37), _s29));
-        lanes_store(lists->fixed[67], lanes_mul(_s40, _s39));
-        lanes_store(lists->fixed[68], lanes_abs(_s31));
-        lanes_store(lists->fixed[69], lanes_max(_s41, _s33));
-        lanes_store(lists->fixed[70], lanes_mul(K(1.52587890625e-05), _s36));
-        lanes_store(lists->fixed[71], lanes_mul(K(5.55653613398821e-16), _s28));
-        lanes_store(lists->fixed[72], _s39);
+        lanes_store(lists->fixed[65], lanes_add(_s33, _s36));
+        lanes_store(lists->fixed[66], lanes_sub(lanes_add(_s31, _s36), _s28));
+        lanes_store(lists->fixed[67], lanes_mul(_s39, _s38));
+        lanes_store(lists->fixed[68], lanes_abs(_s30));
+        lanes_store(lists->fixed[69], lanes_max(_s40, _s32));
+        lanes_store(lists->fixed[70], lanes_mul(K(1.52587890625e-05), _s35));
+        lanes_store(lists->fixed[71], lanes_mul(K(5.55653613398821e-16), _s27));
+        lanes_store(lists->fixed[72], _s38);
         lanes_store(lists->fixed[73], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        lanes_store(lists->fixed[74], lanes_mul(K(2.001953125), _s39));
+        lanes_store(lists->fixed[74], lanes_mul(K(2.001953125), _s38));
         lanes_store(lists->fixed[75], lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
         lanes_store(lists->fixed[76], lanes_add(lanes_mul(K(2.220446049250313e-16), _s0), lanes_mul(K(2.220446049250313e-16), _s1)));
-        lanes_store(lists->fixed[77], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s39, _s39)));
-        lanes_store(lists->fixed[78], lanes_mul(K(12.01171875), _s39));
-        lanes_store(lists->fixed[79], lanes_mul(K(6.667843360785852e-15), _s39));
-        lanes_store(lists->fixed[80], lanes_mul(K(6.005859375), _s39));
-        lanes_store(lists->fixed[81], lanes_mul(K(2.667137344314341e-15), _s39));
-        lanes_store(lists->fixed[82], _s28);
-        lanes_store(lists->fixed[83], _s38);
-        lanes_store(lists->fixed[84], lanes_mul(K(0.5), _s38));
+        lanes_store(lists->fixed[77], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s38, _s38)));
+        lanes_store(lists->fixed[78], lanes_mul(K(12.01171875), _s38));
+        lanes_store(lists->fixed[79], lanes_mul(K(6.667843360785852e-15), _s38));
+        lanes_store(lists->fixed[80], lanes_mul(K(6.005859375), _s38));
+        lanes_store(lists->fixed[81], lanes_mul(K(2.667137344314341e-15), _s38));
+        lanes_store(lists->fixed[82], _s27);
+        lanes_store(lists->fixed[83], _s37);
+        lanes_store(lists->fixed[84], lanes_mul(K(0.5), _s37));
         lanes_store(lists->fixed[85], lanes_mul(K(1.0000000009313226), lanes_sub(_s7, _s8)));
         lanes_store(lists->fixed[86], lanes_mul(K(1.0000000009313226), p_bridge_half_width));
-        lanes_store(lists->fixed[87], lanes_sub(p_wire_radius, _s42));
-        lanes_store(lists->fixed[88], lanes_mul(K(1.0000000009313226), _s42));
+        lanes_store(lists->fixed[87], lanes_sub(p_wire_radius, _s41));
+        lanes_store(lists->fixed[88], lanes_mul(K(1.0000000009313226), _s41));
         lanes_store(lists->fixed[89], _s7);
-        lanes_store(lists->fixed[90], _s42);
+        lanes_store(lists->fixed[90], _s41);
         lanes_store(lists->fixed[91], _s8);
-        lanes_store(lists->fixed[92], _s46);
-        lanes_store(lists->fixed[93], lanes_sub(lanes_add(_s10, _s47), _s8));
+        lanes_store(lists->fixed[92], _s45);
+        lanes_store(lists->fixed[93], lanes_sub(lanes_add(_s10, _s46), _s8));
         lanes_store(lists->fixed[94], _s9);
-        lanes_store(lists->fixed[95], lanes_add(_s44, _s47));
-        lanes_store(lists->fixed[96], lanes_add(_s43, _s47));
-        lanes_store(lists->fixed[97], lanes_mul(_s40, _s48));
-        lanes_store(lists->fixed[98], lanes_abs(lanes_sub(_s42, p_wire_radius)));
-        lanes_store(lists->fixed[99], lanes_max(_s49, _s43));
-        lanes_store(lists->fixed[100], lanes_mul(K(1.52587890625e-05), _s46));
-        lanes_store(lists->fixed[101], _s48);
+        lanes_store(lists->fixed[95], lanes_add(_s43, _s46));
+        lanes_store(lists->fixed[96], lanes_add(_s42, _s46));
+        lanes_store(lists->fixed[97], lanes_mul(_s39, _s47));
+        lanes_store(lists->fixed[98], lanes_abs(lanes_sub(_s41, p_wire_radius)));
+        lanes_store(lists->fixed[99], lanes_max(_s48, _s42));
+        lanes_store(lists->fixed[100], lanes_mul(K(1.52587890625e-05), _s45));
+        lanes_store(lists->fixed[101], _s47);
         lanes_store(lists->fixed[102], lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
-        lanes_store(lists->fixed[103], lanes_mul(K(2.001953125), _s48));
+        lanes_store(lists->fixed[103], lanes_mul(K(2.001953125), _s47));
         lanes_store(lists->fixed[104], lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)));
         lanes_store(lists->fixed[105], lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)));
-        lanes_store(lists->fixed[106], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s48, _s48)));
-        lanes_store(lists->fixed[107], lanes_mul(K(12.01171875), _s48));
-        lanes_store(lists->fixed[108], lanes_mul(K(6.667843360785852e-15), _s48));
-        lanes_store(lists->fixed[109], lanes_mul(K(6.005859375), _s48));
-        lanes_store(lists->fixed[110], lanes_mul(K(2.667137344314341e-15), _s48));
+        lanes_store(lists->fixed[106], lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s47, _s47)));
+        lanes_store(lists->fixed[107], lanes_mul(K(12.01171875), _s47));
+        lanes_store(lists->fixed[108], lanes_mul(K(6.667843360785852e-15), _s47));
+        lanes_store(lists->fixed[109], lanes_mul(K(6.005859375), _s47));
+        lanes_store(lists->fixed[110], lanes_mul(K(2.667137344314341e-15), _s47));
         lanes_store(lists->fixed[111], lanes_div(K(1.0), _s12));
         lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[113], _s50);
-        lanes_store(lists->fixed[114], lanes_neg(_s50));
+        lanes_store(lists->fixed[113], _s49);
+        lanes_store(lists->fixed[114], lanes_neg(_s49));
         lanes_store(lists->fixed[115], lanes_mul(K(1.4551915228366852e-11), p_ball_radius));
-        lanes_store(lists->fixed[116], _s52);
-        lanes_store(lists->fixed[117], lanes_neg(_s52));
-        lanes_store(lists->fixed[118], _s53);
-        lanes_store(lists->fixed[119], lanes_neg(_s53));
-        lanes_store(lists->fixed[120], _s54);
-        lanes_store(lists->fixed[121], lanes_neg(_s54));
-        lanes_store(lists->fixed[122], _s55);
-        lanes_store(lists->fixed[123], lanes_neg(_s55));
-        lanes_store(lists->fixed[124], _s56);
-        lanes_store(lists->fixed[125], lanes_neg(_s56));
-        lanes_store(lists->fixed[126], _s57);
-        lanes_store(lists->fixed[127], lanes_neg(_s57));
+        lanes_store(lists->fixed[116], _s51);
+        lanes_store(lists->fixed[117], lanes_neg(_s51));
+        lanes_store(lists->fixed[118], _s52);
+        lanes_store(lists->fixed[119], lanes_neg(_s52));
+        lanes_store(lists->fixed[120], _s53);
+        lanes_store(lists->fixed[121], lanes_neg(_s53));
+        lanes_store(lists->fixed[122], _s54);
+        lanes_store(lists->fixed[123], lanes_neg(_s54));
+        lanes_store(lists->fixed[124], _s55);
+        lanes_store(lists->fixed[125], lanes_neg(_s55));
+        lanes_store(lists->fixed[126], _s56);
+        lanes_store(lists->fixed[127], lanes_neg(_s56));
         lanes_store(lists->fixed[128], lanes_mul(K(0.6), p_gravity));
         lanes_store(lists->fixed[129], lanes_mul(K(0.015625), p_gravity));
         lanes_store(lists->fixed[130], lanes_mul(K(0.4), p_gravity));
@@ -7729,50 +7672,53 @@ static void LANES(court_bounded_fix)(LANES(court_bounded_lists) *lists)
         lanes_store(lists->fixed[136], p_bridge_depth);
         lanes_store(lists->fixed[137], lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
         lanes_store(lists->fixed[138], lanes_mul(K(2.384185791015625e-07), p_ball_radius));
-        lanes_store(lists->fixed[139], lanes_mul(K(0.3333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[140], lanes_mul(K(0.25), p_ring_radius));
-        lanes_store(lists->fixed[141], lanes_mul(K(0.2), p_ring_radius));
-        lanes_store(lists->fixed[142], lanes_mul(K(0.16666666666666666), p_ring_radius));
-        lanes_store(lists->fixed[143], lanes_mul(K(0.14285714285714285), p_ring_radius));
-        lanes_store(lists->fixed[144], lanes_mul(K(0.125), p_ring_radius));
-        lanes_store(lists->fixed[145], lanes_mul(K(0.1111111111111111), p_ring_radius));
-        lanes_store(lists->fixed[146], lanes_mul(K(0.1), p_ring_radius));
-        lanes_store(lists->fixed[147], lanes_mul(K(0.09090909090909091), p_ring_radius));
-        lanes_store(lists->fixed[148], lanes_mul(K(0.08333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[149], lanes_sqrt(lanes_div(p_gravity, _s12)));
-        lanes_store(lists->fixed[150], lanes_div(K(1.0), _s17));
-        lanes_store(lists->fixed[151], lanes_mul(K(0.8), p_gravity));
-        lanes_store(lists->fixed[152], lanes_mul(p_ring_friction, p_ring_friction));
-        lanes_store(lists->fixed[153], lanes_sqrt(lanes_add(lanes_mul(_s60, _s60), lanes_mul(_s63, _s63))));
-        lanes_store(lists->fixed[154], lanes_sqrt(lanes_add(lanes_mul(_s66, _s66), lanes_mul(_s69, _s69))));
-        lanes_store(lists->fixed[155], lanes_mul(K(0.000244140625), _s12));
-        lanes_store(lists->fixed[156], lanes_mul(K(0.00390625), p_gravity));
-        lanes_store(lists->fixed[157], lanes_mul(lanes_mul(K(0.000244140625), _s70), _s12));
-        lanes_store(lists->fixed[158], lanes_mul(K(6.0), _s70));
-        lanes_store(lists->fixed[159], lanes_mul(K(0.0078125), p_gravity));
-        lanes_store(lists->fixed[160], lanes_max(K(0.0), p_gravity));
-        lanes_store(lists->fixed[161], lanes_mul(K(8.0), _s14));
-        lanes_store(lists->fixed[162], lanes_add(lanes_add(lanes_add(lanes_add(_s71, p_ring_radius), p_wire_radius), _s0), _s1));
-        lanes_store(lists->fixed[163], lanes_div(K(1.0), lanes_min(_s72, _s12)));
-        lanes_store(lists->fixed[164], p_restitution_speed);
-        lanes_store(lists->fixed[165], _s73);
-        lanes_store(lists->fixed[166], lanes_mul(_s73, _s73));
-        lanes_store(lists->fixed[167], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        lanes_store(lists->fixed[168], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
-        lanes_store(lists->fixed[169], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[170], _s74);
-        lanes_store(lists->fixed[171], lanes_mul(_s74, _s74));
-        lanes_store(lists->fixed[172], lanes_mul(p_ring_friction, _s75));
-        lanes_store(lists->fixed[173], lanes_mul(_s75, _s74));
-        lanes_store(lists->fixed[174], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        lanes_store(lists->fixed[175], _s76);
-        lanes_store(lists->fixed[176], lanes_mul(_s76, _s76));
-        lanes_store(lists->fixed[177], lanes_mul(p_backboard_friction, _s77));
-        lanes_store(lists->fixed[178], lanes_mul(_s77, _s76));
-        lanes_store(lists->fixed[179], _s78);
-        lanes_store(lists->fixed[180], lanes_mul(_s78, _s78));
-        lanes_store(lists->fixed[181], lanes_mul(p_bridge_friction, _s79));
-        lanes_store(lists->fixed[182], lanes_mul(_s79, _s78));
+        lanes_store(lists->fixed[139], lanes_mul(K(0.6), p_ring_radius));
+        lanes_store(lists->fixed[140], lanes_mul(K(0.3333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[141], lanes_mul(K(0.25), p_ring_radius));
+        lanes_store(lists->fixed[142], lanes_mul(K(0.2), p_ring_radius));
+        lanes_store(lists->fixed[143], lanes_mul(K(0.16666666666666666), p_ring_radius));
+        lanes_store(lists->fixed[144], lanes_mul(K(0.14285714285714285), p_ring_radius));
+        lanes_store(lists->fixed[145], lanes_mul(K(0.125), p_ring_radius));
+        lanes_store(lists->fixed[146], lanes_mul(K(0.1111111111111111), p_ring_radius));
+        lanes_store(lists->fixed[147], lanes_mul(K(0.1), p_ring_radius));
+        lanes_store(lists->fixed[148], lanes_mul(K(0.09090909090909091), p_ring_radius));
+        lanes_store(lists->fixed[149], lanes_mul(K(0.08333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[150], lanes_mul(K(2.2), p_gravity));
+        lanes_store(lists->fixed[151], lanes_mul(K(3.0), p_ring_radius));
+        lanes_store(lists->fixed[152], lanes_mul(K(6.0), p_ring_radius));
+        lanes_store(lists->fixed[153], lanes_mul(K(0.8), p_gravity));
+        lanes_store(lists->fixed[154], lanes_mul(p_ring_friction, p_ring_friction));
+        lanes_store(lists->fixed[155], lanes_sqrt(lanes_add(lanes_mul(_s59, _s59), lanes_mul(_s62, _s62))));
+        lanes_store(lists->fixed[156], lanes_sqrt(lanes_add(lanes_mul(_s65, _s65), lanes_mul(_s68, _s68))));
+        lanes_store(lists->fixed[157], lanes_mul(K(0.000244140625), _s12));
+        lanes_store(lists->fixed[158], lanes_mul(K(0.00390625), p_gravity));
+        lanes_store(lists->fixed[159], lanes_mul(lanes_mul(K(0.000244140625), _s69), _s12));
+        lanes_store(lists->fixed[160], lanes_mul(K(3.0), p_gravity));
+        lanes_store(lists->fixed[161], lanes_mul(K(2.0), lanes_mul(K(3.0), _s69)));
+        lanes_store(lists->fixed[162], lanes_mul(K(0.0078125), p_gravity));
+        lanes_store(lists->fixed[163], lanes_max(K(0.0), p_gravity));
+        lanes_store(lists->fixed[164], lanes_mul(K(8.0), _s14));
+        lanes_store(lists->fixed[165], lanes_add(lanes_add(lanes_add(lanes_add(_s70, p_ring_radius), p_wire_radius), _s0), _s1));
+        lanes_store(lists->fixed[166], lanes_div(K(1.0), lanes_min(_s71, _s12)));
+        lanes_store(lists->fixed[167], p_restitution_speed);
+        lanes_store(lists->fixed[168], _s72);
+        lanes_store(lists->fixed[169], lanes_mul(_s72, _s72));
+        lanes_store(lists->fixed[170], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        lanes_store(lists->fixed[171], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+        lanes_store(lists->fixed[172], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[173], _s73);
+        lanes_store(lists->fixed[174], lanes_mul(_s73, _s73));
+        lanes_store(lists->fixed[175], lanes_mul(p_ring_friction, _s74));
+        lanes_store(lists->fixed[176], lanes_mul(_s74, _s73));
+        lanes_store(lists->fixed[177], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        lanes_store(lists->fixed[178], _s75);
+        lanes_store(lists->fixed[179], lanes_mul(_s75, _s75));
+        lanes_store(lists->fixed[180], lanes_mul(p_backboard_friction, _s76));
+        lanes_store(lists->fixed[181], lanes_mul(_s76, _s75));
+        lanes_store(lists->fixed[182], _s77);
+        lanes_store(lists->fixed[183], lanes_mul(_s77, _s77));
+        lanes_store(lists->fixed[184], lanes_mul(p_bridge_friction, _s78));
+        lanes_store(lists->fixed[185], lanes_mul(_s78, _s77));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -7922,7 +7868,7 @@ static void LANES(court_bounded_fix_f8)(LANES(court_bounded_lists) *lists, size_
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f29)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f28)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
@@ -7987,7 +7933,7 @@ static void LANES(court_bounded_fix_f29)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f43)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f42)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_leaping_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_leaping_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -8023,7 +7969,7 @@ static void LANES(court_bounded_fix_f43)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f46)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f45)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_searching_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_searching_p_gravity + i);
@@ -8065,7 +8011,7 @@ static void LANES(court_bounded_fix_f46)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f51)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f50)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_searching_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_searching_searching_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -8102,7 +8048,7 @@ static void LANES(court_bounded_fix_f51)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f64)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f63)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
@@ -8121,7 +8067,7 @@ static void LANES(court_bounded_fix_f64)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f73)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f72)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -8144,7 +8090,7 @@ static void LANES(court_bounded_fix_f73)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f76)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f75)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
@@ -8170,7 +8116,7 @@ static void LANES(court_bounded_fix_f76)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f84)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f83)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
@@ -8201,7 +8147,7 @@ static void LANES(court_bounded_fix_f84)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f89)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f88)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->reachable_p_board_bottom + i);
@@ -8267,7 +8213,7 @@ static void LANES(court_bounded_fix_f89)(LANES(court_bounded_lists) *lists, size
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f109)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f108)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->reachable_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_bottom = lanes_expand(lists->reachable_searching_p_board_bottom + taken, idle, lanes_load(lists->turning_p_board_bottom));
@@ -8319,7 +8265,7 @@ static void LANES(court_bounded_fix_f109)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f121)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f120)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->reachable_p_board_bottom + i);
@@ -8344,7 +8290,7 @@ static void LANES(court_bounded_fix_f121)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f131)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f130)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->reachable_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_bottom = lanes_expand(lists->reachable_refining_p_board_bottom + taken, idle, lanes_load(lists->turning_p_board_bottom));
@@ -8376,7 +8322,7 @@ static void LANES(court_bounded_fix_f131)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f134)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f133)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->reachable_p_board_bottom + i);
@@ -8410,7 +8356,7 @@ static void LANES(court_bounded_fix_f134)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f142)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f141)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_distance = lanes_load(lists->p_board_distance + i);
@@ -8441,7 +8387,7 @@ static void LANES(court_bounded_fix_f142)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f147)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f146)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_distance = lanes_load(lists->reachable_p_board_distance + i);
@@ -8508,7 +8454,7 @@ static void LANES(court_bounded_fix_f147)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f167)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f166)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->reachable_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_distance = lanes_expand(lists->reachable_searching_p_board_distance + taken, idle, lanes_load(lists->turning_p_board_distance));
@@ -8560,7 +8506,7 @@ static void LANES(court_bounded_fix_f167)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f179)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f178)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_distance = lanes_load(lists->reachable_p_board_distance + i);
@@ -8585,7 +8531,7 @@ static void LANES(court_bounded_fix_f179)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f189)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f188)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->reachable_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_distance = lanes_expand(lists->reachable_refining_p_board_distance + taken, idle, lanes_load(lists->turning_p_board_distance));
@@ -8617,7 +8563,7 @@ static void LANES(court_bounded_fix_f189)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f192)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f191)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->reachable_p_ball_radius + i);
     const V p_board_distance = lanes_load(lists->reachable_p_board_distance + i);
@@ -8651,7 +8597,7 @@ static void LANES(court_bounded_fix_f192)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f204)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f203)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->kept_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->kept_p_board_bottom + i);
@@ -8687,7 +8633,7 @@ static void LANES(court_bounded_fix_f204)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f232)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f231)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_backboard_friction = lanes_expand(lists->kept_rolling_p_backboard_friction + taken, idle, lanes_load(lists->turning_p_backboard_friction));
     const V p_ball_radius = lanes_expand(lists->kept_rolling_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
@@ -8771,7 +8717,7 @@ static void LANES(court_bounded_fix_f232)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f358)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(court_bounded_fix_f357)(LANES(court_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->kept_circling_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_board_bottom = lanes_expand(lists->kept_circling_p_board_bottom + taken, idle, lanes_load(lists->turning_p_board_bottom));
@@ -8837,25 +8783,27 @@ static void LANES(court_bounded_fix_f358)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[135], _s0);
         lanes_store(lists->fixed[137], lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
         lanes_store(lists->fixed[138], lanes_mul(K(2.384185791015625e-07), p_ball_radius));
-        lanes_store(lists->fixed[139], lanes_mul(K(0.3333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[140], lanes_mul(K(0.25), p_ring_radius));
-        lanes_store(lists->fixed[141], lanes_mul(K(0.2), p_ring_radius));
-        lanes_store(lists->fixed[142], lanes_mul(K(0.16666666666666666), p_ring_radius));
-        lanes_store(lists->fixed[143], lanes_mul(K(0.14285714285714285), p_ring_radius));
-        lanes_store(lists->fixed[144], lanes_mul(K(0.125), p_ring_radius));
-        lanes_store(lists->fixed[145], lanes_mul(K(0.1111111111111111), p_ring_radius));
-        lanes_store(lists->fixed[146], lanes_mul(K(0.1), p_ring_radius));
-        lanes_store(lists->fixed[147], lanes_mul(K(0.09090909090909091), p_ring_radius));
-        lanes_store(lists->fixed[148], lanes_mul(K(0.08333333333333333), p_ring_radius));
-        lanes_store(lists->fixed[149], lanes_sqrt(lanes_div(p_gravity, _s0)));
-        lanes_store(lists->fixed[150], lanes_div(K(1.0), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[151], lanes_mul(K(0.8), p_gravity));
-        lanes_store(lists->fixed[152], lanes_mul(p_ring_friction, p_ring_friction));
-        lanes_store(lists->fixed[153], lanes_sqrt(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s7, _s7))));
-        lanes_store(lists->fixed[154], lanes_sqrt(lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s13, _s13))));
-        lanes_store(lists->fixed[155], lanes_mul(K(0.000244140625), _s0));
-        lanes_store(lists->fixed[156], lanes_mul(K(0.00390625), p_gravity));
-        lanes_store(lists->fixed[157], lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s0));
+        lanes_store(lists->fixed[139], lanes_mul(K(0.6), p_ring_radius));
+        lanes_store(lists->fixed[140], lanes_mul(K(0.3333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[141], lanes_mul(K(0.25), p_ring_radius));
+        lanes_store(lists->fixed[142], lanes_mul(K(0.2), p_ring_radius));
+        lanes_store(lists->fixed[143], lanes_mul(K(0.16666666666666666), p_ring_radius));
+        lanes_store(lists->fixed[144], lanes_mul(K(0.14285714285714285), p_ring_radius));
+        lanes_store(lists->fixed[145], lanes_mul(K(0.125), p_ring_radius));
+        lanes_store(lists->fixed[146], lanes_mul(K(0.1111111111111111), p_ring_radius));
+        lanes_store(lists->fixed[147], lanes_mul(K(0.1), p_ring_radius));
+        lanes_store(lists->fixed[148], lanes_mul(K(0.09090909090909091), p_ring_radius));
+        lanes_store(lists->fixed[149], lanes_mul(K(0.08333333333333333), p_ring_radius));
+        lanes_store(lists->fixed[150], lanes_mul(K(2.2), p_gravity));
+        lanes_store(lists->fixed[151], lanes_mul(K(3.0), p_ring_radius));
+        lanes_store(lists->fixed[152], lanes_mul(K(6.0), p_ring_radius));
+        lanes_store(lists->fixed[153], lanes_mul(K(0.8), p_gravity));
+        lanes_store(lists->fixed[154], lanes_mul(p_ring_friction, p_ring_friction));
+        lanes_store(lists->fixed[155], lanes_sqrt(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s7, _s7))));
+        lanes_store(lists->fixed[156], lanes_sqrt(lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s13, _s13))));
+        lanes_store(lists->fixed[157], lanes_mul(K(0.000244140625), _s0));
+        lanes_store(lists->fixed[158], lanes_mul(K(0.00390625), p_gravity));
+        lanes_store(lists->fixed[159], lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s0));
     }
 }
 
@@ -8863,7 +8811,7 @@ static void LANES(court_bounded_fix_f358)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f427)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f426)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->kept_leaves_p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->kept_leaves_p_board_bottom + i);
@@ -8901,7 +8849,6 @@ static void LANES(court_bounded_fix_f427)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
         lanes_store(lists->fixed[23], lanes_neg(p_gravity));
         lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[50], lanes_mul(K(6.0), p_gravity));
         lanes_store(lists->fixed[111], lanes_div(K(1.0), _s0));
         lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
         lanes_store(lists->fixed[116], _s2);
@@ -8919,9 +8866,10 @@ static void LANES(court_bounded_fix_f427)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[134], lanes_mul(K(5.684341886080802e-14), p_gravity));
         lanes_store(lists->fixed[135], _s0);
         lanes_store(lists->fixed[136], p_bridge_depth);
-        lanes_store(lists->fixed[158], lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)));
-        lanes_store(lists->fixed[159], lanes_mul(K(0.0078125), p_gravity));
-        lanes_store(lists->fixed[160], lanes_max(K(0.0), p_gravity));
+        lanes_store(lists->fixed[160], lanes_mul(K(3.0), p_gravity));
+        lanes_store(lists->fixed[161], lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
+        lanes_store(lists->fixed[162], lanes_mul(K(0.0078125), p_gravity));
+        lanes_store(lists->fixed[163], lanes_max(K(0.0), p_gravity));
     }
 }
 
@@ -8934,7 +8882,7 @@ static void LANES(court_bounded_leaves)(LANES(court_bounded_lists) *lists, size_
     for (size_t i = 0; i < kept_leaves_shots; i += LANES_WIDTH) {
         const M rows = lanes_first(kept_leaves_shots - i);
         if (LANES_SELDOM(varying))
-            LANES(court_bounded_fix_f427)(lists, i);
+            LANES(court_bounded_fix_f426)(lists, i);
         V clock_error = lanes_load(lists->kept_leaves_clock_error + i);
         V doubt = lanes_load(lists->kept_leaves_doubt + i);
         V dvx = lanes_load(lists->kept_leaves_dvx + i);
@@ -8957,226 +8905,226 @@ static void LANES(court_bounded_leaves)(LANES(court_bounded_lists) *lists, size_
         V x = lanes_load(lists->kept_leaves_x + i);
         V y = lanes_load(lists->kept_leaves_y + i);
         V z = lanes_load(lists->kept_leaves_z + i);
-        const LANES(court_error_bounds_out) _o428 =
+        const LANES(court_error_bounds_out) _o427 =
             LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-        V position_error = _o428.position_error;
-        V velocity_error = _o428.velocity_error;
-        const LANES(court_holding_out) _o429 =
+        V position_error = _o427.position_error;
+        V velocity_error = _o427.velocity_error;
+        const LANES(court_holding_out) _o428 =
             LANES(court_holding)(held, K(0.0));
-        M here = _o429.here;
-        const M _m430 = lanes_both(rows, here);
-        if (lanes_any(_m430)) {
-            const LANES(court_ring_tube_out) _o431 =
+        M here = _o428.here;
+        const M _m429 = lanes_both(rows, here);
+        if (lanes_any(_m429)) {
+            const LANES(court_ring_tube_out) _o430 =
                 LANES(court_ring_tube)(lanes_load(lists->fixed[111]));
-            per_reach = lanes_select(_m430, _o431.per_reach, per_reach);
-            const LANES(court_ring_parting_out) _o432 =
-                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[158]));
-            lift = lanes_select(_m430, _o432.lift, lift);
-            surge = lanes_select(_m430, _o432.surge, surge);
-            snap = lanes_select(_m430, _o432.snap, snap);
+            per_reach = lanes_select(_m429, _o430.per_reach, per_reach);
+            const LANES(court_ring_parting_out) _o431 =
+                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[160]), lanes_load(lists->fixed[161]));
+            lift = lanes_select(_m429, _o431.lift, lift);
+            surge = lanes_select(_m429, _o431.surge, surge);
+            snap = lanes_select(_m429, _o431.snap, snap);
         }
-        const LANES(court_holding_out) _o433 =
+        const LANES(court_holding_out) _o432 =
             LANES(court_holding)(held, K(1.0));
-        here = _o433.here;
-        const M _m434 = lanes_both(rows, here);
-        if (lanes_any(_m434)) {
-            const LANES(court_backboard_tube_out) _o435 =
+        here = _o432.here;
+        const M _m433 = lanes_both(rows, here);
+        if (lanes_any(_m433)) {
+            const LANES(court_backboard_tube_out) _o434 =
                 LANES(court_backboard_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[116]), lanes_load(lists->fixed[117]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[118]), lanes_load(lists->fixed[119]), lanes_load(lists->fixed[120]), lanes_load(lists->fixed[121]), lanes_load(lists->fixed[112]));
-            per_reach = lanes_select(_m434, _o435.per_reach, per_reach);
-            const LANES(court_backboard_parting_out) _o436 =
-                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[15]));
-            lift = lanes_select(_m434, _o436.lift, lift);
-            surge = lanes_select(_m434, _o436.surge, surge);
-            snap = lanes_select(_m434, _o436.snap, snap);
+            per_reach = lanes_select(_m433, _o434.per_reach, per_reach);
+            const LANES(court_backboard_parting_out) _o435 =
+                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]));
+            lift = lanes_select(_m433, _o435.lift, lift);
+            surge = lanes_select(_m433, _o435.surge, surge);
+            snap = lanes_select(_m433, _o435.snap, snap);
         }
-        const LANES(court_holding_out) _o437 =
+        const LANES(court_holding_out) _o436 =
             LANES(court_holding)(held, K(2.0));
-        here = _o437.here;
-        const M _m438 = lanes_both(rows, here);
-        if (lanes_any(_m438)) {
-            const LANES(court_bridge_tube_out) _o439 =
+        here = _o436.here;
+        const M _m437 = lanes_both(rows, here);
+        if (lanes_any(_m437)) {
+            const LANES(court_bridge_tube_out) _o438 =
                 LANES(court_bridge_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[122]), lanes_load(lists->fixed[123]), lanes_load(lists->fixed[124]), lanes_load(lists->fixed[125]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[127]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[112]));
-            per_reach = lanes_select(_m438, _o439.per_reach, per_reach);
-            const LANES(court_bridge_parting_out) _o440 =
-                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[16]));
-            lift = lanes_select(_m438, _o440.lift, lift);
-            surge = lanes_select(_m438, _o440.surge, surge);
-            snap = lanes_select(_m438, _o440.snap, snap);
+            per_reach = lanes_select(_m437, _o438.per_reach, per_reach);
+            const LANES(court_bridge_parting_out) _o439 =
+                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[23]));
+            lift = lanes_select(_m437, _o439.lift, lift);
+            surge = lanes_select(_m437, _o439.surge, surge);
+            snap = lanes_select(_m437, _o439.snap, snap);
         }
-        const LANES(court_unmet_out) _o441 =
+        const LANES(court_unmet_out) _o440 =
             LANES(court_unmet)();
-        V spare = _o441.spare;
-        const LANES(court_beside_out) _o442 =
+        V spare = _o440.spare;
+        const LANES(court_beside_out) _o441 =
             LANES(court_beside)(held, K(0.0));
-        M beside = _o442.beside;
-        const M _m443 = lanes_both(rows, beside);
-        if (lanes_any(_m443)) {
-            const LANES(court_ring_beside_out) _o444 =
+        M beside = _o441.beside;
+        const M _m442 = lanes_both(rows, beside);
+        if (lanes_any(_m442)) {
+            const LANES(court_ring_beside_out) _o443 =
                 LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[135]));
-            V gap = _o444.gap;
-            V nearing = _o444.nearing;
-            V dent = _o444.dent;
-            const LANES(court_spared_out) _o445 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[159]));
-            spare = lanes_select(_m443, _o445.spare, spare);
+            V gap = _o443.gap;
+            V nearing = _o443.nearing;
+            V dent = _o443.dent;
+            const LANES(court_spared_out) _o444 =
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[162]));
+            spare = lanes_select(_m442, _o444.spare, spare);
         }
-        const LANES(court_beside_out) _o446 =
+        const LANES(court_beside_out) _o445 =
             LANES(court_beside)(held, K(1.0));
-        beside = _o446.beside;
-        const M _m447 = lanes_both(rows, beside);
-        if (lanes_any(_m447)) {
-            const LANES(court_backboard_beside_out) _o448 =
+        beside = _o445.beside;
+        const M _m446 = lanes_both(rows, beside);
+        if (lanes_any(_m446)) {
+            const LANES(court_backboard_beside_out) _o447 =
                 LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
-            V gap = _o448.gap;
-            V nearing = _o448.nearing;
-            V dent = _o448.dent;
-            const LANES(court_spared_out) _o449 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[159]));
-            spare = lanes_select(_m447, _o449.spare, spare);
+            V gap = _o447.gap;
+            V nearing = _o447.nearing;
+            V dent = _o447.dent;
+            const LANES(court_spared_out) _o448 =
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[162]));
+            spare = lanes_select(_m446, _o448.spare, spare);
         }
-        const LANES(court_beside_out) _o450 =
+        const LANES(court_beside_out) _o449 =
             LANES(court_beside)(held, K(2.0));
-        beside = _o450.beside;
-        const M _m451 = lanes_both(rows, beside);
-        if (lanes_any(_m451)) {
-            const LANES(court_bridge_beside_out) _o452 =
+        beside = _o449.beside;
+        const M _m450 = lanes_both(rows, beside);
+        if (lanes_any(_m450)) {
+            const LANES(court_bridge_beside_out) _o451 =
                 LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
-            V gap = _o452.gap;
-            V nearing = _o452.nearing;
-            V dent = _o452.dent;
-            const LANES(court_spared_out) _o453 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[159]));
-            spare = lanes_select(_m451, _o453.spare, spare);
+            V gap = _o451.gap;
+            V nearing = _o451.nearing;
+            V dent = _o451.dent;
+            const LANES(court_spared_out) _o452 =
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[162]));
+            spare = lanes_select(_m450, _o452.spare, spare);
         }
-        const LANES(court_beside_out) _o454 =
+        const LANES(court_beside_out) _o453 =
             LANES(court_beside)(held, K(3.0));
-        beside = _o454.beside;
-        const M _m455 = lanes_both(rows, beside);
-        if (lanes_any(_m455)) {
-            const LANES(court_end_beside_out) _o456 =
+        beside = _o453.beside;
+        const M _m454 = lanes_both(rows, beside);
+        if (lanes_any(_m454)) {
+            const LANES(court_end_beside_out) _o455 =
                 LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
-            V gap = _o456.gap;
-            V nearing = _o456.nearing;
-            V dent = _o456.dent;
-            const LANES(court_spared_out) _o457 =
-                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[159]));
-            spare = lanes_select(_m455, _o457.spare, spare);
+            V gap = _o455.gap;
+            V nearing = _o455.nearing;
+            V dent = _o455.dent;
+            const LANES(court_spared_out) _o456 =
+                LANES(court_spared)(dent, gap, nearing, spare, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[162]));
+            spare = lanes_select(_m454, _o456.spare, spare);
         }
-        const LANES(court_holding_out) _o458 =
+        const LANES(court_holding_out) _o457 =
             LANES(court_holding)(held, K(1.0));
-        here = _o458.here;
-        const M _m459 = lanes_both(rows, here);
-        if (lanes_any(_m459)) {
-            const LANES(court_backboard_seam0_out) _o460 =
+        here = _o457.here;
+        const M _m458 = lanes_both(rows, here);
+        if (lanes_any(_m458)) {
+            const LANES(court_backboard_seam0_out) _o459 =
                 LANES(court_backboard_seam0)(vx, x, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[116]));
-            V gap = _o460.gap;
-            V nearing = _o460.nearing;
-            V near = _o460.near;
-            const LANES(court_spared_seam_out) _o461 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
-            spare = lanes_select(_m459, _o461.spare, spare);
-            const LANES(court_backboard_seam1_out) _o462 =
+            V gap = _o459.gap;
+            V nearing = _o459.nearing;
+            V near = _o459.near;
+            const LANES(court_spared_seam_out) _o460 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[163]));
+            spare = lanes_select(_m458, _o460.spare, spare);
+            const LANES(court_backboard_seam1_out) _o461 =
                 LANES(court_backboard_seam1)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[116]));
-            gap = _o462.gap;
-            nearing = _o462.nearing;
-            near = _o462.near;
-            const LANES(court_spared_seam_out) _o463 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
-            spare = lanes_select(_m459, _o463.spare, spare);
-            const LANES(court_backboard_seam2_out) _o464 =
+            gap = _o461.gap;
+            nearing = _o461.nearing;
+            near = _o461.near;
+            const LANES(court_spared_seam_out) _o462 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[163]));
+            spare = lanes_select(_m458, _o462.spare, spare);
+            const LANES(court_backboard_seam2_out) _o463 =
                 LANES(court_backboard_seam2)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[118]));
-            gap = _o464.gap;
-            nearing = _o464.nearing;
-            near = _o464.near;
-            const LANES(court_spared_seam_out) _o465 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
-            spare = lanes_select(_m459, _o465.spare, spare);
-            const LANES(court_backboard_seam3_out) _o466 =
+            gap = _o463.gap;
+            nearing = _o463.nearing;
+            near = _o463.near;
+            const LANES(court_spared_seam_out) _o464 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[163]));
+            spare = lanes_select(_m458, _o464.spare, spare);
+            const LANES(court_backboard_seam3_out) _o465 =
                 LANES(court_backboard_seam3)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[118]));
-            gap = _o466.gap;
-            nearing = _o466.nearing;
-            near = _o466.near;
-            const LANES(court_spared_seam_out) _o467 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
-            spare = lanes_select(_m459, _o467.spare, spare);
-            const LANES(court_backboard_seam4_out) _o468 =
+            gap = _o465.gap;
+            nearing = _o465.nearing;
+            near = _o465.near;
+            const LANES(court_spared_seam_out) _o466 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[163]));
+            spare = lanes_select(_m458, _o466.spare, spare);
+            const LANES(court_backboard_seam4_out) _o467 =
                 LANES(court_backboard_seam4)(vz, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[120]));
-            gap = _o468.gap;
-            nearing = _o468.nearing;
-            near = _o468.near;
-            const LANES(court_spared_seam_out) _o469 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
-            spare = lanes_select(_m459, _o469.spare, spare);
-            const LANES(court_backboard_seam5_out) _o470 =
+            gap = _o467.gap;
+            nearing = _o467.nearing;
+            near = _o467.near;
+            const LANES(court_spared_seam_out) _o468 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[163]));
+            spare = lanes_select(_m458, _o468.spare, spare);
+            const LANES(court_backboard_seam5_out) _o469 =
                 LANES(court_backboard_seam5)(vz, z, lanes_load(lists->fixed[12]), lanes_load(lists->fixed[120]));
-            gap = _o470.gap;
-            nearing = _o470.nearing;
-            near = _o470.near;
-            const LANES(court_spared_seam_out) _o471 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
-            spare = lanes_select(_m459, _o471.spare, spare);
+            gap = _o469.gap;
+            nearing = _o469.nearing;
+            near = _o469.near;
+            const LANES(court_spared_seam_out) _o470 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[163]));
+            spare = lanes_select(_m458, _o470.spare, spare);
         }
-        const LANES(court_holding_out) _o472 =
+        const LANES(court_holding_out) _o471 =
             LANES(court_holding)(held, K(2.0));
-        here = _o472.here;
-        const M _m473 = lanes_both(rows, here);
-        if (lanes_any(_m473)) {
-            const LANES(court_bridge_seam0_out) _o474 =
+        here = _o471.here;
+        const M _m472 = lanes_both(rows, here);
+        if (lanes_any(_m472)) {
+            const LANES(court_bridge_seam0_out) _o473 =
                 LANES(court_bridge_seam0)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[122]));
-            V gap = _o474.gap;
-            V nearing = _o474.nearing;
-            V near = _o474.near;
-            const LANES(court_spared_seam_out) _o475 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
-            spare = lanes_select(_m473, _o475.spare, spare);
-            const LANES(court_bridge_seam1_out) _o476 =
+            V gap = _o473.gap;
+            V nearing = _o473.nearing;
+            V near = _o473.near;
+            const LANES(court_spared_seam_out) _o474 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[163]));
+            spare = lanes_select(_m472, _o474.spare, spare);
+            const LANES(court_bridge_seam1_out) _o475 =
                 LANES(court_bridge_seam1)(vx, x, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[122]));
-            gap = _o476.gap;
-            nearing = _o476.nearing;
-            near = _o476.near;
-            const LANES(court_spared_seam_out) _o477 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
-            spare = lanes_select(_m473, _o477.spare, spare);
-            const LANES(court_bridge_seam2_out) _o478 =
+            gap = _o475.gap;
+            nearing = _o475.nearing;
+            near = _o475.near;
+            const LANES(court_spared_seam_out) _o476 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[163]));
+            spare = lanes_select(_m472, _o476.spare, spare);
+            const LANES(court_bridge_seam2_out) _o477 =
                 LANES(court_bridge_seam2)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[124]));
-            gap = _o478.gap;
-            nearing = _o478.nearing;
-            near = _o478.near;
-            const LANES(court_spared_seam_out) _o479 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
-            spare = lanes_select(_m473, _o479.spare, spare);
-            const LANES(court_bridge_seam3_out) _o480 =
+            gap = _o477.gap;
+            nearing = _o477.nearing;
+            near = _o477.near;
+            const LANES(court_spared_seam_out) _o478 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[163]));
+            spare = lanes_select(_m472, _o478.spare, spare);
+            const LANES(court_bridge_seam3_out) _o479 =
                 LANES(court_bridge_seam3)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[124]));
-            gap = _o480.gap;
-            nearing = _o480.nearing;
-            near = _o480.near;
-            const LANES(court_spared_seam_out) _o481 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
-            spare = lanes_select(_m473, _o481.spare, spare);
-            const LANES(court_bridge_seam4_out) _o482 =
+            gap = _o479.gap;
+            nearing = _o479.nearing;
+            near = _o479.near;
+            const LANES(court_spared_seam_out) _o480 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[163]));
+            spare = lanes_select(_m472, _o480.spare, spare);
+            const LANES(court_bridge_seam4_out) _o481 =
                 LANES(court_bridge_seam4)(vz, z, lanes_load(lists->fixed[136]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[126]));
-            gap = _o482.gap;
-            nearing = _o482.nearing;
-            near = _o482.near;
-            const LANES(court_spared_seam_out) _o483 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
-            spare = lanes_select(_m473, _o483.spare, spare);
-            const LANES(court_bridge_seam5_out) _o484 =
+            gap = _o481.gap;
+            nearing = _o481.nearing;
+            near = _o481.near;
+            const LANES(court_spared_seam_out) _o482 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[163]));
+            spare = lanes_select(_m472, _o482.spare, spare);
+            const LANES(court_bridge_seam5_out) _o483 =
                 LANES(court_bridge_seam5)(vz, z, lanes_load(lists->fixed[8]), lanes_load(lists->fixed[126]));
-            gap = _o484.gap;
-            nearing = _o484.nearing;
-            near = _o484.near;
-            const LANES(court_spared_seam_out) _o485 =
-                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[160]));
-            spare = lanes_select(_m473, _o485.spare, spare);
+            gap = _o483.gap;
+            nearing = _o483.nearing;
+            near = _o483.near;
+            const LANES(court_spared_seam_out) _o484 =
+                LANES(court_spared_seam)(gap, near, nearing, spare, lanes_load(lists->fixed[22]), lanes_load(lists->fixed[163]));
+            spare = lanes_select(_m472, _o484.spare, spare);
         }
-        const LANES(court_parted_out) _o486 =
-            LANES(court_parted)(doubt, lift, per_reach, position_error, snap, spare, surge, velocity_error, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[159]), lanes_load(lists->fixed[134]));
-        V when = _o486.when;
-        doubt = _o486.doubt;
-        const LANES(court_hopping_out) _o487 =
+        const LANES(court_parted_out) _o485 =
+            LANES(court_parted)(doubt, lift, per_reach, position_error, snap, spare, surge, velocity_error, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[162]), lanes_load(lists->fixed[134]));
+        V when = _o485.when;
+        doubt = _o485.doubt;
+        const LANES(court_hopping_out) _o486 =
             LANES(court_hopping)();
-        V which = _o487.which;
+        V which = _o486.which;
         lanes_store(lists->kept_leaves_doubt + i, doubt);
         lanes_store(lists->kept_leaves_position_error + i, position_error);
         lanes_store(lists->kept_leaves_velocity_error + i, velocity_error);
@@ -9196,7 +9144,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
     for (size_t i = 0; i < kept_shots; i += LANES_WIDTH) {
         const M rows = lanes_first(kept_shots - i);
         if (LANES_SELDOM(varying))
-            LANES(court_bounded_fix_f204)(lists, i);
+            LANES(court_bounded_fix_f203)(lists, i);
         V circled = lanes_load(lists->kept_circled + i);
         V clock = lanes_load(lists->kept_clock + i);
         V clock_error = lanes_load(lists->kept_clock_error + i);
@@ -9227,130 +9175,130 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_resumed_out) _o205 =
+        const LANES(court_resumed_out) _o204 =
             LANES(court_resumed)(clock, mode, position_error, velocity_error);
-        V which = _o205.which;
-        V late = _o205.late;
-        V began = _o205.began;
-        V doubt = _o205.doubt;
-        M begins = _o205.begins;
-        M rolling = _o205.rolling;
-        M leaves = _o205.leaves;
-        V nx = _o205.nx;
-        V ny = _o205.ny;
-        V nz = _o205.nz;
-        V gap = _o205.gap;
-        V bent_x = _o205.bent_x;
-        V bent_y = _o205.bent_y;
-        V bent_z = _o205.bent_z;
-        V lift = _o205.lift;
-        V surge = _o205.surge;
-        V snap = _o205.snap;
-        V per_reach = _o205.per_reach;
-        const M _m206 = lanes_both(rows, begins);
-        if (lanes_any(_m206)) {
-            const LANES(court_holding_out) _o207 =
+        V which = _o204.which;
+        V late = _o204.late;
+        V began = _o204.began;
+        V doubt = _o204.doubt;
+        M begins = _o204.begins;
+        M rolling = _o204.rolling;
+        M leaves = _o204.leaves;
+        V nx = _o204.nx;
+        V ny = _o204.ny;
+        V nz = _o204.nz;
+        V gap = _o204.gap;
+        V bent_x = _o204.bent_x;
+        V bent_y = _o204.bent_y;
+        V bent_z = _o204.bent_z;
+        V lift = _o204.lift;
+        V surge = _o204.surge;
+        V snap = _o204.snap;
+        V per_reach = _o204.per_reach;
+        const M _m205 = lanes_both(rows, begins);
+        if (lanes_any(_m205)) {
+            const LANES(court_holding_out) _o206 =
                 LANES(court_holding)(held, K(0.0));
-            M here = _o207.here;
-            const M _m208 = lanes_both(_m206, here);
+            M here = _o206.here;
+            const M _m207 = lanes_both(_m205, here);
             {
-                const LANES(court_ring_normal_out) _o209 =
+                const LANES(court_ring_normal_out) _o208 =
                     LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[111]));
-                nx = lanes_select(_m208, _o209.nx, nx);
-                ny = lanes_select(_m208, _o209.ny, ny);
-                nz = lanes_select(_m208, _o209.nz, nz);
+                nx = lanes_select(_m207, _o208.nx, nx);
+                ny = lanes_select(_m207, _o208.ny, ny);
+                nz = lanes_select(_m207, _o208.nz, nz);
             }
-            const LANES(court_holding_out) _o210 =
+            const LANES(court_holding_out) _o209 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o210.here;
-            const M _m211 = lanes_both(_m206, here);
+            here = _o209.here;
+            const M _m210 = lanes_both(_m205, here);
             {
-                const LANES(court_backboard_normal_out) _o212 =
+                const LANES(court_backboard_normal_out) _o211 =
                     LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
-                nx = lanes_select(_m211, _o212.nx, nx);
-                ny = lanes_select(_m211, _o212.ny, ny);
-                nz = lanes_select(_m211, _o212.nz, nz);
+                nx = lanes_select(_m210, _o211.nx, nx);
+                ny = lanes_select(_m210, _o211.ny, ny);
+                nz = lanes_select(_m210, _o211.nz, nz);
             }
-            const LANES(court_holding_out) _o213 =
+            const LANES(court_holding_out) _o212 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o213.here;
-            const M _m214 = lanes_both(_m206, here);
+            here = _o212.here;
+            const M _m213 = lanes_both(_m205, here);
             {
-                const LANES(court_bridge_normal_out) _o215 =
+                const LANES(court_bridge_normal_out) _o214 =
                     LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
-                nx = lanes_select(_m214, _o215.nx, nx);
-                ny = lanes_select(_m214, _o215.ny, ny);
-                nz = lanes_select(_m214, _o215.nz, nz);
+                nx = lanes_select(_m213, _o214.nx, nx);
+                ny = lanes_select(_m213, _o214.ny, ny);
+                nz = lanes_select(_m213, _o214.nz, nz);
             }
-            const LANES(court_roll_turn_rate_out) _o216 =
+            const LANES(court_roll_turn_rate_out) _o215 =
                 LANES(court_roll_turn_rate)(nx, ny, nz, wx, wy, wz, lanes_load(lists->fixed[6]));
-            V turn_rate = _o216.turn_rate;
-            const LANES(court_gripped_out) _o217 =
+            V turn_rate = _o215.turn_rate;
+            const LANES(court_gripped_out) _o216 =
                 LANES(court_gripped)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[6]));
-            V rolled_x = _o217.rolled_x;
-            V rolled_y = _o217.rolled_y;
-            V rolled_z = _o217.rolled_z;
-            const LANES(court_holding_out) _o218 =
+            V rolled_x = _o216.rolled_x;
+            V rolled_y = _o216.rolled_y;
+            V rolled_z = _o216.rolled_z;
+            const LANES(court_holding_out) _o217 =
                 LANES(court_holding)(held, K(0.0));
-            here = _o218.here;
-            const M _m219 = lanes_both(_m206, here);
+            here = _o217.here;
+            const M _m218 = lanes_both(_m205, here);
             {
-                const LANES(court_ring_off_out) _o220 =
+                const LANES(court_ring_off_out) _o219 =
                     LANES(court_ring_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]));
-                gap = lanes_select(_m219, _o220.gap, gap);
+                gap = lanes_select(_m218, _o219.gap, gap);
             }
-            const LANES(court_holding_out) _o221 =
+            const LANES(court_holding_out) _o220 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o221.here;
-            const M _m222 = lanes_both(_m206, here);
+            here = _o220.here;
+            const M _m221 = lanes_both(_m205, here);
             {
-                const LANES(court_backboard_off_out) _o223 =
+                const LANES(court_backboard_off_out) _o222 =
                     LANES(court_backboard_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
-                gap = lanes_select(_m222, _o223.gap, gap);
+                gap = lanes_select(_m221, _o222.gap, gap);
             }
-            const LANES(court_holding_out) _o224 =
+            const LANES(court_holding_out) _o223 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o224.here;
-            const M _m225 = lanes_both(_m206, here);
+            here = _o223.here;
+            const M _m224 = lanes_both(_m205, here);
             {
-                const LANES(court_bridge_off_out) _o226 =
+                const LANES(court_bridge_off_out) _o225 =
                     LANES(court_bridge_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
-                gap = lanes_select(_m225, _o226.gap, gap);
+                gap = lanes_select(_m224, _o225.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o227 =
+            const LANES(court_roll_placed_out) _o226 =
                 LANES(court_roll_placed)(gap, nx, ny, nz, turn_rate, rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[112]));
-            x = lanes_select(_m206, _o227.x, x);
-            y = lanes_select(_m206, _o227.y, y);
-            z = lanes_select(_m206, _o227.z, z);
-            vx = lanes_select(_m206, _o227.vx, vx);
-            vy = lanes_select(_m206, _o227.vy, vy);
-            vz = lanes_select(_m206, _o227.vz, vz);
-            wx = lanes_select(_m206, _o227.wx, wx);
-            wy = lanes_select(_m206, _o227.wy, wy);
-            wz = lanes_select(_m206, _o227.wz, wz);
-            const LANES(court_begun_errors_out) _o228 =
+            x = lanes_select(_m205, _o226.x, x);
+            y = lanes_select(_m205, _o226.y, y);
+            z = lanes_select(_m205, _o226.z, z);
+            vx = lanes_select(_m205, _o226.vx, vx);
+            vy = lanes_select(_m205, _o226.vy, vy);
+            vz = lanes_select(_m205, _o226.vz, vz);
+            wx = lanes_select(_m205, _o226.wx, wx);
+            wy = lanes_select(_m205, _o226.wy, wy);
+            wz = lanes_select(_m205, _o226.wz, wz);
+            const LANES(court_begun_errors_out) _o227 =
                 LANES(court_begun_errors)(dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[114]), lanes_load(lists->fixed[115]));
-            dx = lanes_select(_m206, _o228.dx, dx);
-            dy = lanes_select(_m206, _o228.dy, dy);
-            dz = lanes_select(_m206, _o228.dz, dz);
-            dvx = lanes_select(_m206, _o228.dvx, dvx);
-            dvy = lanes_select(_m206, _o228.dvy, dvy);
-            dvz = lanes_select(_m206, _o228.dvz, dvz);
-            dwx = lanes_select(_m206, _o228.dwx, dwx);
-            dwy = lanes_select(_m206, _o228.dwy, dwy);
-            dwz = lanes_select(_m206, _o228.dwz, dwz);
-            const LANES(court_untaut_out) _o229 =
+            dx = lanes_select(_m205, _o227.dx, dx);
+            dy = lanes_select(_m205, _o227.dy, dy);
+            dz = lanes_select(_m205, _o227.dz, dz);
+            dvx = lanes_select(_m205, _o227.dvx, dvx);
+            dvy = lanes_select(_m205, _o227.dvy, dvy);
+            dvz = lanes_select(_m205, _o227.dvz, dvz);
+            dwx = lanes_select(_m205, _o227.dwx, dwx);
+            dwy = lanes_select(_m205, _o227.dwy, dwy);
+            dwz = lanes_select(_m205, _o227.dwz, dwz);
+            const LANES(court_untaut_out) _o228 =
                 LANES(court_untaut)();
-            taut = lanes_select(_m206, _o229.taut, taut);
-            const LANES(court_beginning_contact_out) _o230 =
+            taut = lanes_select(_m205, _o228.taut, taut);
+            const LANES(court_beginning_contact_out) _o229 =
                 LANES(court_beginning_contact)();
-            which = lanes_select(_m206, _o230.which, which);
-            circled = lanes_select(_m206, _o230.circled, circled);
+            which = lanes_select(_m205, _o229.which, which);
+            circled = lanes_select(_m205, _o229.circled, circled);
         }
-        const LANES(court_circles_out) _o231 =
+        const LANES(court_circles_out) _o230 =
             LANES(court_circles)(held, K(0.0), rolling);
-        M circling = _o231.circling;
-        rolling = _o231.rolling;
+        M circling = _o230.circling;
+        rolling = _o230.rolling;
         lanes_store(lists->kept_began + i, began);
         lanes_store(lists->kept_circled + i, circled);
         lanes_store(lists->kept_circling + i, lanes_select(circling, K(1.0), K(0.0)));
@@ -9522,7 +9470,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 y = lanes_expand(lists->kept_rolling_y + taken, idle, y);
                 z = lanes_expand(lists->kept_rolling_z + taken, idle, z);
                 if (LANES_SELDOM(varying))
-                    LANES(court_bounded_fix_f232)(lists, taken, idle);
+                    LANES(court_bounded_fix_f231)(lists, taken, idle);
                 const size_t room = LANES_WIDTH - busy, left = kept_rolling_shots - taken;
                 active = lanes_leading(idle, left, active);
                 taken += left < room ? left : room;
@@ -9531,688 +9479,689 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M rolling = active;
-            const LANES(court_error_bounds_out) _o233 =
+            const LANES(court_error_bounds_out) _o232 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o233.position_error;
-            V velocity_error = _o233.velocity_error;
-            const LANES(court_holding_out) _o234 =
+            V position_error = _o232.position_error;
+            V velocity_error = _o232.velocity_error;
+            const LANES(court_holding_out) _o233 =
                 LANES(court_holding)(held, K(1.0));
-            M here = _o234.here;
-            const M _m235 = lanes_both(active, here);
-            if (lanes_any(_m235)) {
-                const LANES(court_backboard_normal_out) _o236 =
+            M here = _o233.here;
+            const M _m234 = lanes_both(active, here);
+            if (lanes_any(_m234)) {
+                const LANES(court_backboard_normal_out) _o235 =
                     LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
-                nx = lanes_select(_m235, _o236.nx, nx);
-                ny = lanes_select(_m235, _o236.ny, ny);
-                nz = lanes_select(_m235, _o236.nz, nz);
-                const LANES(court_backboard_tube_out) _o237 =
+                nx = lanes_select(_m234, _o235.nx, nx);
+                ny = lanes_select(_m234, _o235.ny, ny);
+                nz = lanes_select(_m234, _o235.nz, nz);
+                const LANES(court_backboard_tube_out) _o236 =
                     LANES(court_backboard_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[116]), lanes_load(lists->fixed[117]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[118]), lanes_load(lists->fixed[119]), lanes_load(lists->fixed[120]), lanes_load(lists->fixed[121]), lanes_load(lists->fixed[112]));
-                bent_x = lanes_select(_m235, _o237.bent_x, bent_x);
-                bent_y = lanes_select(_m235, _o237.bent_y, bent_y);
-                bent_z = lanes_select(_m235, _o237.bent_z, bent_z);
-                per_reach = lanes_select(_m235, _o237.per_reach, per_reach);
+                bent_x = lanes_select(_m234, _o236.bent_x, bent_x);
+                bent_y = lanes_select(_m234, _o236.bent_y, bent_y);
+                bent_z = lanes_select(_m234, _o236.bent_z, bent_z);
+                per_reach = lanes_select(_m234, _o236.per_reach, per_reach);
             }
-            const LANES(court_holding_out) _o238 =
+            const LANES(court_holding_out) _o237 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o238.here;
-            const M _m239 = lanes_both(active, here);
-            if (lanes_any(_m239)) {
-                const LANES(court_bridge_normal_out) _o240 =
+            here = _o237.here;
+            const M _m238 = lanes_both(active, here);
+            if (lanes_any(_m238)) {
+                const LANES(court_bridge_normal_out) _o239 =
                     LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
-                nx = lanes_select(_m239, _o240.nx, nx);
-                ny = lanes_select(_m239, _o240.ny, ny);
-                nz = lanes_select(_m239, _o240.nz, nz);
-                const LANES(court_bridge_tube_out) _o241 =
+                nx = lanes_select(_m238, _o239.nx, nx);
+                ny = lanes_select(_m238, _o239.ny, ny);
+                nz = lanes_select(_m238, _o239.nz, nz);
+                const LANES(court_bridge_tube_out) _o240 =
                     LANES(court_bridge_tube)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[122]), lanes_load(lists->fixed[123]), lanes_load(lists->fixed[124]), lanes_load(lists->fixed[125]), lanes_load(lists->fixed[126]), lanes_load(lists->fixed[127]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[112]));
-                bent_x = lanes_select(_m239, _o241.bent_x, bent_x);
-                bent_y = lanes_select(_m239, _o241.bent_y, bent_y);
-                bent_z = lanes_select(_m239, _o241.bent_z, bent_z);
-                per_reach = lanes_select(_m239, _o241.per_reach, per_reach);
+                bent_x = lanes_select(_m238, _o240.bent_x, bent_x);
+                bent_y = lanes_select(_m238, _o240.bent_y, bent_y);
+                bent_z = lanes_select(_m238, _o240.bent_z, bent_z);
+                per_reach = lanes_select(_m238, _o240.per_reach, per_reach);
             }
-            const LANES(court_roll_start_out) _o242 =
+            const LANES(court_roll_start_out) _o241 =
                 LANES(court_roll_start)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[6]));
-            V vx_0 = _o242.vx_0;
-            V vy_0 = _o242.vy_0;
-            V vz_0 = _o242.vz_0;
-            V nx_0 = _o242.nx_0;
-            V ny_0 = _o242.ny_0;
-            V nz_0 = _o242.nz_0;
-            V turn_rate_0 = _o242.turn_rate_0;
-            const LANES(court_roll_0_out) _o243 =
+            V vx_0 = _o241.vx_0;
+            V vy_0 = _o241.vy_0;
+            V vz_0 = _o241.vz_0;
+            V nx_0 = _o241.nx_0;
+            V ny_0 = _o241.ny_0;
+            V nz_0 = _o241.nz_0;
+            V turn_rate_0 = _o241.turn_rate_0;
+            const LANES(court_roll_0_out) _o242 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0, lanes_load(lists->fixed[128]));
-            V lift_0 = _o243.lift_0;
-            V tx_0 = _o243.tx_0;
-            V ty_0 = _o243.ty_0;
-            V tz_0 = _o243.tz_0;
-            V vx_1 = _o243.vx_1;
-            V vy_1 = _o243.vy_1;
-            V vz_1 = _o243.vz_1;
-            V nx_1 = _o243.nx_1;
-            V ny_1 = _o243.ny_1;
-            V nz_1 = _o243.nz_1;
-            V turn_rate_1 = _o243.turn_rate_1;
-            const LANES(court_roll_1_out) _o244 =
+            V lift_0 = _o242.lift_0;
+            V tx_0 = _o242.tx_0;
+            V ty_0 = _o242.ty_0;
+            V tz_0 = _o242.tz_0;
+            V vx_1 = _o242.vx_1;
+            V vy_1 = _o242.vy_1;
+            V vz_1 = _o242.vz_1;
+            V nx_1 = _o242.nx_1;
+            V ny_1 = _o242.ny_1;
+            V nz_1 = _o242.nz_1;
+            V turn_rate_1 = _o242.turn_rate_1;
+            const LANES(court_roll_1_out) _o243 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, lanes_load(lists->fixed[128]));
-            V lift_1 = _o244.lift_1;
-            V tx_1 = _o244.tx_1;
-            V ty_1 = _o244.ty_1;
-            V tz_1 = _o244.tz_1;
-            V vx_2 = _o244.vx_2;
-            V vy_2 = _o244.vy_2;
-            V vz_2 = _o244.vz_2;
-            V nx_2 = _o244.nx_2;
-            V ny_2 = _o244.ny_2;
-            V nz_2 = _o244.nz_2;
-            V turn_rate_2 = _o244.turn_rate_2;
-            const LANES(court_roll_2_out) _o245 =
+            V lift_1 = _o243.lift_1;
+            V tx_1 = _o243.tx_1;
+            V ty_1 = _o243.ty_1;
+            V tz_1 = _o243.tz_1;
+            V vx_2 = _o243.vx_2;
+            V vy_2 = _o243.vy_2;
+            V vz_2 = _o243.vz_2;
+            V nx_2 = _o243.nx_2;
+            V ny_2 = _o243.ny_2;
+            V nz_2 = _o243.nz_2;
+            V turn_rate_2 = _o243.turn_rate_2;
+            const LANES(court_roll_2_out) _o244 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, lanes_load(lists->fixed[128]));
-            V lift_2 = _o245.lift_2;
-            V tx_2 = _o245.tx_2;
-            V ty_2 = _o245.ty_2;
-            V tz_2 = _o245.tz_2;
-            V vx_3 = _o245.vx_3;
-            V vy_3 = _o245.vy_3;
-            V vz_3 = _o245.vz_3;
-            V nx_3 = _o245.nx_3;
-            V ny_3 = _o245.ny_3;
-            V nz_3 = _o245.nz_3;
-            V turn_rate_3 = _o245.turn_rate_3;
-            const LANES(court_roll_3_out) _o246 =
+            V lift_2 = _o244.lift_2;
+            V tx_2 = _o244.tx_2;
+            V ty_2 = _o244.ty_2;
+            V tz_2 = _o244.tz_2;
+            V vx_3 = _o244.vx_3;
+            V vy_3 = _o244.vy_3;
+            V vz_3 = _o244.vz_3;
+            V nx_3 = _o244.nx_3;
+            V ny_3 = _o244.ny_3;
+            V nz_3 = _o244.nz_3;
+            V turn_rate_3 = _o244.turn_rate_3;
+            const LANES(court_roll_3_out) _o245 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, lanes_load(lists->fixed[128]));
-            V lift_3 = _o246.lift_3;
-            V tx_3 = _o246.tx_3;
-            V ty_3 = _o246.ty_3;
-            V tz_3 = _o246.tz_3;
-            V vx_4 = _o246.vx_4;
-            V vy_4 = _o246.vy_4;
-            V vz_4 = _o246.vz_4;
-            V nx_4 = _o246.nx_4;
-            V ny_4 = _o246.ny_4;
-            V nz_4 = _o246.nz_4;
-            V turn_rate_4 = _o246.turn_rate_4;
-            const LANES(court_roll_4_out) _o247 =
+            V lift_3 = _o245.lift_3;
+            V tx_3 = _o245.tx_3;
+            V ty_3 = _o245.ty_3;
+            V tz_3 = _o245.tz_3;
+            V vx_4 = _o245.vx_4;
+            V vy_4 = _o245.vy_4;
+            V vz_4 = _o245.vz_4;
+            V nx_4 = _o245.nx_4;
+            V ny_4 = _o245.ny_4;
+            V nz_4 = _o245.nz_4;
+            V turn_rate_4 = _o245.turn_rate_4;
+            const LANES(court_roll_4_out) _o246 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, lanes_load(lists->fixed[128]));
-            V lift_4 = _o247.lift_4;
-            V tx_4 = _o247.tx_4;
-            V ty_4 = _o247.ty_4;
-            V tz_4 = _o247.tz_4;
-            V vx_5 = _o247.vx_5;
-            V vy_5 = _o247.vy_5;
-            V vz_5 = _o247.vz_5;
-            V nx_5 = _o247.nx_5;
-            V ny_5 = _o247.ny_5;
-            V nz_5 = _o247.nz_5;
-            V turn_rate_5 = _o247.turn_rate_5;
-            const LANES(court_roll_5_out) _o248 =
+            V lift_4 = _o246.lift_4;
+            V tx_4 = _o246.tx_4;
+            V ty_4 = _o246.ty_4;
+            V tz_4 = _o246.tz_4;
+            V vx_5 = _o246.vx_5;
+            V vy_5 = _o246.vy_5;
+            V vz_5 = _o246.vz_5;
+            V nx_5 = _o246.nx_5;
+            V ny_5 = _o246.ny_5;
+            V nz_5 = _o246.nz_5;
+            V turn_rate_5 = _o246.turn_rate_5;
+            const LANES(court_roll_5_out) _o247 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, lanes_load(lists->fixed[128]));
-            V lift_5 = _o248.lift_5;
-            V tx_5 = _o248.tx_5;
-            V ty_5 = _o248.ty_5;
-            V tz_5 = _o248.tz_5;
-            V vx_6 = _o248.vx_6;
-            V vy_6 = _o248.vy_6;
-            V vz_6 = _o248.vz_6;
-            V nx_6 = _o248.nx_6;
-            V ny_6 = _o248.ny_6;
-            V nz_6 = _o248.nz_6;
-            V turn_rate_6 = _o248.turn_rate_6;
-            const LANES(court_roll_6_out) _o249 =
+            V lift_5 = _o247.lift_5;
+            V tx_5 = _o247.tx_5;
+            V ty_5 = _o247.ty_5;
+            V tz_5 = _o247.tz_5;
+            V vx_6 = _o247.vx_6;
+            V vy_6 = _o247.vy_6;
+            V vz_6 = _o247.vz_6;
+            V nx_6 = _o247.nx_6;
+            V ny_6 = _o247.ny_6;
+            V nz_6 = _o247.nz_6;
+            V turn_rate_6 = _o247.turn_rate_6;
+            const LANES(court_roll_6_out) _o248 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, lanes_load(lists->fixed[128]));
-            V lift_6 = _o249.lift_6;
-            V tx_6 = _o249.tx_6;
-            V ty_6 = _o249.ty_6;
-            V tz_6 = _o249.tz_6;
-            V vx_7 = _o249.vx_7;
-            V vy_7 = _o249.vy_7;
-            V vz_7 = _o249.vz_7;
-            V nx_7 = _o249.nx_7;
-            V ny_7 = _o249.ny_7;
-            V nz_7 = _o249.nz_7;
-            V turn_rate_7 = _o249.turn_rate_7;
-            const LANES(court_roll_7_out) _o250 =
+            V lift_6 = _o248.lift_6;
+            V tx_6 = _o248.tx_6;
+            V ty_6 = _o248.ty_6;
+            V tz_6 = _o248.tz_6;
+            V vx_7 = _o248.vx_7;
+            V vy_7 = _o248.vy_7;
+            V vz_7 = _o248.vz_7;
+            V nx_7 = _o248.nx_7;
+            V ny_7 = _o248.ny_7;
+            V nz_7 = _o248.nz_7;
+            V turn_rate_7 = _o248.turn_rate_7;
+            const LANES(court_roll_7_out) _o249 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, lanes_load(lists->fixed[128]));
-            V lift_7 = _o250.lift_7;
-            V vx_8 = _o250.vx_8;
-            V vy_8 = _o250.vy_8;
-            V vz_8 = _o250.vz_8;
-            V nx_8 = _o250.nx_8;
-            V ny_8 = _o250.ny_8;
-            V nz_8 = _o250.nz_8;
-            V turn_rate_8 = _o250.turn_rate_8;
-            const LANES(court_roll_pace_out) _o251 =
+            V lift_7 = _o249.lift_7;
+            V vx_8 = _o249.vx_8;
+            V vy_8 = _o249.vy_8;
+            V vz_8 = _o249.vz_8;
+            V nx_8 = _o249.nx_8;
+            V ny_8 = _o249.ny_8;
+            V nz_8 = _o249.nz_8;
+            V turn_rate_8 = _o249.turn_rate_8;
+            const LANES(court_roll_pace_out) _o250 =
                 LANES(court_roll_pace)(lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[130]));
-            V stride = _o251.stride;
-            V strongest = _o251.strongest;
-            V fastest = _o251.fastest;
-            V force = _o251.force;
-            V force_rate = _o251.force_rate;
-            V force_bend = _o251.force_bend;
-            V brace = _o251.brace;
-            const LANES(court_pulled_out) _o252 =
+            V stride = _o250.stride;
+            V missed = _o250.missed;
+            V strongest = _o250.strongest;
+            V fastest = _o250.fastest;
+            V force = _o250.force;
+            V force_rate = _o250.force_rate;
+            V force_bend = _o250.force_bend;
+            V brace = _o250.brace;
+            const LANES(court_pulled_out) _o251 =
                 LANES(court_pulled)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[130]));
-            V drag = _o252.drag;
-            V drag_rate = _o252.drag_rate;
-            V strain = _o252.strain;
-            V strain_rate = _o252.strain_rate;
-            const LANES(court_holding_out) _o253 =
+            V drag = _o251.drag;
+            V drag_rate = _o251.drag_rate;
+            V strain = _o251.strain;
+            V strain_rate = _o251.strain_rate;
+            const LANES(court_holding_out) _o252 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o253.here;
-            const M _m254 = lanes_both(active, here);
+            here = _o252.here;
+            const M _m253 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o255 =
+                const LANES(court_ring_impact_strained_out) _o254 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, lanes_load(lists->fixed[131]));
-                strain = lanes_select(_m254, _o255.strain, strain);
-                strain_rate = lanes_select(_m254, _o255.strain_rate, strain_rate);
+                strain = lanes_select(_m253, _o254.strain, strain);
+                strain_rate = lanes_select(_m253, _o254.strain_rate, strain_rate);
             }
-            const LANES(court_holding_out) _o256 =
+            const LANES(court_holding_out) _o255 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o256.here;
-            const M _m257 = lanes_both(active, here);
+            here = _o255.here;
+            const M _m256 = lanes_both(active, here);
             {
-                const LANES(court_ring_impact_strained_out) _o258 =
+                const LANES(court_ring_impact_strained_out) _o257 =
                     LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, lanes_load(lists->fixed[132]));
-                strain = lanes_select(_m257, _o258.strain, strain);
-                strain_rate = lanes_select(_m257, _o258.strain_rate, strain_rate);
+                strain = lanes_select(_m256, _o257.strain, strain);
+                strain_rate = lanes_select(_m256, _o257.strain_rate, strain_rate);
             }
-            const LANES(court_losing_out) _o259 =
+            const LANES(court_losing_out) _o258 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o259.loses;
-            const M _m260 = lanes_both(active, loses);
-            if (lanes_any(_m260)) {
-                const LANES(court_lost_grip_out) _o261 =
+            M loses = _o258.loses;
+            const M _m259 = lanes_both(active, loses);
+            if (lanes_any(_m259)) {
+                const LANES(court_lost_grip_out) _o260 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m260, _o261.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m259, _o260.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o262 =
+            const LANES(court_tightened_out) _o261 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o262.taut;
-            taut_rate = _o262.taut_rate;
-            taut_clock = _o262.taut_clock;
-            const LANES(court_leaving_force_out) _o263 =
+            taut = _o261.taut;
+            taut_rate = _o261.taut_rate;
+            taut_clock = _o261.taut_clock;
+            const LANES(court_leaving_force_out) _o262 =
                 LANES(court_leaving_force)(brace, doubt, fastest, force, force_bend, force_rate, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[133]), lanes_load(lists->fixed[134]));
-            stride = _o263.stride;
-            which = _o263.which;
-            M rests = _o263.rests;
-            doubt = _o263.doubt;
-            const LANES(court_beside_out) _o264 =
+            stride = _o262.stride;
+            which = _o262.which;
+            M rests = _o262.rests;
+            doubt = _o262.doubt;
+            const LANES(court_beside_out) _o263 =
                 LANES(court_beside)(held, K(0.0));
-            M beside = _o264.beside;
-            const M _m265 = lanes_both(active, beside);
-            if (lanes_any(_m265)) {
-                const LANES(court_ring_beside_out) _o266 =
+            M beside = _o263.beside;
+            const M _m264 = lanes_both(active, beside);
+            if (lanes_any(_m264)) {
+                const LANES(court_ring_beside_out) _o265 =
                     LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[135]));
-                V gap = _o266.gap;
-                V nearing = _o266.nearing;
-                V dent = _o266.dent;
-                const LANES(court_beside_body_out) _o267 =
+                V gap = _o265.gap;
+                V nearing = _o265.nearing;
+                V dent = _o265.dent;
+                const LANES(court_beside_body_out) _o266 =
                     LANES(court_beside_body)(dent, doubt, fastest, gap, K(0.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]));
-                stride = lanes_select(_m265, _o267.stride, stride);
-                which = lanes_select(_m265, _o267.which, which);
-                doubt = lanes_select(_m265, _o267.doubt, doubt);
-                late = lanes_select(_m265, _o267.late, late);
+                stride = lanes_select(_m264, _o266.stride, stride);
+                which = lanes_select(_m264, _o266.which, which);
+                doubt = lanes_select(_m264, _o266.doubt, doubt);
+                late = lanes_select(_m264, _o266.late, late);
             }
-            const LANES(court_beside_out) _o268 =
+            const LANES(court_beside_out) _o267 =
                 LANES(court_beside)(held, K(1.0));
-            beside = _o268.beside;
-            const M _m269 = lanes_both(active, beside);
-            if (lanes_any(_m269)) {
-                const LANES(court_backboard_beside_out) _o270 =
+            beside = _o267.beside;
+            const M _m268 = lanes_both(active, beside);
+            if (lanes_any(_m268)) {
+                const LANES(court_backboard_beside_out) _o269 =
                     LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
-                V gap = _o270.gap;
-                V nearing = _o270.nearing;
-                V dent = _o270.dent;
-                const LANES(court_beside_body_out) _o271 =
+                V gap = _o269.gap;
+                V nearing = _o269.nearing;
+                V dent = _o269.dent;
+                const LANES(court_beside_body_out) _o270 =
                     LANES(court_beside_body)(dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]));
-                stride = lanes_select(_m269, _o271.stride, stride);
-                which = lanes_select(_m269, _o271.which, which);
-                doubt = lanes_select(_m269, _o271.doubt, doubt);
-                late = lanes_select(_m269, _o271.late, late);
+                stride = lanes_select(_m268, _o270.stride, stride);
+                which = lanes_select(_m268, _o270.which, which);
+                doubt = lanes_select(_m268, _o270.doubt, doubt);
+                late = lanes_select(_m268, _o270.late, late);
             }
-            const LANES(court_beside_out) _o272 =
+            const LANES(court_beside_out) _o271 =
                 LANES(court_beside)(held, K(2.0));
-            beside = _o272.beside;
-            const M _m273 = lanes_both(active, beside);
-            if (lanes_any(_m273)) {
-                const LANES(court_bridge_beside_out) _o274 =
+            beside = _o271.beside;
+            const M _m272 = lanes_both(active, beside);
+            if (lanes_any(_m272)) {
+                const LANES(court_bridge_beside_out) _o273 =
                     LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
-                V gap = _o274.gap;
-                V nearing = _o274.nearing;
-                V dent = _o274.dent;
-                const LANES(court_beside_body_out) _o275 =
+                V gap = _o273.gap;
+                V nearing = _o273.nearing;
+                V dent = _o273.dent;
+                const LANES(court_beside_body_out) _o274 =
                     LANES(court_beside_body)(dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]));
-                stride = lanes_select(_m273, _o275.stride, stride);
-                which = lanes_select(_m273, _o275.which, which);
-                doubt = lanes_select(_m273, _o275.doubt, doubt);
-                late = lanes_select(_m273, _o275.late, late);
+                stride = lanes_select(_m272, _o274.stride, stride);
+                which = lanes_select(_m272, _o274.which, which);
+                doubt = lanes_select(_m272, _o274.doubt, doubt);
+                late = lanes_select(_m272, _o274.late, late);
             }
-            const LANES(court_end_beside_out) _o276 =
+            const LANES(court_end_beside_out) _o275 =
                 LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
-            V gap = _o276.gap;
-            V nearing = _o276.nearing;
-            V dent = _o276.dent;
-            const LANES(court_beside_gate_out) _o277 =
+            V gap = _o275.gap;
+            V nearing = _o275.nearing;
+            V dent = _o275.dent;
+            const LANES(court_beside_gate_out) _o276 =
                 LANES(court_beside_gate)(dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]));
-            stride = _o277.stride;
-            which = _o277.which;
-            doubt = _o277.doubt;
-            late = _o277.late;
-            const LANES(court_holding_out) _o278 =
+            stride = _o276.stride;
+            which = _o276.which;
+            doubt = _o276.doubt;
+            late = _o276.late;
+            const LANES(court_holding_out) _o277 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o278.here;
-            const M _m279 = lanes_both(active, here);
-            if (lanes_any(_m279)) {
-                const LANES(court_backboard_seam0_out) _o280 =
+            here = _o277.here;
+            const M _m278 = lanes_both(active, here);
+            if (lanes_any(_m278)) {
+                const LANES(court_backboard_seam0_out) _o279 =
                     LANES(court_backboard_seam0)(vx, x, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[116]));
-                gap = lanes_select(_m279, _o280.gap, gap);
-                V nearing = _o280.nearing;
-                V near = _o280.near;
-                const LANES(court_beside_seam_out) _o281 =
+                gap = lanes_select(_m278, _o279.gap, gap);
+                V nearing = _o279.nearing;
+                V near = _o279.near;
+                const LANES(court_beside_seam_out) _o280 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m279, _o281.stride, stride);
-                const LANES(court_backboard_seam1_out) _o282 =
+                stride = lanes_select(_m278, _o280.stride, stride);
+                const LANES(court_backboard_seam1_out) _o281 =
                     LANES(court_backboard_seam1)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[116]));
-                gap = lanes_select(_m279, _o282.gap, gap);
-                nearing = _o282.nearing;
-                near = _o282.near;
-                const LANES(court_beside_seam_out) _o283 =
+                gap = lanes_select(_m278, _o281.gap, gap);
+                nearing = _o281.nearing;
+                near = _o281.near;
+                const LANES(court_beside_seam_out) _o282 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m279, _o283.stride, stride);
-                const LANES(court_backboard_seam2_out) _o284 =
+                stride = lanes_select(_m278, _o282.stride, stride);
+                const LANES(court_backboard_seam2_out) _o283 =
                     LANES(court_backboard_seam2)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[118]));
-                gap = lanes_select(_m279, _o284.gap, gap);
-                nearing = _o284.nearing;
-                near = _o284.near;
-                const LANES(court_beside_seam_out) _o285 =
+                gap = lanes_select(_m278, _o283.gap, gap);
+                nearing = _o283.nearing;
+                near = _o283.near;
+                const LANES(court_beside_seam_out) _o284 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m279, _o285.stride, stride);
-                const LANES(court_backboard_seam3_out) _o286 =
+                stride = lanes_select(_m278, _o284.stride, stride);
+                const LANES(court_backboard_seam3_out) _o285 =
                     LANES(court_backboard_seam3)(vy, y, lanes_load(lists->fixed[10]), lanes_load(lists->fixed[118]));
-                gap = lanes_select(_m279, _o286.gap, gap);
-                nearing = _o286.nearing;
-                near = _o286.near;
-                const LANES(court_beside_seam_out) _o287 =
+                gap = lanes_select(_m278, _o285.gap, gap);
+                nearing = _o285.nearing;
+                near = _o285.near;
+                const LANES(court_beside_seam_out) _o286 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m279, _o287.stride, stride);
-                const LANES(court_backboard_seam4_out) _o288 =
+                stride = lanes_select(_m278, _o286.stride, stride);
+                const LANES(court_backboard_seam4_out) _o287 =
                     LANES(court_backboard_seam4)(vz, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[120]));
-                gap = lanes_select(_m279, _o288.gap, gap);
-                nearing = _o288.nearing;
-                near = _o288.near;
-                const LANES(court_beside_seam_out) _o289 =
+                gap = lanes_select(_m278, _o287.gap, gap);
+                nearing = _o287.nearing;
+                near = _o287.near;
+                const LANES(court_beside_seam_out) _o288 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m279, _o289.stride, stride);
-                const LANES(court_backboard_seam5_out) _o290 =
+                stride = lanes_select(_m278, _o288.stride, stride);
+                const LANES(court_backboard_seam5_out) _o289 =
                     LANES(court_backboard_seam5)(vz, z, lanes_load(lists->fixed[12]), lanes_load(lists->fixed[120]));
-                gap = lanes_select(_m279, _o290.gap, gap);
-                nearing = _o290.nearing;
-                near = _o290.near;
-                const LANES(court_beside_seam_out) _o291 =
+                gap = lanes_select(_m278, _o289.gap, gap);
+                nearing = _o289.nearing;
+                near = _o289.near;
+                const LANES(court_beside_seam_out) _o290 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m279, _o291.stride, stride);
+                stride = lanes_select(_m278, _o290.stride, stride);
             }
-            const LANES(court_holding_out) _o292 =
+            const LANES(court_holding_out) _o291 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o292.here;
-            const M _m293 = lanes_both(active, here);
-            if (lanes_any(_m293)) {
-                const LANES(court_bridge_seam0_out) _o294 =
+            here = _o291.here;
+            const M _m292 = lanes_both(active, here);
+            if (lanes_any(_m292)) {
+                const LANES(court_bridge_seam0_out) _o293 =
                     LANES(court_bridge_seam0)(vx, x, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[122]));
-                gap = lanes_select(_m293, _o294.gap, gap);
-                V nearing = _o294.nearing;
-                V near = _o294.near;
-                const LANES(court_beside_seam_out) _o295 =
+                gap = lanes_select(_m292, _o293.gap, gap);
+                V nearing = _o293.nearing;
+                V near = _o293.near;
+                const LANES(court_beside_seam_out) _o294 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m293, _o295.stride, stride);
-                const LANES(court_bridge_seam1_out) _o296 =
+                stride = lanes_select(_m292, _o294.stride, stride);
+                const LANES(court_bridge_seam1_out) _o295 =
                     LANES(court_bridge_seam1)(vx, x, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[122]));
-                gap = lanes_select(_m293, _o296.gap, gap);
-                nearing = _o296.nearing;
-                near = _o296.near;
-                const LANES(court_beside_seam_out) _o297 =
+                gap = lanes_select(_m292, _o295.gap, gap);
+                nearing = _o295.nearing;
+                near = _o295.near;
+                const LANES(court_beside_seam_out) _o296 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m293, _o297.stride, stride);
-                const LANES(court_bridge_seam2_out) _o298 =
+                stride = lanes_select(_m292, _o296.stride, stride);
+                const LANES(court_bridge_seam2_out) _o297 =
                     LANES(court_bridge_seam2)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[124]));
-                gap = lanes_select(_m293, _o298.gap, gap);
-                nearing = _o298.nearing;
-                near = _o298.near;
-                const LANES(court_beside_seam_out) _o299 =
+                gap = lanes_select(_m292, _o297.gap, gap);
+                nearing = _o297.nearing;
+                near = _o297.near;
+                const LANES(court_beside_seam_out) _o298 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m293, _o299.stride, stride);
-                const LANES(court_bridge_seam3_out) _o300 =
+                stride = lanes_select(_m292, _o298.stride, stride);
+                const LANES(court_bridge_seam3_out) _o299 =
                     LANES(court_bridge_seam3)(vy, y, lanes_load(lists->fixed[13]), lanes_load(lists->fixed[124]));
-                gap = lanes_select(_m293, _o300.gap, gap);
-                nearing = _o300.nearing;
-                near = _o300.near;
-                const LANES(court_beside_seam_out) _o301 =
+                gap = lanes_select(_m292, _o299.gap, gap);
+                nearing = _o299.nearing;
+                near = _o299.near;
+                const LANES(court_beside_seam_out) _o300 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m293, _o301.stride, stride);
-                const LANES(court_bridge_seam4_out) _o302 =
+                stride = lanes_select(_m292, _o300.stride, stride);
+                const LANES(court_bridge_seam4_out) _o301 =
                     LANES(court_bridge_seam4)(vz, z, lanes_load(lists->fixed[136]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[126]));
-                gap = lanes_select(_m293, _o302.gap, gap);
-                nearing = _o302.nearing;
-                near = _o302.near;
-                const LANES(court_beside_seam_out) _o303 =
+                gap = lanes_select(_m292, _o301.gap, gap);
+                nearing = _o301.nearing;
+                near = _o301.near;
+                const LANES(court_beside_seam_out) _o302 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m293, _o303.stride, stride);
-                const LANES(court_bridge_seam5_out) _o304 =
+                stride = lanes_select(_m292, _o302.stride, stride);
+                const LANES(court_bridge_seam5_out) _o303 =
                     LANES(court_bridge_seam5)(vz, z, lanes_load(lists->fixed[8]), lanes_load(lists->fixed[126]));
-                gap = lanes_select(_m293, _o304.gap, gap);
-                nearing = _o304.nearing;
-                near = _o304.near;
-                const LANES(court_beside_seam_out) _o305 =
+                gap = lanes_select(_m292, _o303.gap, gap);
+                nearing = _o303.nearing;
+                near = _o303.near;
+                const LANES(court_beside_seam_out) _o304 =
                     LANES(court_beside_seam)(fastest, gap, near, nearing, stride, strongest);
-                stride = lanes_select(_m293, _o305.stride, stride);
+                stride = lanes_select(_m292, _o304.stride, stride);
             }
-            const LANES(court_beside_time_out) _o306 =
+            const LANES(court_beside_time_out) _o305 =
                 LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o306.stride;
-            which = _o306.which;
-            const LANES(court_apart_out) _o307 =
+            stride = _o305.stride;
+            which = _o305.which;
+            const LANES(court_apart_out) _o306 =
                 LANES(court_apart)(dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[137]), lanes_load(lists->fixed[138]));
-            V apart = _o307.apart;
-            const LANES(court_neighbour_out) _o308 =
+            V apart = _o306.apart;
+            const LANES(court_neighbour_out) _o307 =
                 LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o308.far_x;
-            V far_y = _o308.far_y;
-            V far_z = _o308.far_z;
-            V far_vx = _o308.far_vx;
-            V far_vy = _o308.far_vy;
-            V far_vz = _o308.far_vz;
-            V far_wx = _o308.far_wx;
-            V far_wy = _o308.far_wy;
-            V far_wz = _o308.far_wz;
-            V far_nx = _o308.far_nx;
-            V far_ny = _o308.far_ny;
-            V far_nz = _o308.far_nz;
-            V far_gap = _o308.far_gap;
-            const LANES(court_passing_from_out) _o309 =
+            V far_x = _o307.far_x;
+            V far_y = _o307.far_y;
+            V far_z = _o307.far_z;
+            V far_vx = _o307.far_vx;
+            V far_vy = _o307.far_vy;
+            V far_vz = _o307.far_vz;
+            V far_wx = _o307.far_wx;
+            V far_wy = _o307.far_wy;
+            V far_wz = _o307.far_wz;
+            V far_nx = _o307.far_nx;
+            V far_ny = _o307.far_ny;
+            V far_nz = _o307.far_nz;
+            V far_gap = _o307.far_gap;
+            const LANES(court_passing_from_out) _o308 =
                 LANES(court_passing_from)(z);
-            M over = _o309.over;
-            const LANES(court_roll_moved_out) _o310 =
+            M over = _o308.over;
+            const LANES(court_roll_moved_out) _o309 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, x, y, z);
-            x = _o310.x;
-            vx = _o310.vx;
-            y = _o310.y;
-            vy = _o310.vy;
-            z = _o310.z;
-            vz = _o310.vz;
-            V turn_rate = _o310.turn_rate;
-            const LANES(court_holding_out) _o311 =
+            x = _o309.x;
+            vx = _o309.vx;
+            y = _o309.y;
+            vy = _o309.vy;
+            z = _o309.z;
+            vz = _o309.vz;
+            V turn_rate = _o309.turn_rate;
+            const LANES(court_holding_out) _o310 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o311.here;
-            const M _m312 = lanes_both(active, here);
-            if (lanes_any(_m312)) {
-                const LANES(court_backboard_normal_out) _o313 =
+            here = _o310.here;
+            const M _m311 = lanes_both(active, here);
+            if (lanes_any(_m311)) {
+                const LANES(court_backboard_normal_out) _o312 =
                     LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
-                nx = lanes_select(_m312, _o313.nx, nx);
-                ny = lanes_select(_m312, _o313.ny, ny);
-                nz = lanes_select(_m312, _o313.nz, nz);
-                const LANES(court_backboard_off_out) _o314 =
+                nx = lanes_select(_m311, _o312.nx, nx);
+                ny = lanes_select(_m311, _o312.ny, ny);
+                nz = lanes_select(_m311, _o312.nz, nz);
+                const LANES(court_backboard_off_out) _o313 =
                     LANES(court_backboard_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
-                gap = lanes_select(_m312, _o314.gap, gap);
+                gap = lanes_select(_m311, _o313.gap, gap);
             }
-            const LANES(court_holding_out) _o315 =
+            const LANES(court_holding_out) _o314 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o315.here;
-            const M _m316 = lanes_both(active, here);
-            if (lanes_any(_m316)) {
-                const LANES(court_bridge_normal_out) _o317 =
+            here = _o314.here;
+            const M _m315 = lanes_both(active, here);
+            if (lanes_any(_m315)) {
+                const LANES(court_bridge_normal_out) _o316 =
                     LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
-                nx = lanes_select(_m316, _o317.nx, nx);
-                ny = lanes_select(_m316, _o317.ny, ny);
-                nz = lanes_select(_m316, _o317.nz, nz);
-                const LANES(court_bridge_off_out) _o318 =
+                nx = lanes_select(_m315, _o316.nx, nx);
+                ny = lanes_select(_m315, _o316.ny, ny);
+                nz = lanes_select(_m315, _o316.nz, nz);
+                const LANES(court_bridge_off_out) _o317 =
                     LANES(court_bridge_off)(x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
-                gap = lanes_select(_m316, _o318.gap, gap);
+                gap = lanes_select(_m315, _o317.gap, gap);
             }
-            const LANES(court_roll_placed_out) _o319 =
+            const LANES(court_roll_placed_out) _o318 =
                 LANES(court_roll_placed)(gap, nx, ny, nz, turn_rate, vx, vy, vz, x, y, z, lanes_load(lists->fixed[112]));
-            x = _o319.x;
-            y = _o319.y;
-            z = _o319.z;
-            vx = _o319.vx;
-            vy = _o319.vy;
-            vz = _o319.vz;
-            wx = _o319.wx;
-            wy = _o319.wy;
-            wz = _o319.wz;
-            const LANES(court_passing_in_contact_out) _o320 =
+            x = _o318.x;
+            y = _o318.y;
+            z = _o318.z;
+            vx = _o318.vx;
+            vy = _o318.vy;
+            vz = _o318.vz;
+            wx = _o318.wx;
+            wy = _o318.wy;
+            wz = _o318.wz;
+            const LANES(court_passing_in_contact_out) _o319 =
                 LANES(court_passing_in_contact)(over, through, x, y, z, lanes_load(lists->fixed[19]));
-            through = _o320.through;
-            const LANES(court_holding_out) _o321 =
+            through = _o319.through;
+            const LANES(court_holding_out) _o320 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o321.here;
-            const M _m322 = lanes_both(active, here);
+            here = _o320.here;
+            const M _m321 = lanes_both(active, here);
             {
-                const LANES(court_backboard_normal_out) _o323 =
+                const LANES(court_backboard_normal_out) _o322 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
-                far_nx = lanes_select(_m322, _o323.nx, far_nx);
-                far_ny = lanes_select(_m322, _o323.ny, far_ny);
-                far_nz = lanes_select(_m322, _o323.nz, far_nz);
+                far_nx = lanes_select(_m321, _o322.nx, far_nx);
+                far_ny = lanes_select(_m321, _o322.ny, far_ny);
+                far_nz = lanes_select(_m321, _o322.nz, far_nz);
             }
-            const LANES(court_holding_out) _o324 =
+            const LANES(court_holding_out) _o323 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o324.here;
-            const M _m325 = lanes_both(active, here);
+            here = _o323.here;
+            const M _m324 = lanes_both(active, here);
             {
-                const LANES(court_bridge_normal_out) _o326 =
+                const LANES(court_bridge_normal_out) _o325 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
-                far_nx = lanes_select(_m325, _o326.nx, far_nx);
-                far_ny = lanes_select(_m325, _o326.ny, far_ny);
-                far_nz = lanes_select(_m325, _o326.nz, far_nz);
+                far_nx = lanes_select(_m324, _o325.nx, far_nx);
+                far_ny = lanes_select(_m324, _o325.ny, far_ny);
+                far_nz = lanes_select(_m324, _o325.nz, far_nz);
             }
-            const LANES(court_roll_turn_rate_out) _o327 =
+            const LANES(court_roll_turn_rate_out) _o326 =
                 LANES(court_roll_turn_rate)(far_nx, far_ny, far_nz, far_wx, far_wy, far_wz, lanes_load(lists->fixed[6]));
-            turn_rate = _o327.turn_rate;
-            const LANES(court_holding_out) _o328 =
+            turn_rate = _o326.turn_rate;
+            const LANES(court_holding_out) _o327 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o328.here;
-            const M _m329 = lanes_both(active, here);
-            if (lanes_any(_m329)) {
-                const LANES(court_backboard_normal_out) _o330 =
+            here = _o327.here;
+            const M _m328 = lanes_both(active, here);
+            if (lanes_any(_m328)) {
+                const LANES(court_backboard_normal_out) _o329 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
-                far_nx = lanes_select(_m329, _o330.nx, far_nx);
-                far_ny = lanes_select(_m329, _o330.ny, far_ny);
-                far_nz = lanes_select(_m329, _o330.nz, far_nz);
-                const LANES(court_backboard_off_out) _o331 =
+                far_nx = lanes_select(_m328, _o329.nx, far_nx);
+                far_ny = lanes_select(_m328, _o329.ny, far_ny);
+                far_nz = lanes_select(_m328, _o329.nz, far_nz);
+                const LANES(court_backboard_off_out) _o330 =
                     LANES(court_backboard_off)(far_x, far_y, far_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
-                far_gap = lanes_select(_m329, _o331.gap, far_gap);
+                far_gap = lanes_select(_m328, _o330.gap, far_gap);
             }
-            const LANES(court_holding_out) _o332 =
+            const LANES(court_holding_out) _o331 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o332.here;
-            const M _m333 = lanes_both(active, here);
-            if (lanes_any(_m333)) {
-                const LANES(court_bridge_normal_out) _o334 =
+            here = _o331.here;
+            const M _m332 = lanes_both(active, here);
+            if (lanes_any(_m332)) {
+                const LANES(court_bridge_normal_out) _o333 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
-                far_nx = lanes_select(_m333, _o334.nx, far_nx);
-                far_ny = lanes_select(_m333, _o334.ny, far_ny);
-                far_nz = lanes_select(_m333, _o334.nz, far_nz);
-                const LANES(court_bridge_off_out) _o335 =
+                far_nx = lanes_select(_m332, _o333.nx, far_nx);
+                far_ny = lanes_select(_m332, _o333.ny, far_ny);
+                far_nz = lanes_select(_m332, _o333.nz, far_nz);
+                const LANES(court_bridge_off_out) _o334 =
                     LANES(court_bridge_off)(far_x, far_y, far_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
-                far_gap = lanes_select(_m333, _o335.gap, far_gap);
+                far_gap = lanes_select(_m332, _o334.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o336 =
+            const LANES(court_roll_placed_out) _o335 =
                 LANES(court_roll_placed)(far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z, lanes_load(lists->fixed[112]));
-            far_x = _o336.x;
-            far_y = _o336.y;
-            far_z = _o336.z;
-            far_vx = _o336.vx;
-            far_vy = _o336.vy;
-            far_vz = _o336.vz;
-            far_wx = _o336.wx;
-            far_wy = _o336.wy;
-            far_wz = _o336.wz;
-            const LANES(court_roll_start_out) _o337 =
+            far_x = _o335.x;
+            far_y = _o335.y;
+            far_z = _o335.z;
+            far_vx = _o335.vx;
+            far_vy = _o335.vy;
+            far_vz = _o335.vz;
+            far_wx = _o335.wx;
+            far_wy = _o335.wy;
+            far_wz = _o335.wz;
+            const LANES(court_roll_start_out) _o336 =
                 LANES(court_roll_start)(far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, lanes_load(lists->fixed[6]));
-            vx_0 = _o337.vx_0;
-            vy_0 = _o337.vy_0;
-            vz_0 = _o337.vz_0;
-            nx_0 = _o337.nx_0;
-            ny_0 = _o337.ny_0;
-            nz_0 = _o337.nz_0;
-            turn_rate_0 = _o337.turn_rate_0;
-            const LANES(court_roll_0_out) _o338 =
+            vx_0 = _o336.vx_0;
+            vy_0 = _o336.vy_0;
+            vz_0 = _o336.vz_0;
+            nx_0 = _o336.nx_0;
+            ny_0 = _o336.ny_0;
+            nz_0 = _o336.nz_0;
+            turn_rate_0 = _o336.turn_rate_0;
+            const LANES(court_roll_0_out) _o337 =
                 LANES(court_roll_0)(bent_x, bent_y, bent_z, nx_0, ny_0, nz_0, per_reach, turn_rate_0, vx_0, vy_0, vz_0, lanes_load(lists->fixed[128]));
-            lift_0 = _o338.lift_0;
-            tx_0 = _o338.tx_0;
-            ty_0 = _o338.ty_0;
-            tz_0 = _o338.tz_0;
-            vx_1 = _o338.vx_1;
-            vy_1 = _o338.vy_1;
-            vz_1 = _o338.vz_1;
-            nx_1 = _o338.nx_1;
-            ny_1 = _o338.ny_1;
-            nz_1 = _o338.nz_1;
-            turn_rate_1 = _o338.turn_rate_1;
-            const LANES(court_roll_1_out) _o339 =
+            lift_0 = _o337.lift_0;
+            tx_0 = _o337.tx_0;
+            ty_0 = _o337.ty_0;
+            tz_0 = _o337.tz_0;
+            vx_1 = _o337.vx_1;
+            vy_1 = _o337.vy_1;
+            vz_1 = _o337.vz_1;
+            nx_1 = _o337.nx_1;
+            ny_1 = _o337.ny_1;
+            nz_1 = _o337.nz_1;
+            turn_rate_1 = _o337.turn_rate_1;
+            const LANES(court_roll_1_out) _o338 =
                 LANES(court_roll_1)(bent_x, bent_y, bent_z, lift_0, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, per_reach, turn_rate_0, turn_rate_1, tx_0, ty_0, tz_0, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, lanes_load(lists->fixed[128]));
-            lift_1 = _o339.lift_1;
-            tx_1 = _o339.tx_1;
-            ty_1 = _o339.ty_1;
-            tz_1 = _o339.tz_1;
-            vx_2 = _o339.vx_2;
-            vy_2 = _o339.vy_2;
-            vz_2 = _o339.vz_2;
-            nx_2 = _o339.nx_2;
-            ny_2 = _o339.ny_2;
-            nz_2 = _o339.nz_2;
-            turn_rate_2 = _o339.turn_rate_2;
-            const LANES(court_roll_2_out) _o340 =
+            lift_1 = _o338.lift_1;
+            tx_1 = _o338.tx_1;
+            ty_1 = _o338.ty_1;
+            tz_1 = _o338.tz_1;
+            vx_2 = _o338.vx_2;
+            vy_2 = _o338.vy_2;
+            vz_2 = _o338.vz_2;
+            nx_2 = _o338.nx_2;
+            ny_2 = _o338.ny_2;
+            nz_2 = _o338.nz_2;
+            turn_rate_2 = _o338.turn_rate_2;
+            const LANES(court_roll_2_out) _o339 =
                 LANES(court_roll_2)(bent_x, bent_y, bent_z, lift_0, lift_1, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, lanes_load(lists->fixed[128]));
-            lift_2 = _o340.lift_2;
-            tx_2 = _o340.tx_2;
-            ty_2 = _o340.ty_2;
-            tz_2 = _o340.tz_2;
-            vx_3 = _o340.vx_3;
-            vy_3 = _o340.vy_3;
-            vz_3 = _o340.vz_3;
-            nx_3 = _o340.nx_3;
-            ny_3 = _o340.ny_3;
-            nz_3 = _o340.nz_3;
-            turn_rate_3 = _o340.turn_rate_3;
-            const LANES(court_roll_3_out) _o341 =
+            lift_2 = _o339.lift_2;
+            tx_2 = _o339.tx_2;
+            ty_2 = _o339.ty_2;
+            tz_2 = _o339.tz_2;
+            vx_3 = _o339.vx_3;
+            vy_3 = _o339.vy_3;
+            vz_3 = _o339.vz_3;
+            nx_3 = _o339.nx_3;
+            ny_3 = _o339.ny_3;
+            nz_3 = _o339.nz_3;
+            turn_rate_3 = _o339.turn_rate_3;
+            const LANES(court_roll_3_out) _o340 =
                 LANES(court_roll_3)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, lanes_load(lists->fixed[128]));
-            lift_3 = _o341.lift_3;
-            tx_3 = _o341.tx_3;
-            ty_3 = _o341.ty_3;
-            tz_3 = _o341.tz_3;
-            vx_4 = _o341.vx_4;
-            vy_4 = _o341.vy_4;
-            vz_4 = _o341.vz_4;
-            nx_4 = _o341.nx_4;
-            ny_4 = _o341.ny_4;
-            nz_4 = _o341.nz_4;
-            turn_rate_4 = _o341.turn_rate_4;
-            const LANES(court_roll_4_out) _o342 =
+            lift_3 = _o340.lift_3;
+            tx_3 = _o340.tx_3;
+            ty_3 = _o340.ty_3;
+            tz_3 = _o340.tz_3;
+            vx_4 = _o340.vx_4;
+            vy_4 = _o340.vy_4;
+            vz_4 = _o340.vz_4;
+            nx_4 = _o340.nx_4;
+            ny_4 = _o340.ny_4;
+            nz_4 = _o340.nz_4;
+            turn_rate_4 = _o340.turn_rate_4;
+            const LANES(court_roll_4_out) _o341 =
                 LANES(court_roll_4)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, lanes_load(lists->fixed[128]));
-            lift_4 = _o342.lift_4;
-            tx_4 = _o342.tx_4;
-            ty_4 = _o342.ty_4;
-            tz_4 = _o342.tz_4;
-            vx_5 = _o342.vx_5;
-            vy_5 = _o342.vy_5;
-            vz_5 = _o342.vz_5;
-            nx_5 = _o342.nx_5;
-            ny_5 = _o342.ny_5;
-            nz_5 = _o342.nz_5;
-            turn_rate_5 = _o342.turn_rate_5;
-            const LANES(court_roll_5_out) _o343 =
+            lift_4 = _o341.lift_4;
+            tx_4 = _o341.tx_4;
+            ty_4 = _o341.ty_4;
+            tz_4 = _o341.tz_4;
+            vx_5 = _o341.vx_5;
+            vy_5 = _o341.vy_5;
+            vz_5 = _o341.vz_5;
+            nx_5 = _o341.nx_5;
+            ny_5 = _o341.ny_5;
+            nz_5 = _o341.nz_5;
+            turn_rate_5 = _o341.turn_rate_5;
+            const LANES(court_roll_5_out) _o342 =
                 LANES(court_roll_5)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, lanes_load(lists->fixed[128]));
-            lift_5 = _o343.lift_5;
-            tx_5 = _o343.tx_5;
-            ty_5 = _o343.ty_5;
-            tz_5 = _o343.tz_5;
-            vx_6 = _o343.vx_6;
-            vy_6 = _o343.vy_6;
-            vz_6 = _o343.vz_6;
-            nx_6 = _o343.nx_6;
-            ny_6 = _o343.ny_6;
-            nz_6 = _o343.nz_6;
-            turn_rate_6 = _o343.turn_rate_6;
-            const LANES(court_roll_6_out) _o344 =
+            lift_5 = _o342.lift_5;
+            tx_5 = _o342.tx_5;
+            ty_5 = _o342.ty_5;
+            tz_5 = _o342.tz_5;
+            vx_6 = _o342.vx_6;
+            vy_6 = _o342.vy_6;
+            vz_6 = _o342.vz_6;
+            nx_6 = _o342.nx_6;
+            ny_6 = _o342.ny_6;
+            nz_6 = _o342.nz_6;
+            turn_rate_6 = _o342.turn_rate_6;
+            const LANES(court_roll_6_out) _o343 =
                 LANES(court_roll_6)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, lanes_load(lists->fixed[128]));
-            lift_6 = _o344.lift_6;
-            tx_6 = _o344.tx_6;
-            ty_6 = _o344.ty_6;
-            tz_6 = _o344.tz_6;
-            vx_7 = _o344.vx_7;
-            vy_7 = _o344.vy_7;
-            vz_7 = _o344.vz_7;
-            nx_7 = _o344.nx_7;
-            ny_7 = _o344.ny_7;
-            nz_7 = _o344.nz_7;
-            turn_rate_7 = _o344.turn_rate_7;
-            const LANES(court_roll_7_out) _o345 =
+            lift_6 = _o343.lift_6;
+            tx_6 = _o343.tx_6;
+            ty_6 = _o343.ty_6;
+            tz_6 = _o343.tz_6;
+            vx_7 = _o343.vx_7;
+            vy_7 = _o343.vy_7;
+            vz_7 = _o343.vz_7;
+            nx_7 = _o343.nx_7;
+            ny_7 = _o343.ny_7;
+            nz_7 = _o343.nz_7;
+            turn_rate_7 = _o343.turn_rate_7;
+            const LANES(court_roll_7_out) _o344 =
                 LANES(court_roll_7)(bent_x, bent_y, bent_z, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, lanes_load(lists->fixed[128]));
-            vx_8 = _o345.vx_8;
-            vy_8 = _o345.vy_8;
-            vz_8 = _o345.vz_8;
-            turn_rate_8 = _o345.turn_rate_8;
-            const LANES(court_roll_moved_out) _o346 =
+            vx_8 = _o344.vx_8;
+            vy_8 = _o344.vy_8;
+            vz_8 = _o344.vz_8;
+            turn_rate_8 = _o344.turn_rate_8;
+            const LANES(court_roll_moved_out) _o345 =
                 LANES(court_roll_moved)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, far_x, far_y, far_z);
-            far_x = _o346.x;
-            far_vx = _o346.vx;
-            far_y = _o346.y;
-            far_vy = _o346.vy;
-            far_z = _o346.z;
-            far_vz = _o346.vz;
-            turn_rate = _o346.turn_rate;
-            const LANES(court_holding_out) _o347 =
+            far_x = _o345.x;
+            far_vx = _o345.vx;
+            far_y = _o345.y;
+            far_vy = _o345.vy;
+            far_z = _o345.z;
+            far_vz = _o345.vz;
+            turn_rate = _o345.turn_rate;
+            const LANES(court_holding_out) _o346 =
                 LANES(court_holding)(held, K(1.0));
-            here = _o347.here;
-            const M _m348 = lanes_both(active, here);
-            if (lanes_any(_m348)) {
-                const LANES(court_backboard_normal_out) _o349 =
+            here = _o346.here;
+            const M _m347 = lanes_both(active, here);
+            if (lanes_any(_m347)) {
+                const LANES(court_backboard_normal_out) _o348 =
                     LANES(court_backboard_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
-                far_nx = lanes_select(_m348, _o349.nx, far_nx);
-                far_ny = lanes_select(_m348, _o349.ny, far_ny);
-                far_nz = lanes_select(_m348, _o349.nz, far_nz);
-                const LANES(court_backboard_off_out) _o350 =
+                far_nx = lanes_select(_m347, _o348.nx, far_nx);
+                far_ny = lanes_select(_m347, _o348.ny, far_ny);
+                far_nz = lanes_select(_m347, _o348.nz, far_nz);
+                const LANES(court_backboard_off_out) _o349 =
                     LANES(court_backboard_off)(far_x, far_y, far_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
-                far_gap = lanes_select(_m348, _o350.gap, far_gap);
+                far_gap = lanes_select(_m347, _o349.gap, far_gap);
             }
-            const LANES(court_holding_out) _o351 =
+            const LANES(court_holding_out) _o350 =
                 LANES(court_holding)(held, K(2.0));
-            here = _o351.here;
-            const M _m352 = lanes_both(active, here);
-            if (lanes_any(_m352)) {
-                const LANES(court_bridge_normal_out) _o353 =
+            here = _o350.here;
+            const M _m351 = lanes_both(active, here);
+            if (lanes_any(_m351)) {
+                const LANES(court_bridge_normal_out) _o352 =
                     LANES(court_bridge_normal)(far_x, far_y, far_z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
-                far_nx = lanes_select(_m352, _o353.nx, far_nx);
-                far_ny = lanes_select(_m352, _o353.ny, far_ny);
-                far_nz = lanes_select(_m352, _o353.nz, far_nz);
-                const LANES(court_bridge_off_out) _o354 =
+                far_nx = lanes_select(_m351, _o352.nx, far_nx);
+                far_ny = lanes_select(_m351, _o352.ny, far_ny);
+                far_nz = lanes_select(_m351, _o352.nz, far_nz);
+                const LANES(court_bridge_off_out) _o353 =
                     LANES(court_bridge_off)(far_x, far_y, far_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
-                far_gap = lanes_select(_m352, _o354.gap, far_gap);
+                far_gap = lanes_select(_m351, _o353.gap, far_gap);
             }
-            const LANES(court_roll_placed_out) _o355 =
+            const LANES(court_roll_placed_out) _o354 =
                 LANES(court_roll_placed)(far_gap, far_nx, far_ny, far_nz, turn_rate, far_vx, far_vy, far_vz, far_x, far_y, far_z, lanes_load(lists->fixed[112]));
-            far_x = _o355.x;
-            far_y = _o355.y;
-            far_z = _o355.z;
-            far_vx = _o355.vx;
-            far_vy = _o355.vy;
-            far_vz = _o355.vz;
-            far_wx = _o355.wx;
-            far_wy = _o355.wy;
-            far_wz = _o355.wz;
-            const LANES(court_compared_out) _o356 =
-                LANES(court_compared)(apart, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[6]));
-            dx = _o356.dx;
-            dy = _o356.dy;
-            dz = _o356.dz;
-            dvx = _o356.dvx;
-            dvy = _o356.dvy;
-            dvz = _o356.dvz;
-            dwx = _o356.dwx;
-            dwy = _o356.dwy;
-            dwz = _o356.dwz;
-            const LANES(court_rolled_on_out) _o357 =
+            far_x = _o354.x;
+            far_y = _o354.y;
+            far_z = _o354.z;
+            far_vx = _o354.vx;
+            far_vy = _o354.vy;
+            far_vz = _o354.vz;
+            far_wx = _o354.wx;
+            far_wy = _o354.wy;
+            far_wz = _o354.wz;
+            const LANES(court_compared_out) _o355 =
+                LANES(court_compared)(apart, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, missed, stride, vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[6]));
+            dx = _o355.dx;
+            dy = _o355.dy;
+            dz = _o355.dz;
+            dvx = _o355.dvx;
+            dvy = _o355.dvy;
+            dvz = _o355.dvz;
+            dwx = _o355.dwx;
+            dwy = _o355.dwy;
+            dwz = _o355.dwz;
+            const LANES(court_rolled_on_out) _o356 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o357.clock;
-            rolling = _o357.rolling;
+            clock = _o356.clock;
+            rolling = _o356.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -10476,7 +10425,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
                 y = lanes_expand(lists->kept_circling_y + taken, idle, y);
                 z = lanes_expand(lists->kept_circling_z + taken, idle, z);
                 if (LANES_SELDOM(varying))
-                    LANES(court_bounded_fix_f358)(lists, taken, idle);
+                    LANES(court_bounded_fix_f357)(lists, taken, idle);
                 const size_t room = LANES_WIDTH - busy, left = kept_circling_shots - taken;
                 active = lanes_leading(idle, left, active);
                 taken += left < room ? left : room;
@@ -10485,562 +10434,465 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             if (busy == 0)
                 break;
             M circling = active;
-            const LANES(court_error_bounds_out) _o359 =
+            const LANES(court_error_bounds_out) _o358 =
                 LANES(court_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o359.position_error;
-            V velocity_error = _o359.velocity_error;
-            const LANES(court_ring_tube_out) _o360 =
+            V position_error = _o358.position_error;
+            V velocity_error = _o358.velocity_error;
+            const LANES(court_ring_tube_out) _o359 =
                 LANES(court_ring_tube)(lanes_load(lists->fixed[111]));
-            V per_reach = _o360.per_reach;
-            const LANES(court_ring_round_start_out) _o361 =
-                LANES(court_ring_round_start)(vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]));
-            V cosine_0 = _o361.cosine_0;
-            V sine_0 = _o361.sine_0;
-            V climb_0 = _o361.climb_0;
-            V along_0 = _o361.along_0;
-            V turn_rate_0 = _o361.turn_rate_0;
-            V cos_0 = _o361.cos_0;
-            V sin_0 = _o361.sin_0;
-            V near_0 = _o361.near_0;
-            const LANES(court_ring_round_0_out) _o362 =
-                LANES(court_ring_round_0)(along_0, climb_0, cos_0, cosine_0, near_0, sin_0, sine_0, turn_rate_0, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]));
-            V omega_0 = _o362.omega_0;
-            V around_0 = _o362.around_0;
-            V tilted_0 = _o362.tilted_0;
-            V pressed_0 = _o362.pressed_0;
-            V force_0 = _o362.force_0;
-            V cosine_1 = _o362.cosine_1;
-            V sine_1 = _o362.sine_1;
-            V climb_1 = _o362.climb_1;
-            V along_1 = _o362.along_1;
-            V turn_rate_1 = _o362.turn_rate_1;
-            V cos_1 = _o362.cos_1;
-            V sin_1 = _o362.sin_1;
-            const LANES(court_ring_round_1_out) _o363 =
-                LANES(court_ring_round_1)(along_0, along_1, around_0, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, near_0, omega_0, pressed_0, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[91]));
-            V near_1 = _o363.near_1;
-            V omega_1 = _o363.omega_1;
-            V around_1 = _o363.around_1;
-            V tilted_1 = _o363.tilted_1;
-            V pressed_1 = _o363.pressed_1;
-            V force_1 = _o363.force_1;
-            V cosine_2 = _o363.cosine_2;
-            V sine_2 = _o363.sine_2;
-            V climb_2 = _o363.climb_2;
-            V along_2 = _o363.along_2;
-            V turn_rate_2 = _o363.turn_rate_2;
-            V cos_2 = _o363.cos_2;
-            V sin_2 = _o363.sin_2;
-            const LANES(court_ring_round_2_out) _o364 =
-                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[139]));
-            V near_2 = _o364.near_2;
-            V omega_2 = _o364.omega_2;
-            V around_2 = _o364.around_2;
-            V tilted_2 = _o364.tilted_2;
-            V pressed_2 = _o364.pressed_2;
-            V force_2 = _o364.force_2;
-            V cosine_3 = _o364.cosine_3;
-            V sine_3 = _o364.sine_3;
-            V climb_3 = _o364.climb_3;
-            V along_3 = _o364.along_3;
-            V turn_rate_3 = _o364.turn_rate_3;
-            V cos_3 = _o364.cos_3;
-            V sin_3 = _o364.sin_3;
-            const LANES(court_ring_round_3_out) _o365 =
-                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[140]));
-            V near_3 = _o365.near_3;
-            V omega_3 = _o365.omega_3;
-            V around_3 = _o365.around_3;
-            V tilted_3 = _o365.tilted_3;
-            V pressed_3 = _o365.pressed_3;
-            V force_3 = _o365.force_3;
-            V cosine_4 = _o365.cosine_4;
-            V sine_4 = _o365.sine_4;
-            V climb_4 = _o365.climb_4;
-            V along_4 = _o365.along_4;
-            V turn_rate_4 = _o365.turn_rate_4;
-            V cos_4 = _o365.cos_4;
-            V sin_4 = _o365.sin_4;
-            const LANES(court_ring_round_4_out) _o366 =
-                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[141]));
-            V near_4 = _o366.near_4;
-            V omega_4 = _o366.omega_4;
-            V around_4 = _o366.around_4;
-            V tilted_4 = _o366.tilted_4;
-            V pressed_4 = _o366.pressed_4;
-            V force_4 = _o366.force_4;
-            V cosine_5 = _o366.cosine_5;
-            V sine_5 = _o366.sine_5;
-            V climb_5 = _o366.climb_5;
-            V along_5 = _o366.along_5;
-            V turn_rate_5 = _o366.turn_rate_5;
-            V cos_5 = _o366.cos_5;
-            V sin_5 = _o366.sin_5;
-            const LANES(court_ring_round_5_out) _o367 =
-                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[142]));
-            V near_5 = _o367.near_5;
-            V omega_5 = _o367.omega_5;
-            V around_5 = _o367.around_5;
-            V tilted_5 = _o367.tilted_5;
-            V pressed_5 = _o367.pressed_5;
-            V force_5 = _o367.force_5;
-            V cosine_6 = _o367.cosine_6;
-            V sine_6 = _o367.sine_6;
-            V climb_6 = _o367.climb_6;
-            V along_6 = _o367.along_6;
-            V turn_rate_6 = _o367.turn_rate_6;
-            V cos_6 = _o367.cos_6;
-            V sin_6 = _o367.sin_6;
-            const LANES(court_ring_round_6_out) _o368 =
-                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[143]));
-            V near_6 = _o368.near_6;
-            V omega_6 = _o368.omega_6;
-            V around_6 = _o368.around_6;
-            V tilted_6 = _o368.tilted_6;
-            V pressed_6 = _o368.pressed_6;
-            V force_6 = _o368.force_6;
-            V cosine_7 = _o368.cosine_7;
-            V sine_7 = _o368.sine_7;
-            V climb_7 = _o368.climb_7;
-            V along_7 = _o368.along_7;
-            V turn_rate_7 = _o368.turn_rate_7;
-            V cos_7 = _o368.cos_7;
-            V sin_7 = _o368.sin_7;
-            const LANES(court_ring_round_7_out) _o369 =
-                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[144]));
-            V near_7 = _o369.near_7;
-            V omega_7 = _o369.omega_7;
-            V around_7 = _o369.around_7;
-            V tilted_7 = _o369.tilted_7;
-            V pressed_7 = _o369.pressed_7;
-            V force_7 = _o369.force_7;
-            V cosine_8 = _o369.cosine_8;
-            V sine_8 = _o369.sine_8;
-            V climb_8 = _o369.climb_8;
-            V along_8 = _o369.along_8;
-            V turn_rate_8 = _o369.turn_rate_8;
-            V cos_8 = _o369.cos_8;
-            V sin_8 = _o369.sin_8;
-            const LANES(court_ring_round_8_out) _o370 =
-                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[145]));
-            V near_8 = _o370.near_8;
-            V omega_8 = _o370.omega_8;
-            V around_8 = _o370.around_8;
-            V tilted_8 = _o370.tilted_8;
-            V pressed_8 = _o370.pressed_8;
-            V force_8 = _o370.force_8;
-            V cosine_9 = _o370.cosine_9;
-            V sine_9 = _o370.sine_9;
-            V climb_9 = _o370.climb_9;
-            V along_9 = _o370.along_9;
-            V turn_rate_9 = _o370.turn_rate_9;
-            V cos_9 = _o370.cos_9;
-            V sin_9 = _o370.sin_9;
-            const LANES(court_ring_round_9_out) _o371 =
-                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[146]));
-            V near_9 = _o371.near_9;
-            V omega_9 = _o371.omega_9;
-            V around_9 = _o371.around_9;
-            V tilted_9 = _o371.tilted_9;
-            V pressed_9 = _o371.pressed_9;
-            V force_9 = _o371.force_9;
-            V cosine_10 = _o371.cosine_10;
-            V sine_10 = _o371.sine_10;
-            V climb_10 = _o371.climb_10;
-            V along_10 = _o371.along_10;
-            V turn_rate_10 = _o371.turn_rate_10;
-            V cos_10 = _o371.cos_10;
-            V sin_10 = _o371.sin_10;
-            const LANES(court_ring_round_10_out) _o372 =
-                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[147]));
-            V near_10 = _o372.near_10;
-            V omega_10 = _o372.omega_10;
-            V around_10 = _o372.around_10;
-            V tilted_10 = _o372.tilted_10;
-            V pressed_10 = _o372.pressed_10;
-            V force_10 = _o372.force_10;
-            V cosine_11 = _o372.cosine_11;
-            V sine_11 = _o372.sine_11;
-            V climb_11 = _o372.climb_11;
-            V along_11 = _o372.along_11;
-            V turn_rate_11 = _o372.turn_rate_11;
-            V cos_11 = _o372.cos_11;
-            V sin_11 = _o372.sin_11;
-            const LANES(court_ring_round_11_out) _o373 =
-                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[148]));
-            V force_11 = _o373.force_11;
-            V cosine_12 = _o373.cosine_12;
-            V sine_12 = _o373.sine_12;
-            V climb_12 = _o373.climb_12;
-            V along_12 = _o373.along_12;
-            V turn_rate_12 = _o373.turn_rate_12;
-            V cos_12 = _o373.cos_12;
-            V sin_12 = _o373.sin_12;
-            const LANES(court_ring_round_pace_out) _o374 =
-                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_12, cosine_0, cosine_12, force_0, force_1, force_10, force_11, force_2, force_3, force_4, force_5, force_6, force_7, force_8, force_9, omega_0, sin_0, sin_12, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, lanes_load(lists->fixed[129]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[149]), lanes_load(lists->fixed[150]), lanes_load(lists->fixed[151]));
-            V stride = _o374.stride;
-            V strongest = _o374.strongest;
-            V fastest = _o374.fastest;
-            V sway = _o374.sway;
-            V force = _o374.force;
-            V force_rate = _o374.force_rate;
-            V force_bend = _o374.force_bend;
-            V brace = _o374.brace;
-            V vx_1 = _o374.vx_1;
-            V vy_1 = _o374.vy_1;
-            V vz_1 = _o374.vz_1;
-            const LANES(court_ring_round_pulled_out) _o375 =
+            V per_reach = _o359.per_reach;
+            const LANES(court_ring_round_start_out) _o360 =
+                LANES(court_ring_round_start)(per_reach, vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]));
+            V cosine_0 = _o360.cosine_0;
+            V sine_0 = _o360.sine_0;
+            V climb_0 = _o360.climb_0;
+            V along_0 = _o360.along_0;
+            V turn_rate_0 = _o360.turn_rate_0;
+            V cos_0 = _o360.cos_0;
+            V sin_0 = _o360.sin_0;
+            V tilted_0 = _o360.tilted_0;
+            V near_0 = _o360.near_0;
+            const LANES(court_ring_round_0_out) _o361 =
+                LANES(court_ring_round_0)(along_0, climb_0, cosine_0, near_0, per_reach, sine_0, tilted_0, turn_rate_0, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[139]));
+            V omega_0 = _o361.omega_0;
+            V around_0 = _o361.around_0;
+            V cosine_1 = _o361.cosine_1;
+            V sine_1 = _o361.sine_1;
+            V climb_1 = _o361.climb_1;
+            V along_1 = _o361.along_1;
+            V turn_rate_1 = _o361.turn_rate_1;
+            V tilted_1 = _o361.tilted_1;
+            const LANES(court_ring_round_1_out) _o362 =
+                LANES(court_ring_round_1)(along_1, around_0, climb_0, climb_1, cosine_0, cosine_1, near_0, omega_0, per_reach, sine_0, sine_1, tilted_0, tilted_1, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[91]), lanes_load(lists->fixed[139]));
+            V omega_1 = _o362.omega_1;
+            V around_1 = _o362.around_1;
+            V cosine_2 = _o362.cosine_2;
+            V sine_2 = _o362.sine_2;
+            V climb_2 = _o362.climb_2;
+            V along_2 = _o362.along_2;
+            V turn_rate_2 = _o362.turn_rate_2;
+            V tilted_2 = _o362.tilted_2;
+            const LANES(court_ring_round_2_out) _o363 =
+                LANES(court_ring_round_2)(along_2, around_0, around_1, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, near_0, omega_0, omega_1, per_reach, sine_0, sine_1, sine_2, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[140]), lanes_load(lists->fixed[139]));
+            V omega_2 = _o363.omega_2;
+            V around_2 = _o363.around_2;
+            V cosine_3 = _o363.cosine_3;
+            V sine_3 = _o363.sine_3;
+            V climb_3 = _o363.climb_3;
+            V along_3 = _o363.along_3;
+            V turn_rate_3 = _o363.turn_rate_3;
+            V tilted_3 = _o363.tilted_3;
+            const LANES(court_ring_round_3_out) _o364 =
+                LANES(court_ring_round_3)(along_3, around_0, around_1, around_2, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, near_0, omega_0, omega_1, omega_2, per_reach, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[141]), lanes_load(lists->fixed[139]));
+            V omega_3 = _o364.omega_3;
+            V around_3 = _o364.around_3;
+            V cosine_4 = _o364.cosine_4;
+            V sine_4 = _o364.sine_4;
+            V climb_4 = _o364.climb_4;
+            V along_4 = _o364.along_4;
+            V turn_rate_4 = _o364.turn_rate_4;
+            V tilted_4 = _o364.tilted_4;
+            const LANES(court_ring_round_4_out) _o365 =
+                LANES(court_ring_round_4)(along_4, around_0, around_1, around_2, around_3, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, near_0, omega_0, omega_1, omega_2, omega_3, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[142]), lanes_load(lists->fixed[139]));
+            V omega_4 = _o365.omega_4;
+            V around_4 = _o365.around_4;
+            V cosine_5 = _o365.cosine_5;
+            V sine_5 = _o365.sine_5;
+            V climb_5 = _o365.climb_5;
+            V along_5 = _o365.along_5;
+            V turn_rate_5 = _o365.turn_rate_5;
+            V tilted_5 = _o365.tilted_5;
+            const LANES(court_ring_round_5_out) _o366 =
+                LANES(court_ring_round_5)(along_5, around_0, around_1, around_2, around_3, around_4, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[143]), lanes_load(lists->fixed[139]));
+            V omega_5 = _o366.omega_5;
+            V around_5 = _o366.around_5;
+            V cosine_6 = _o366.cosine_6;
+            V sine_6 = _o366.sine_6;
+            V climb_6 = _o366.climb_6;
+            V along_6 = _o366.along_6;
+            V turn_rate_6 = _o366.turn_rate_6;
+            V tilted_6 = _o366.tilted_6;
+            const LANES(court_ring_round_6_out) _o367 =
+                LANES(court_ring_round_6)(along_6, around_0, around_1, around_2, around_3, around_4, around_5, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[144]), lanes_load(lists->fixed[139]));
+            V omega_6 = _o367.omega_6;
+            V around_6 = _o367.around_6;
+            V cosine_7 = _o367.cosine_7;
+            V sine_7 = _o367.sine_7;
+            V climb_7 = _o367.climb_7;
+            V along_7 = _o367.along_7;
+            V turn_rate_7 = _o367.turn_rate_7;
+            V tilted_7 = _o367.tilted_7;
+            const LANES(court_ring_round_7_out) _o368 =
+                LANES(court_ring_round_7)(along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[145]), lanes_load(lists->fixed[139]));
+            V omega_7 = _o368.omega_7;
+            V around_7 = _o368.around_7;
+            V cosine_8 = _o368.cosine_8;
+            V sine_8 = _o368.sine_8;
+            V climb_8 = _o368.climb_8;
+            V along_8 = _o368.along_8;
+            V turn_rate_8 = _o368.turn_rate_8;
+            V tilted_8 = _o368.tilted_8;
+            const LANES(court_ring_round_8_out) _o369 =
+                LANES(court_ring_round_8)(along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[146]), lanes_load(lists->fixed[139]));
+            V omega_8 = _o369.omega_8;
+            V around_8 = _o369.around_8;
+            V cosine_9 = _o369.cosine_9;
+            V sine_9 = _o369.sine_9;
+            V climb_9 = _o369.climb_9;
+            V along_9 = _o369.along_9;
+            V turn_rate_9 = _o369.turn_rate_9;
+            V tilted_9 = _o369.tilted_9;
+            const LANES(court_ring_round_9_out) _o370 =
+                LANES(court_ring_round_9)(along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[147]), lanes_load(lists->fixed[139]));
+            V omega_9 = _o370.omega_9;
+            V around_9 = _o370.around_9;
+            V cosine_10 = _o370.cosine_10;
+            V sine_10 = _o370.sine_10;
+            V climb_10 = _o370.climb_10;
+            V along_10 = _o370.along_10;
+            V turn_rate_10 = _o370.turn_rate_10;
+            V tilted_10 = _o370.tilted_10;
+            const LANES(court_ring_round_10_out) _o371 =
+                LANES(court_ring_round_10)(along_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, per_reach, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[148]), lanes_load(lists->fixed[139]));
+            V omega_10 = _o371.omega_10;
+            V around_10 = _o371.around_10;
+            V cosine_11 = _o371.cosine_11;
+            V sine_11 = _o371.sine_11;
+            V climb_11 = _o371.climb_11;
+            V along_11 = _o371.along_11;
+            V turn_rate_11 = _o371.turn_rate_11;
+            V tilted_11 = _o371.tilted_11;
+            const LANES(court_ring_round_11_out) _o372 =
+                LANES(court_ring_round_11)(along_11, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, per_reach, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_11, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[149]), lanes_load(lists->fixed[139]));
+            V omega_11 = _o372.omega_11;
+            V cosine_12 = _o372.cosine_12;
+            V sine_12 = _o372.sine_12;
+            V climb_12 = _o372.climb_12;
+            V along_12 = _o372.along_12;
+            V turn_rate_12 = _o372.turn_rate_12;
+            const LANES(court_ring_round_pace_out) _o373 =
+                LANES(court_ring_round_pace)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cosine_0, cosine_12, omega_0, omega_1, omega_10, omega_11, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, per_reach, sin_0, sine_0, sine_12, turn_rate_0, turn_rate_11, turn_rate_12, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[150]), lanes_load(lists->fixed[151]), lanes_load(lists->fixed[152]), lanes_load(lists->fixed[153]));
+            V stride = _o373.stride;
+            V missed = _o373.missed;
+            V strongest = _o373.strongest;
+            V fastest = _o373.fastest;
+            V sway = _o373.sway;
+            V force = _o373.force;
+            V force_rate = _o373.force_rate;
+            V force_bend = _o373.force_bend;
+            V brace = _o373.brace;
+            V vx_1 = _o373.vx_1;
+            V vy_1 = _o373.vy_1;
+            V vz_1 = _o373.vz_1;
+            const LANES(court_ring_round_pulled_out) _o374 =
                 LANES(court_ring_round_pulled)(climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[21]));
-            V drag = _o375.drag;
-            V drag_rate = _o375.drag_rate;
-            const LANES(court_ring_impact_strained_out) _o376 =
-                LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, lanes_load(lists->fixed[152]));
-            V strain = _o376.strain;
-            V strain_rate = _o376.strain_rate;
-            const LANES(court_losing_out) _o377 =
+            V drag = _o374.drag;
+            V drag_rate = _o374.drag_rate;
+            const LANES(court_ring_impact_strained_out) _o375 =
+                LANES(court_ring_impact_strained)(drag, drag_rate, force, force_rate, lanes_load(lists->fixed[154]));
+            V strain = _o375.strain;
+            V strain_rate = _o375.strain_rate;
+            const LANES(court_losing_out) _o376 =
                 LANES(court_losing)(grip_lost, strain);
-            M loses = _o377.loses;
-            const M _m378 = lanes_both(active, loses);
-            if (lanes_any(_m378)) {
-                const LANES(court_lost_grip_out) _o379 =
+            M loses = _o376.loses;
+            const M _m377 = lanes_both(active, loses);
+            if (lanes_any(_m377)) {
+                const LANES(court_lost_grip_out) _o378 =
                     LANES(court_lost_grip)(clock, strain, strain_rate, taut, taut_clock, taut_rate);
-                grip_lost = lanes_select(_m378, _o379.grip_lost, grip_lost);
+                grip_lost = lanes_select(_m377, _o378.grip_lost, grip_lost);
             }
-            const LANES(court_tightened_out) _o380 =
+            const LANES(court_tightened_out) _o379 =
                 LANES(court_tightened)(clock, strain, strain_rate);
-            taut = _o380.taut;
-            taut_rate = _o380.taut_rate;
-            taut_clock = _o380.taut_clock;
-            const LANES(court_leaving_force_out) _o381 =
+            taut = _o379.taut;
+            taut_rate = _o379.taut_rate;
+            taut_clock = _o379.taut_clock;
+            const LANES(court_leaving_force_out) _o380 =
                 LANES(court_leaving_force)(brace, doubt, fastest, force, force_bend, force_rate, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[133]), lanes_load(lists->fixed[134]));
-            stride = _o381.stride;
-            which = _o381.which;
-            M rests = _o381.rests;
-            doubt = _o381.doubt;
-            const LANES(court_backboard_beside_out) _o382 =
+            stride = _o380.stride;
+            which = _o380.which;
+            M rests = _o380.rests;
+            doubt = _o380.doubt;
+            const LANES(court_backboard_beside_out) _o381 =
                 LANES(court_backboard_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
-            V gap = _o382.gap;
-            V nearing = _o382.nearing;
-            V dent = _o382.dent;
-            const LANES(court_beside_body_out) _o383 =
+            V gap = _o381.gap;
+            V nearing = _o381.nearing;
+            V dent = _o381.dent;
+            const LANES(court_beside_body_out) _o382 =
                 LANES(court_beside_body)(dent, doubt, fastest, gap, K(1.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]));
-            stride = _o383.stride;
-            which = _o383.which;
-            doubt = _o383.doubt;
-            late = _o383.late;
-            const LANES(court_bridge_beside_out) _o384 =
+            stride = _o382.stride;
+            which = _o382.which;
+            doubt = _o382.doubt;
+            late = _o382.late;
+            const LANES(court_bridge_beside_out) _o383 =
                 LANES(court_bridge_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
-            gap = _o384.gap;
-            nearing = _o384.nearing;
-            dent = _o384.dent;
-            const LANES(court_beside_body_out) _o385 =
+            gap = _o383.gap;
+            nearing = _o383.nearing;
+            dent = _o383.dent;
+            const LANES(court_beside_body_out) _o384 =
                 LANES(court_beside_body)(dent, doubt, fastest, gap, K(2.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[113]));
-            stride = _o385.stride;
-            which = _o385.which;
-            doubt = _o385.doubt;
-            late = _o385.late;
-            const LANES(court_end_beside_out) _o386 =
+            stride = _o384.stride;
+            which = _o384.which;
+            doubt = _o384.doubt;
+            late = _o384.late;
+            const LANES(court_end_beside_out) _o385 =
                 LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
-            gap = _o386.gap;
-            nearing = _o386.nearing;
-            dent = _o386.dent;
-            const LANES(court_beside_gate_out) _o387 =
+            gap = _o385.gap;
+            nearing = _o385.nearing;
+            dent = _o385.dent;
+            const LANES(court_beside_gate_out) _o386 =
                 LANES(court_beside_gate)(dent, doubt, fastest, gap, K(3.0), late, nearing, position_error, stride, strongest, which, x, y, z, lanes_load(lists->fixed[6]));
+            stride = _o386.stride;
+            which = _o386.which;
+            doubt = _o386.doubt;
+            late = _o386.late;
+            const LANES(court_beside_time_out) _o387 =
+                LANES(court_beside_time)(clock, stride, time_limit, which);
             stride = _o387.stride;
             which = _o387.which;
-            doubt = _o387.doubt;
-            late = _o387.late;
-            const LANES(court_beside_time_out) _o388 =
-                LANES(court_beside_time)(clock, stride, time_limit, which);
-            stride = _o388.stride;
-            which = _o388.which;
-            const LANES(court_apart_out) _o389 =
+            const LANES(court_apart_out) _o388 =
                 LANES(court_apart)(dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[137]), lanes_load(lists->fixed[138]));
-            V apart = _o389.apart;
-            const LANES(court_neighbour_out) _o390 =
+            V apart = _o388.apart;
+            const LANES(court_neighbour_out) _o389 =
                 LANES(court_neighbour)(apart, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, vx, vy, vz, wx, wy, wz, x, y, z);
-            V far_x = _o390.far_x;
-            V far_y = _o390.far_y;
-            V far_z = _o390.far_z;
-            V far_vx = _o390.far_vx;
-            V far_vy = _o390.far_vy;
-            V far_vz = _o390.far_vz;
-            V far_wx = _o390.far_wx;
-            V far_wy = _o390.far_wy;
-            V far_wz = _o390.far_wz;
-            const LANES(court_passing_from_out) _o391 =
+            V far_x = _o389.far_x;
+            V far_y = _o389.far_y;
+            V far_z = _o389.far_z;
+            V far_vx = _o389.far_vx;
+            V far_vy = _o389.far_vy;
+            V far_vz = _o389.far_vz;
+            V far_wx = _o389.far_wx;
+            V far_wy = _o389.far_wy;
+            V far_wz = _o389.far_wz;
+            const LANES(court_passing_from_out) _o390 =
                 LANES(court_passing_from)(z);
-            M over = _o391.over;
-            const LANES(court_alone_out) _o392 =
+            M over = _o390.over;
+            const LANES(court_alone_out) _o391 =
                 LANES(court_alone)();
-            V berth = _o392.nearest;
-            const LANES(court_leaps_out) _o393 =
+            V berth = _o391.nearest;
+            const LANES(court_leaps_out) _o392 =
                 LANES(court_leaps)(stride);
-            V forth = _o393.forth;
-            V back = _o393.back;
-            const LANES(court_backboard_around_out) _o394 =
-                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[153]));
-            gap = _o394.gap;
-            nearing = _o394.nearing;
-            const LANES(court_cleared_out) _o395 =
+            V forth = _o392.forth;
+            V back = _o392.back;
+            const LANES(court_backboard_around_out) _o393 =
+                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[155]));
+            gap = _o393.gap;
+            nearing = _o393.nearing;
+            const LANES(court_cleared_out) _o394 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o395.berth;
-            const LANES(court_bridge_around_out) _o396 =
-                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[154]));
-            gap = _o396.gap;
-            nearing = _o396.nearing;
-            const LANES(court_cleared_out) _o397 =
+            berth = _o394.berth;
+            const LANES(court_bridge_around_out) _o395 =
+                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[156]));
+            gap = _o395.gap;
+            nearing = _o395.nearing;
+            const LANES(court_cleared_out) _o396 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o397.berth;
-            const LANES(court_end_around_out) _o398 =
+            berth = _o396.berth;
+            const LANES(court_end_around_out) _o397 =
                 LANES(court_end_around)(vz, z, lanes_load(lists->fixed[18]));
-            gap = _o398.gap;
-            nearing = _o398.nearing;
-            const LANES(court_cleared_out) _o399 =
+            gap = _o397.gap;
+            nearing = _o397.nearing;
+            const LANES(court_cleared_out) _o398 =
                 LANES(court_cleared)(berth, gap, forth, nearing);
-            berth = _o399.berth;
-            const LANES(court_ring_round_moved_out) _o400 =
-                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[112]));
-            x = _o400.x;
-            y = _o400.y;
-            z = _o400.z;
-            vx = _o400.vx;
-            vy = _o400.vy;
-            vz = _o400.vz;
-            wx = _o400.wx;
-            wy = _o400.wy;
-            wz = _o400.wz;
-            V climb = _o400.climb;
-            const LANES(court_passing_in_contact_out) _o401 =
+            berth = _o398.berth;
+            const LANES(court_ring_round_moved_out) _o399 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, omega_0, omega_1, omega_10, omega_11, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, sin_0, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[112]));
+            x = _o399.x;
+            y = _o399.y;
+            z = _o399.z;
+            vx = _o399.vx;
+            vy = _o399.vy;
+            vz = _o399.vz;
+            wx = _o399.wx;
+            wy = _o399.wy;
+            wz = _o399.wz;
+            V climb = _o399.climb;
+            const LANES(court_passing_in_contact_out) _o400 =
                 LANES(court_passing_in_contact)(over, through, x, y, z, lanes_load(lists->fixed[19]));
-            through = _o401.through;
-            const LANES(court_backboard_around_out) _o402 =
-                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[153]));
-            gap = _o402.gap;
-            nearing = _o402.nearing;
-            const LANES(court_cleared_out) _o403 =
+            through = _o400.through;
+            const LANES(court_backboard_around_out) _o401 =
+                LANES(court_backboard_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[155]));
+            gap = _o401.gap;
+            nearing = _o401.nearing;
+            const LANES(court_cleared_out) _o402 =
                 LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o403.berth;
-            const LANES(court_bridge_around_out) _o404 =
-                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[154]));
-            gap = _o404.gap;
-            nearing = _o404.nearing;
-            const LANES(court_cleared_out) _o405 =
+            berth = _o402.berth;
+            const LANES(court_bridge_around_out) _o403 =
+                LANES(court_bridge_around)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[156]));
+            gap = _o403.gap;
+            nearing = _o403.nearing;
+            const LANES(court_cleared_out) _o404 =
                 LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o405.berth;
-            const LANES(court_end_around_out) _o406 =
+            berth = _o404.berth;
+            const LANES(court_end_around_out) _o405 =
                 LANES(court_end_around)(vz, z, lanes_load(lists->fixed[18]));
-            gap = _o406.gap;
-            nearing = _o406.nearing;
-            const LANES(court_cleared_out) _o407 =
+            gap = _o405.gap;
+            nearing = _o405.nearing;
+            const LANES(court_cleared_out) _o406 =
                 LANES(court_cleared)(berth, gap, back, nearing);
-            berth = _o407.berth;
-            const LANES(court_ring_swung_out) _o408 =
-                LANES(court_ring_swung)(berth, circled, climb, climb_0, doubt, fastest, force, force_bend, force_rate, position_error, stride, sway, velocity_error, which, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[155]), lanes_load(lists->fixed[156]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[157]));
-            circled = _o408.circled;
-            M endless = _o408.endless;
-            doubt = _o408.doubt;
-            const LANES(court_for_ever_out) _o409 =
+            berth = _o406.berth;
+            const LANES(court_ring_swung_out) _o407 =
+                LANES(court_ring_swung)(berth, circled, climb, climb_0, doubt, fastest, force, force_bend, force_rate, position_error, stride, sway, velocity_error, which, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[157]), lanes_load(lists->fixed[158]), lanes_load(lists->fixed[129]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[159]));
+            circled = _o407.circled;
+            M endless = _o407.endless;
+            doubt = _o407.doubt;
+            const LANES(court_for_ever_out) _o408 =
                 LANES(court_for_ever)(endless, which);
-            which = _o409.which;
-            const LANES(court_ring_round_start_out) _o410 =
-                LANES(court_ring_round_start)(far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]));
-            cosine_0 = _o410.cosine_0;
-            sine_0 = _o410.sine_0;
-            climb_0 = _o410.climb_0;
-            along_0 = _o410.along_0;
-            turn_rate_0 = _o410.turn_rate_0;
-            cos_0 = _o410.cos_0;
-            sin_0 = _o410.sin_0;
-            near_0 = _o410.near_0;
-            const LANES(court_ring_round_0_out) _o411 =
-                LANES(court_ring_round_0)(along_0, climb_0, cos_0, cosine_0, near_0, sin_0, sine_0, turn_rate_0, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]));
-            omega_0 = _o411.omega_0;
-            around_0 = _o411.around_0;
-            tilted_0 = _o411.tilted_0;
-            pressed_0 = _o411.pressed_0;
-            cosine_1 = _o411.cosine_1;
-            sine_1 = _o411.sine_1;
-            climb_1 = _o411.climb_1;
-            along_1 = _o411.along_1;
-            turn_rate_1 = _o411.turn_rate_1;
-            cos_1 = _o411.cos_1;
-            sin_1 = _o411.sin_1;
-            const LANES(court_ring_round_1_out) _o412 =
-                LANES(court_ring_round_1)(along_0, along_1, around_0, climb_0, climb_1, cos_0, cos_1, cosine_0, cosine_1, near_0, omega_0, pressed_0, sin_0, sin_1, sine_0, sine_1, tilted_0, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[91]));
-            near_1 = _o412.near_1;
-            omega_1 = _o412.omega_1;
-            around_1 = _o412.around_1;
-            tilted_1 = _o412.tilted_1;
-            pressed_1 = _o412.pressed_1;
-            cosine_2 = _o412.cosine_2;
-            sine_2 = _o412.sine_2;
-            climb_2 = _o412.climb_2;
-            along_2 = _o412.along_2;
-            turn_rate_2 = _o412.turn_rate_2;
-            cos_2 = _o412.cos_2;
-            sin_2 = _o412.sin_2;
-            const LANES(court_ring_round_2_out) _o413 =
-                LANES(court_ring_round_2)(along_0, along_1, along_2, around_0, around_1, climb_0, climb_1, climb_2, cos_0, cos_1, cos_2, cosine_0, cosine_1, cosine_2, near_0, near_1, omega_0, omega_1, pressed_0, pressed_1, sin_0, sin_1, sin_2, sine_0, sine_1, sine_2, tilted_0, tilted_1, turn_rate_0, turn_rate_1, turn_rate_2, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[139]));
-            near_2 = _o413.near_2;
-            omega_2 = _o413.omega_2;
-            around_2 = _o413.around_2;
-            tilted_2 = _o413.tilted_2;
-            pressed_2 = _o413.pressed_2;
-            cosine_3 = _o413.cosine_3;
-            sine_3 = _o413.sine_3;
-            climb_3 = _o413.climb_3;
-            along_3 = _o413.along_3;
-            turn_rate_3 = _o413.turn_rate_3;
-            cos_3 = _o413.cos_3;
-            sin_3 = _o413.sin_3;
-            const LANES(court_ring_round_3_out) _o414 =
-                LANES(court_ring_round_3)(along_0, along_1, along_2, along_3, around_0, around_1, around_2, climb_0, climb_1, climb_2, climb_3, cos_0, cos_1, cos_2, cos_3, cosine_0, cosine_1, cosine_2, cosine_3, near_0, near_1, near_2, omega_0, omega_1, omega_2, pressed_0, pressed_1, pressed_2, sin_0, sin_1, sin_2, sin_3, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[140]));
-            near_3 = _o414.near_3;
-            omega_3 = _o414.omega_3;
-            around_3 = _o414.around_3;
-            tilted_3 = _o414.tilted_3;
-            pressed_3 = _o414.pressed_3;
-            cosine_4 = _o414.cosine_4;
-            sine_4 = _o414.sine_4;
-            climb_4 = _o414.climb_4;
-            along_4 = _o414.along_4;
-            turn_rate_4 = _o414.turn_rate_4;
-            cos_4 = _o414.cos_4;
-            sin_4 = _o414.sin_4;
-            const LANES(court_ring_round_4_out) _o415 =
-                LANES(court_ring_round_4)(along_0, along_1, along_2, along_3, along_4, around_0, around_1, around_2, around_3, climb_0, climb_1, climb_2, climb_3, climb_4, cos_0, cos_1, cos_2, cos_3, cos_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, near_0, near_1, near_2, near_3, omega_0, omega_1, omega_2, omega_3, pressed_0, pressed_1, pressed_2, pressed_3, sin_0, sin_1, sin_2, sin_3, sin_4, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[141]));
-            near_4 = _o415.near_4;
-            omega_4 = _o415.omega_4;
-            around_4 = _o415.around_4;
-            tilted_4 = _o415.tilted_4;
-            pressed_4 = _o415.pressed_4;
-            cosine_5 = _o415.cosine_5;
-            sine_5 = _o415.sine_5;
-            climb_5 = _o415.climb_5;
-            along_5 = _o415.along_5;
-            turn_rate_5 = _o415.turn_rate_5;
-            cos_5 = _o415.cos_5;
-            sin_5 = _o415.sin_5;
-            const LANES(court_ring_round_5_out) _o416 =
-                LANES(court_ring_round_5)(along_0, along_1, along_2, along_3, along_4, along_5, around_0, around_1, around_2, around_3, around_4, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, near_0, near_1, near_2, near_3, near_4, omega_0, omega_1, omega_2, omega_3, omega_4, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[142]));
-            near_5 = _o416.near_5;
-            omega_5 = _o416.omega_5;
-            around_5 = _o416.around_5;
-            tilted_5 = _o416.tilted_5;
-            pressed_5 = _o416.pressed_5;
-            cosine_6 = _o416.cosine_6;
-            sine_6 = _o416.sine_6;
-            climb_6 = _o416.climb_6;
-            along_6 = _o416.along_6;
-            turn_rate_6 = _o416.turn_rate_6;
-            cos_6 = _o416.cos_6;
-            sin_6 = _o416.sin_6;
-            const LANES(court_ring_round_6_out) _o417 =
-                LANES(court_ring_round_6)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, around_0, around_1, around_2, around_3, around_4, around_5, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, near_0, near_1, near_2, near_3, near_4, near_5, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[143]));
-            near_6 = _o417.near_6;
-            omega_6 = _o417.omega_6;
-            around_6 = _o417.around_6;
-            tilted_6 = _o417.tilted_6;
-            pressed_6 = _o417.pressed_6;
-            cosine_7 = _o417.cosine_7;
-            sine_7 = _o417.sine_7;
-            climb_7 = _o417.climb_7;
-            along_7 = _o417.along_7;
-            turn_rate_7 = _o417.turn_rate_7;
-            cos_7 = _o417.cos_7;
-            sin_7 = _o417.sin_7;
-            const LANES(court_ring_round_7_out) _o418 =
-                LANES(court_ring_round_7)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, near_0, near_1, near_2, near_3, near_4, near_5, near_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[144]));
-            near_7 = _o418.near_7;
-            omega_7 = _o418.omega_7;
-            around_7 = _o418.around_7;
-            tilted_7 = _o418.tilted_7;
-            pressed_7 = _o418.pressed_7;
-            cosine_8 = _o418.cosine_8;
-            sine_8 = _o418.sine_8;
-            climb_8 = _o418.climb_8;
-            along_8 = _o418.along_8;
-            turn_rate_8 = _o418.turn_rate_8;
-            cos_8 = _o418.cos_8;
-            sin_8 = _o418.sin_8;
-            const LANES(court_ring_round_8_out) _o419 =
-                LANES(court_ring_round_8)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[145]));
-            near_8 = _o419.near_8;
-            omega_8 = _o419.omega_8;
-            around_8 = _o419.around_8;
-            tilted_8 = _o419.tilted_8;
-            pressed_8 = _o419.pressed_8;
-            cosine_9 = _o419.cosine_9;
-            sine_9 = _o419.sine_9;
-            climb_9 = _o419.climb_9;
-            along_9 = _o419.along_9;
-            turn_rate_9 = _o419.turn_rate_9;
-            cos_9 = _o419.cos_9;
-            sin_9 = _o419.sin_9;
-            const LANES(court_ring_round_9_out) _o420 =
-                LANES(court_ring_round_9)(along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, sin_0, sin_1, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[146]));
-            near_9 = _o420.near_9;
-            omega_9 = _o420.omega_9;
-            around_9 = _o420.around_9;
-            tilted_9 = _o420.tilted_9;
-            pressed_9 = _o420.pressed_9;
-            cosine_10 = _o420.cosine_10;
-            sine_10 = _o420.sine_10;
-            climb_10 = _o420.climb_10;
-            along_10 = _o420.along_10;
-            turn_rate_10 = _o420.turn_rate_10;
-            cos_10 = _o420.cos_10;
-            sin_10 = _o420.sin_10;
-            const LANES(court_ring_round_10_out) _o421 =
-                LANES(court_ring_round_10)(along_0, along_1, along_10, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[147]));
-            near_10 = _o421.near_10;
-            omega_10 = _o421.omega_10;
-            around_10 = _o421.around_10;
-            tilted_10 = _o421.tilted_10;
-            pressed_10 = _o421.pressed_10;
-            cosine_11 = _o421.cosine_11;
-            sine_11 = _o421.sine_11;
-            climb_11 = _o421.climb_11;
-            along_11 = _o421.along_11;
-            turn_rate_11 = _o421.turn_rate_11;
-            cos_11 = _o421.cos_11;
-            sin_11 = _o421.sin_11;
-            const LANES(court_ring_round_11_out) _o422 =
-                LANES(court_ring_round_11)(along_0, along_1, along_10, along_11, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, near_1, near_10, near_2, near_3, near_4, near_5, near_6, near_7, near_8, near_9, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, pressed_0, pressed_1, pressed_10, pressed_2, pressed_3, pressed_4, pressed_5, pressed_6, pressed_7, pressed_8, pressed_9, sin_0, sin_1, sin_10, sin_11, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[148]));
-            cosine_12 = _o422.cosine_12;
-            sine_12 = _o422.sine_12;
-            climb_12 = _o422.climb_12;
-            along_12 = _o422.along_12;
-            turn_rate_12 = _o422.turn_rate_12;
-            cos_12 = _o422.cos_12;
-            sin_12 = _o422.sin_12;
-            const LANES(court_ring_round_moved_out) _o423 =
-                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cos_1, cos_10, cos_11, cos_12, cos_2, cos_3, cos_4, cos_5, cos_6, cos_7, cos_8, cos_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sin_0, sin_1, sin_10, sin_11, sin_12, sin_2, sin_3, sin_4, sin_5, sin_6, sin_7, sin_8, sin_9, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[112]));
-            far_x = _o423.x;
-            far_y = _o423.y;
-            far_z = _o423.z;
-            far_vx = _o423.vx;
-            far_vy = _o423.vy;
-            far_vz = _o423.vz;
-            far_wx = _o423.wx;
-            far_wy = _o423.wy;
-            far_wz = _o423.wz;
-            const LANES(court_compared_out) _o424 =
-                LANES(court_compared)(apart, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[6]));
-            dx = _o424.dx;
-            dy = _o424.dy;
-            dz = _o424.dz;
-            dvx = _o424.dvx;
-            dvy = _o424.dvy;
-            dvz = _o424.dvz;
-            dwx = _o424.dwx;
-            dwy = _o424.dwy;
-            dwz = _o424.dwz;
-            const LANES(court_rolled_on_out) _o425 =
+            which = _o408.which;
+            const LANES(court_ring_round_start_out) _o409 =
+                LANES(court_ring_round_start)(per_reach, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]));
+            cosine_0 = _o409.cosine_0;
+            sine_0 = _o409.sine_0;
+            climb_0 = _o409.climb_0;
+            along_0 = _o409.along_0;
+            turn_rate_0 = _o409.turn_rate_0;
+            cos_0 = _o409.cos_0;
+            sin_0 = _o409.sin_0;
+            tilted_0 = _o409.tilted_0;
+            near_0 = _o409.near_0;
+            const LANES(court_ring_round_0_out) _o410 =
+                LANES(court_ring_round_0)(along_0, climb_0, cosine_0, near_0, per_reach, sine_0, tilted_0, turn_rate_0, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[139]));
+            omega_0 = _o410.omega_0;
+            around_0 = _o410.around_0;
+            cosine_1 = _o410.cosine_1;
+            sine_1 = _o410.sine_1;
+            climb_1 = _o410.climb_1;
+            along_1 = _o410.along_1;
+            turn_rate_1 = _o410.turn_rate_1;
+            tilted_1 = _o410.tilted_1;
+            const LANES(court_ring_round_1_out) _o411 =
+                LANES(court_ring_round_1)(along_1, around_0, climb_0, climb_1, cosine_0, cosine_1, near_0, omega_0, per_reach, sine_0, sine_1, tilted_0, tilted_1, turn_rate_0, turn_rate_1, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[91]), lanes_load(lists->fixed[139]));
+            omega_1 = _o411.omega_1;
+            around_1 = _o411.around_1;
+            cosine_2 = _o411.cosine_2;
+            sine_2 = _o411.sine_2;
+            climb_2 = _o411.climb_2;
+            along_2 = _o411.along_2;
+            turn_rate_2 = _o411.turn_rate_2;
+            tilted_2 = _o411.tilted_2;
+            const LANES(court_ring_round_2_out) _o412 =
+                LANES(court_ring_round_2)(along_2, around_0, around_1, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, near_0, omega_0, omega_1, per_reach, sine_0, sine_1, sine_2, tilted_0, tilted_1, tilted_2, turn_rate_0, turn_rate_1, turn_rate_2, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[140]), lanes_load(lists->fixed[139]));
+            omega_2 = _o412.omega_2;
+            around_2 = _o412.around_2;
+            cosine_3 = _o412.cosine_3;
+            sine_3 = _o412.sine_3;
+            climb_3 = _o412.climb_3;
+            along_3 = _o412.along_3;
+            turn_rate_3 = _o412.turn_rate_3;
+            tilted_3 = _o412.tilted_3;
+            const LANES(court_ring_round_3_out) _o413 =
+                LANES(court_ring_round_3)(along_3, around_0, around_1, around_2, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, near_0, omega_0, omega_1, omega_2, per_reach, sine_0, sine_1, sine_2, sine_3, tilted_0, tilted_1, tilted_2, tilted_3, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[141]), lanes_load(lists->fixed[139]));
+            omega_3 = _o413.omega_3;
+            around_3 = _o413.around_3;
+            cosine_4 = _o413.cosine_4;
+            sine_4 = _o413.sine_4;
+            climb_4 = _o413.climb_4;
+            along_4 = _o413.along_4;
+            turn_rate_4 = _o413.turn_rate_4;
+            tilted_4 = _o413.tilted_4;
+            const LANES(court_ring_round_4_out) _o414 =
+                LANES(court_ring_round_4)(along_4, around_0, around_1, around_2, around_3, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, near_0, omega_0, omega_1, omega_2, omega_3, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[142]), lanes_load(lists->fixed[139]));
+            omega_4 = _o414.omega_4;
+            around_4 = _o414.around_4;
+            cosine_5 = _o414.cosine_5;
+            sine_5 = _o414.sine_5;
+            climb_5 = _o414.climb_5;
+            along_5 = _o414.along_5;
+            turn_rate_5 = _o414.turn_rate_5;
+            tilted_5 = _o414.tilted_5;
+            const LANES(court_ring_round_5_out) _o415 =
+                LANES(court_ring_round_5)(along_5, around_0, around_1, around_2, around_3, around_4, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[143]), lanes_load(lists->fixed[139]));
+            omega_5 = _o415.omega_5;
+            around_5 = _o415.around_5;
+            cosine_6 = _o415.cosine_6;
+            sine_6 = _o415.sine_6;
+            climb_6 = _o415.climb_6;
+            along_6 = _o415.along_6;
+            turn_rate_6 = _o415.turn_rate_6;
+            tilted_6 = _o415.tilted_6;
+            const LANES(court_ring_round_6_out) _o416 =
+                LANES(court_ring_round_6)(along_6, around_0, around_1, around_2, around_3, around_4, around_5, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[144]), lanes_load(lists->fixed[139]));
+            omega_6 = _o416.omega_6;
+            around_6 = _o416.around_6;
+            cosine_7 = _o416.cosine_7;
+            sine_7 = _o416.sine_7;
+            climb_7 = _o416.climb_7;
+            along_7 = _o416.along_7;
+            turn_rate_7 = _o416.turn_rate_7;
+            tilted_7 = _o416.tilted_7;
+            const LANES(court_ring_round_7_out) _o417 =
+                LANES(court_ring_round_7)(along_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[145]), lanes_load(lists->fixed[139]));
+            omega_7 = _o417.omega_7;
+            around_7 = _o417.around_7;
+            cosine_8 = _o417.cosine_8;
+            sine_8 = _o417.sine_8;
+            climb_8 = _o417.climb_8;
+            along_8 = _o417.along_8;
+            turn_rate_8 = _o417.turn_rate_8;
+            tilted_8 = _o417.tilted_8;
+            const LANES(court_ring_round_8_out) _o418 =
+                LANES(court_ring_round_8)(along_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[146]), lanes_load(lists->fixed[139]));
+            omega_8 = _o418.omega_8;
+            around_8 = _o418.around_8;
+            cosine_9 = _o418.cosine_9;
+            sine_9 = _o418.sine_9;
+            climb_9 = _o418.climb_9;
+            along_9 = _o418.along_9;
+            turn_rate_9 = _o418.turn_rate_9;
+            tilted_9 = _o418.tilted_9;
+            const LANES(court_ring_round_9_out) _o419 =
+                LANES(court_ring_round_9)(along_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, per_reach, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[147]), lanes_load(lists->fixed[139]));
+            omega_9 = _o419.omega_9;
+            around_9 = _o419.around_9;
+            cosine_10 = _o419.cosine_10;
+            sine_10 = _o419.sine_10;
+            climb_10 = _o419.climb_10;
+            along_10 = _o419.along_10;
+            turn_rate_10 = _o419.turn_rate_10;
+            tilted_10 = _o419.tilted_10;
+            const LANES(court_ring_round_10_out) _o420 =
+                LANES(court_ring_round_10)(along_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_10, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, per_reach, sine_0, sine_1, sine_10, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[148]), lanes_load(lists->fixed[139]));
+            omega_10 = _o420.omega_10;
+            around_10 = _o420.around_10;
+            cosine_11 = _o420.cosine_11;
+            sine_11 = _o420.sine_11;
+            climb_11 = _o420.climb_11;
+            along_11 = _o420.along_11;
+            turn_rate_11 = _o420.turn_rate_11;
+            tilted_11 = _o420.tilted_11;
+            const LANES(court_ring_round_11_out) _o421 =
+                LANES(court_ring_round_11)(along_11, around_0, around_1, around_10, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, climb_0, climb_1, climb_10, climb_11, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_10, cosine_11, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, near_0, omega_0, omega_1, omega_10, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, per_reach, sine_0, sine_1, sine_10, sine_11, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, tilted_0, tilted_1, tilted_10, tilted_11, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[149]), lanes_load(lists->fixed[139]));
+            omega_11 = _o421.omega_11;
+            cosine_12 = _o421.cosine_12;
+            sine_12 = _o421.sine_12;
+            climb_12 = _o421.climb_12;
+            along_12 = _o421.along_12;
+            turn_rate_12 = _o421.turn_rate_12;
+            const LANES(court_ring_round_moved_out) _o422 =
+                LANES(court_ring_round_moved)(along_0, along_1, along_10, along_11, along_12, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, climb_0, climb_1, climb_10, climb_11, climb_12, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cos_0, cosine_0, cosine_1, cosine_10, cosine_11, cosine_12, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, omega_0, omega_1, omega_10, omega_11, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, sin_0, sine_0, sine_1, sine_10, sine_11, sine_12, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, stride, turn_rate_0, turn_rate_1, turn_rate_10, turn_rate_11, turn_rate_12, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[135]), lanes_load(lists->fixed[112]));
+            far_x = _o422.x;
+            far_y = _o422.y;
+            far_z = _o422.z;
+            far_vx = _o422.vx;
+            far_vy = _o422.vy;
+            far_vz = _o422.vz;
+            far_wx = _o422.wx;
+            far_wy = _o422.wy;
+            far_wz = _o422.wz;
+            const LANES(court_compared_out) _o423 =
+                LANES(court_compared)(apart, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_x, far_y, far_z, missed, stride, vx, vy, vz, wx, wy, wz, x, y, z, lanes_load(lists->fixed[6]));
+            dx = _o423.dx;
+            dy = _o423.dy;
+            dz = _o423.dz;
+            dvx = _o423.dvx;
+            dvy = _o423.dvy;
+            dvz = _o423.dvz;
+            dwx = _o423.dwx;
+            dwy = _o423.dwy;
+            dwz = _o423.dwz;
+            const LANES(court_rolled_on_out) _o424 =
                 LANES(court_rolled_on)(clock, rests, stride, which);
-            clock = _o425.clock;
-            circling = _o425.rolling;
+            clock = _o424.clock;
+            circling = _o424.rolling;
             turns = lanes_add(turns, K(1.0));
             const M ended = lanes_both(active, lanes_not(lanes_both(circling, lanes_less(turns, K(16.0)))));
             if (lanes_any(ended)) {
@@ -11184,9 +11036,9 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->kept_x + i);
         V y = lanes_load(lists->kept_y + i);
         V z = lanes_load(lists->kept_z + i);
-        const LANES(court_rejoined_out) _o426 =
+        const LANES(court_rejoined_out) _o425 =
             LANES(court_rejoined)(circling, rolling);
-        rolling = _o426.rolling;
+        rolling = _o425.rolling;
         lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
         const M packed = lanes_both(rows, leaves);
         if (lanes_any(packed)) {
@@ -11247,7 +11099,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f488)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f487)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
@@ -11287,14 +11139,14 @@ static void LANES(court_bounded_fix_f488)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[39], lanes_mul(K(4.0), p_gravity));
         lanes_store(lists->fixed[111], lanes_div(K(1.0), _s0));
         lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[161], lanes_mul(K(8.0), _s1));
-        lanes_store(lists->fixed[162], lanes_add(lanes_add(lanes_add(lanes_add(_s2, p_ring_radius), p_wire_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
-        lanes_store(lists->fixed[163], lanes_div(K(1.0), lanes_min(_s3, _s0)));
-        lanes_store(lists->fixed[164], p_restitution_speed);
-        lanes_store(lists->fixed[165], _s4);
-        lanes_store(lists->fixed[166], lanes_mul(_s4, _s4));
-        lanes_store(lists->fixed[167], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        lanes_store(lists->fixed[168], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+        lanes_store(lists->fixed[164], lanes_mul(K(8.0), _s1));
+        lanes_store(lists->fixed[165], lanes_add(lanes_add(lanes_add(lanes_add(_s2, p_ring_radius), p_wire_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
+        lanes_store(lists->fixed[166], lanes_div(K(1.0), lanes_min(_s3, _s0)));
+        lanes_store(lists->fixed[167], p_restitution_speed);
+        lanes_store(lists->fixed[168], _s4);
+        lanes_store(lists->fixed[169], lanes_mul(_s4, _s4));
+        lanes_store(lists->fixed[170], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        lanes_store(lists->fixed[171], lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
     }
 }
 
@@ -11302,7 +11154,7 @@ static void LANES(court_bounded_fix_f488)(LANES(court_bounded_lists) *lists, siz
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f573)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f572)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_backboard_friction = lanes_load(lists->slow_p_backboard_friction + i);
     const V p_backboard_restitution = lanes_load(lists->slow_p_backboard_restitution + i);
@@ -11341,29 +11193,28 @@ static void LANES(court_bounded_fix_f573)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
         lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
         lanes_store(lists->fixed[23], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[50], lanes_mul(K(6.0), p_gravity));
         lanes_store(lists->fixed[111], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
         lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
         lanes_store(lists->fixed[113], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
         lanes_store(lists->fixed[130], lanes_mul(K(0.4), p_gravity));
-        lanes_store(lists->fixed[158], lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)));
-        lanes_store(lists->fixed[167], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        lanes_store(lists->fixed[169], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[170], _s0);
-        lanes_store(lists->fixed[171], lanes_mul(_s0, _s0));
-        lanes_store(lists->fixed[172], lanes_mul(p_ring_friction, _s1));
-        lanes_store(lists->fixed[173], lanes_mul(_s1, _s0));
-        lanes_store(lists->fixed[174], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        lanes_store(lists->fixed[175], _s2);
-        lanes_store(lists->fixed[176], lanes_mul(_s2, _s2));
-        lanes_store(lists->fixed[177], lanes_mul(p_backboard_friction, _s3));
-        lanes_store(lists->fixed[178], lanes_mul(_s3, _s2));
-        lanes_store(lists->fixed[179], _s4);
-        lanes_store(lists->fixed[180], lanes_mul(_s4, _s4));
-        lanes_store(lists->fixed[181], lanes_mul(p_bridge_friction, _s5));
-        lanes_store(lists->fixed[182], lanes_mul(_s5, _s4));
+        lanes_store(lists->fixed[160], lanes_mul(K(3.0), p_gravity));
+        lanes_store(lists->fixed[161], lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
+        lanes_store(lists->fixed[170], lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        lanes_store(lists->fixed[172], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[173], _s0);
+        lanes_store(lists->fixed[174], lanes_mul(_s0, _s0));
+        lanes_store(lists->fixed[175], lanes_mul(p_ring_friction, _s1));
+        lanes_store(lists->fixed[176], lanes_mul(_s1, _s0));
+        lanes_store(lists->fixed[177], lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        lanes_store(lists->fixed[178], _s2);
+        lanes_store(lists->fixed[179], lanes_mul(_s2, _s2));
+        lanes_store(lists->fixed[180], lanes_mul(p_backboard_friction, _s3));
+        lanes_store(lists->fixed[181], lanes_mul(_s3, _s2));
+        lanes_store(lists->fixed[182], _s4);
+        lanes_store(lists->fixed[183], lanes_mul(_s4, _s4));
+        lanes_store(lists->fixed[184], lanes_mul(p_bridge_friction, _s5));
+        lanes_store(lists->fixed[185], lanes_mul(_s5, _s4));
     }
 }
 
@@ -11376,7 +11227,7 @@ static void LANES(court_bounded_slow)(LANES(court_bounded_lists) *lists, size_t 
     for (size_t i = 0; i < slow_shots; i += LANES_WIDTH) {
         const M rows = lanes_first(slow_shots - i);
         if (LANES_SELDOM(varying))
-            LANES(court_bounded_fix_f573)(lists, i);
+            LANES(court_bounded_fix_f572)(lists, i);
         V assured = lanes_load(lists->slow_assured + i);
         V held = lanes_load(lists->slow_held + i);
         V mode = lanes_load(lists->slow_mode + i);
@@ -11394,243 +11245,243 @@ static void LANES(court_bounded_slow)(LANES(court_bounded_lists) *lists, size_t 
         V x = lanes_load(lists->slow_x + i);
         V y = lanes_load(lists->slow_y + i);
         V z = lanes_load(lists->slow_z + i);
-        const LANES(court_ring_normal_out) _o574 =
+        const LANES(court_ring_normal_out) _o573 =
             LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[111]));
-        V nx = _o574.nx;
-        V ny = _o574.ny;
-        V nz = _o574.nz;
-        const LANES(court_here_out) _o575 =
+        V nx = _o573.nx;
+        V ny = _o573.ny;
+        V nz = _o573.nz;
+        const LANES(court_here_out) _o574 =
             LANES(court_here)(K(1.0), which);
-        M here = _o575.here;
-        const M _m576 = lanes_both(rows, here);
+        M here = _o574.here;
+        const M _m575 = lanes_both(rows, here);
         {
-            const LANES(court_backboard_normal_out) _o577 =
+            const LANES(court_backboard_normal_out) _o576 =
                 LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
-            nx = lanes_select(_m576, _o577.nx, nx);
-            ny = lanes_select(_m576, _o577.ny, ny);
-            nz = lanes_select(_m576, _o577.nz, nz);
+            nx = lanes_select(_m575, _o576.nx, nx);
+            ny = lanes_select(_m575, _o576.ny, ny);
+            nz = lanes_select(_m575, _o576.nz, nz);
         }
-        const LANES(court_here_out) _o578 =
+        const LANES(court_here_out) _o577 =
             LANES(court_here)(K(2.0), which);
-        here = _o578.here;
-        const M _m579 = lanes_both(rows, here);
+        here = _o577.here;
+        const M _m578 = lanes_both(rows, here);
         {
-            const LANES(court_bridge_normal_out) _o580 =
+            const LANES(court_bridge_normal_out) _o579 =
                 LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
-            nx = lanes_select(_m579, _o580.nx, nx);
-            ny = lanes_select(_m579, _o580.ny, ny);
-            nz = lanes_select(_m579, _o580.nz, nz);
+            nx = lanes_select(_m578, _o579.nx, nx);
+            ny = lanes_select(_m578, _o579.ny, ny);
+            nz = lanes_select(_m578, _o579.nz, nz);
         }
-        const LANES(court_nearly_out) _o581 =
-            LANES(court_nearly)(nx, ny, nz, vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[167]));
-        M nearly = _o581.nearly;
-        const LANES(court_gripped_out) _o582 =
+        const LANES(court_nearly_out) _o580 =
+            LANES(court_nearly)(nx, ny, nz, vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[170]));
+        M nearly = _o580.nearly;
+        const LANES(court_gripped_out) _o581 =
             LANES(court_gripped)(nx, ny, nz, vx, vy, vz, wx, wy, wz, lanes_load(lists->fixed[6]));
-        V rolled_x = _o582.rolled_x;
-        V rolled_y = _o582.rolled_y;
-        V rolled_z = _o582.rolled_z;
-        V slip = _o582.slip;
-        V bounce = _o582.bounce;
-        const LANES(court_here_out) _o583 =
+        V rolled_x = _o581.rolled_x;
+        V rolled_y = _o581.rolled_y;
+        V rolled_z = _o581.rolled_z;
+        V slip = _o581.slip;
+        V bounce = _o581.bounce;
+        const LANES(court_here_out) _o582 =
             LANES(court_here)(K(0.0), which);
-        here = _o583.here;
-        const M _m584 = lanes_both(rows, here);
-        if (lanes_any(_m584)) {
-            const LANES(court_ring_turning_out) _o585 =
+        here = _o582.here;
+        const M _m583 = lanes_both(rows, here);
+        if (lanes_any(_m583)) {
+            const LANES(court_ring_turning_out) _o584 =
                 LANES(court_ring_turning)(rolled_x, rolled_y, rolled_z, x, y, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[111]));
-            V turning_x = _o585.turning_x;
-            V turning_y = _o585.turning_y;
-            V turning_z = _o585.turning_z;
-            const LANES(court_pressed_on_out) _o586 =
-                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[169]), lanes_load(lists->fixed[130]));
-            V press = _o586.press;
-            V weight = _o586.weight;
-            V drag = _o586.drag;
-            V thrust_x = _o586.thrust_x;
-            V thrust_y = _o586.thrust_y;
-            V thrust_z = _o586.thrust_z;
-            const LANES(court_alone_out) _o587 =
+            V turning_x = _o584.turning_x;
+            V turning_y = _o584.turning_y;
+            V turning_z = _o584.turning_z;
+            const LANES(court_pressed_on_out) _o585 =
+                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[172]), lanes_load(lists->fixed[130]));
+            V press = _o585.press;
+            V weight = _o585.weight;
+            V drag = _o585.drag;
+            V thrust_x = _o585.thrust_x;
+            V thrust_y = _o585.thrust_y;
+            V thrust_z = _o585.thrust_z;
+            const LANES(court_alone_out) _o586 =
                 LANES(court_alone)();
-            V nearest = _o587.nearest;
-            V wedge = _o587.wedge;
-            const LANES(court_backboard_closing_out) _o588 =
+            V nearest = _o586.nearest;
+            V wedge = _o586.wedge;
+            const LANES(court_backboard_closing_out) _o587 =
                 LANES(court_backboard_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
-            V gap = _o588.gap;
-            V nearing = _o588.nearing;
-            V swerve = _o588.swerve;
-            V facing = _o588.facing;
-            const LANES(court_neared_body_out) _o589 =
+            V gap = _o587.gap;
+            V nearing = _o587.nearing;
+            V swerve = _o587.swerve;
+            V facing = _o587.facing;
+            const LANES(court_neared_body_out) _o588 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o589.nearest;
-            wedge = _o589.wedge;
-            const LANES(court_bridge_closing_out) _o590 =
+            nearest = _o588.nearest;
+            wedge = _o588.wedge;
+            const LANES(court_bridge_closing_out) _o589 =
                 LANES(court_bridge_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
-            gap = _o590.gap;
-            nearing = _o590.nearing;
-            swerve = _o590.swerve;
-            facing = _o590.facing;
-            const LANES(court_neared_body_out) _o591 =
+            gap = _o589.gap;
+            nearing = _o589.nearing;
+            swerve = _o589.swerve;
+            facing = _o589.facing;
+            const LANES(court_neared_body_out) _o590 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o591.nearest;
-            wedge = _o591.wedge;
-            const LANES(court_end_beside_out) _o592 =
+            nearest = _o590.nearest;
+            wedge = _o590.wedge;
+            const LANES(court_end_beside_out) _o591 =
                 LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
-            gap = _o592.gap;
-            const LANES(court_neared_out) _o593 =
+            gap = _o591.gap;
+            const LANES(court_neared_out) _o592 =
                 LANES(court_neared)(gap, nearest);
-            nearest = _o593.nearest;
-            const LANES(court_ring_parting_out) _o594 =
-                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[158]));
-            V lift = _o594.lift;
-            const LANES(court_ring_impact_settling_out) _o595 =
-                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[170]), lanes_load(lists->fixed[171]), lanes_load(lists->fixed[172]), lanes_load(lists->fixed[173]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[174]));
-            M settles = _o595.settles;
-            M lodges = _o595.lodges;
-            M slides = _o595.slides;
-            M parts = _o595.parts;
-            assured = lanes_select(_m584, _o595.assured, assured);
-            M unsure = _o595.unsure;
-            const LANES(court_settled_out) _o596 =
+            nearest = _o592.nearest;
+            const LANES(court_ring_parting_out) _o593 =
+                LANES(court_ring_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[160]), lanes_load(lists->fixed[161]));
+            V lift = _o593.lift;
+            const LANES(court_ring_impact_settling_out) _o594 =
+                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[173]), lanes_load(lists->fixed[174]), lanes_load(lists->fixed[175]), lanes_load(lists->fixed[176]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[177]));
+            M settles = _o594.settles;
+            M lodges = _o594.lodges;
+            M slides = _o594.slides;
+            M parts = _o594.parts;
+            assured = lanes_select(_m583, _o594.assured, assured);
+            M unsure = _o594.unsure;
+            const LANES(court_settled_out) _o595 =
                 LANES(court_settled)(K(0.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-            mode = lanes_select(_m584, _o596.mode, mode);
-            held = lanes_select(_m584, _o596.held, held);
-            outcome = lanes_select(_m584, _o596.outcome, outcome);
-            slip_left = lanes_select(_m584, _o596.slip_left, slip_left);
-            uncertain = lanes_select(_m584, _o596.uncertain, uncertain);
+            mode = lanes_select(_m583, _o595.mode, mode);
+            held = lanes_select(_m583, _o595.held, held);
+            outcome = lanes_select(_m583, _o595.outcome, outcome);
+            slip_left = lanes_select(_m583, _o595.slip_left, slip_left);
+            uncertain = lanes_select(_m583, _o595.uncertain, uncertain);
         }
-        const LANES(court_here_out) _o597 =
+        const LANES(court_here_out) _o596 =
             LANES(court_here)(K(1.0), which);
-        here = _o597.here;
-        const M _m598 = lanes_both(rows, here);
-        if (lanes_any(_m598)) {
-            const LANES(court_backboard_turning_out) _o599 =
+        here = _o596.here;
+        const M _m597 = lanes_both(rows, here);
+        if (lanes_any(_m597)) {
+            const LANES(court_backboard_turning_out) _o598 =
                 LANES(court_backboard_turning)(rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
-            V turning_x = _o599.turning_x;
-            V turning_y = _o599.turning_y;
-            V turning_z = _o599.turning_z;
-            const LANES(court_pressed_on_out) _o600 =
-                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[169]), lanes_load(lists->fixed[130]));
-            V press = _o600.press;
-            V weight = _o600.weight;
-            V drag = _o600.drag;
-            V thrust_x = _o600.thrust_x;
-            V thrust_y = _o600.thrust_y;
-            V thrust_z = _o600.thrust_z;
-            const LANES(court_alone_out) _o601 =
+            V turning_x = _o598.turning_x;
+            V turning_y = _o598.turning_y;
+            V turning_z = _o598.turning_z;
+            const LANES(court_pressed_on_out) _o599 =
+                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[172]), lanes_load(lists->fixed[130]));
+            V press = _o599.press;
+            V weight = _o599.weight;
+            V drag = _o599.drag;
+            V thrust_x = _o599.thrust_x;
+            V thrust_y = _o599.thrust_y;
+            V thrust_z = _o599.thrust_z;
+            const LANES(court_alone_out) _o600 =
                 LANES(court_alone)();
-            V nearest = _o601.nearest;
-            V wedge = _o601.wedge;
-            const LANES(court_ring_closing_out) _o602 =
+            V nearest = _o600.nearest;
+            V wedge = _o600.wedge;
+            const LANES(court_ring_closing_out) _o601 =
                 LANES(court_ring_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]));
-            V gap = _o602.gap;
-            V nearing = _o602.nearing;
-            V swerve = _o602.swerve;
-            V facing = _o602.facing;
-            const LANES(court_neared_body_out) _o603 =
+            V gap = _o601.gap;
+            V nearing = _o601.nearing;
+            V swerve = _o601.swerve;
+            V facing = _o601.facing;
+            const LANES(court_neared_body_out) _o602 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o603.nearest;
-            wedge = _o603.wedge;
-            const LANES(court_bridge_closing_out) _o604 =
+            nearest = _o602.nearest;
+            wedge = _o602.wedge;
+            const LANES(court_bridge_closing_out) _o603 =
                 LANES(court_bridge_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]));
-            gap = _o604.gap;
-            nearing = _o604.nearing;
-            swerve = _o604.swerve;
-            facing = _o604.facing;
-            const LANES(court_neared_body_out) _o605 =
+            gap = _o603.gap;
+            nearing = _o603.nearing;
+            swerve = _o603.swerve;
+            facing = _o603.facing;
+            const LANES(court_neared_body_out) _o604 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o605.nearest;
-            wedge = _o605.wedge;
-            const LANES(court_end_beside_out) _o606 =
+            nearest = _o604.nearest;
+            wedge = _o604.wedge;
+            const LANES(court_end_beside_out) _o605 =
                 LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
-            gap = _o606.gap;
-            const LANES(court_neared_out) _o607 =
+            gap = _o605.gap;
+            const LANES(court_neared_out) _o606 =
                 LANES(court_neared)(gap, nearest);
-            nearest = _o607.nearest;
-            const LANES(court_backboard_parting_out) _o608 =
-                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[15]));
-            V lift = _o608.lift;
-            const LANES(court_ring_impact_settling_out) _o609 =
-                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[175]), lanes_load(lists->fixed[176]), lanes_load(lists->fixed[177]), lanes_load(lists->fixed[178]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[174]));
-            M settles = _o609.settles;
-            M lodges = _o609.lodges;
-            M slides = _o609.slides;
-            M parts = _o609.parts;
-            assured = lanes_select(_m598, _o609.assured, assured);
-            M unsure = _o609.unsure;
-            const LANES(court_settled_out) _o610 =
+            nearest = _o606.nearest;
+            const LANES(court_backboard_parting_out) _o607 =
+                LANES(court_backboard_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]));
+            V lift = _o607.lift;
+            const LANES(court_ring_impact_settling_out) _o608 =
+                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[178]), lanes_load(lists->fixed[179]), lanes_load(lists->fixed[180]), lanes_load(lists->fixed[181]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[177]));
+            M settles = _o608.settles;
+            M lodges = _o608.lodges;
+            M slides = _o608.slides;
+            M parts = _o608.parts;
+            assured = lanes_select(_m597, _o608.assured, assured);
+            M unsure = _o608.unsure;
+            const LANES(court_settled_out) _o609 =
                 LANES(court_settled)(K(1.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-            mode = lanes_select(_m598, _o610.mode, mode);
-            held = lanes_select(_m598, _o610.held, held);
-            outcome = lanes_select(_m598, _o610.outcome, outcome);
-            slip_left = lanes_select(_m598, _o610.slip_left, slip_left);
-            uncertain = lanes_select(_m598, _o610.uncertain, uncertain);
+            mode = lanes_select(_m597, _o609.mode, mode);
+            held = lanes_select(_m597, _o609.held, held);
+            outcome = lanes_select(_m597, _o609.outcome, outcome);
+            slip_left = lanes_select(_m597, _o609.slip_left, slip_left);
+            uncertain = lanes_select(_m597, _o609.uncertain, uncertain);
         }
-        const LANES(court_here_out) _o611 =
+        const LANES(court_here_out) _o610 =
             LANES(court_here)(K(2.0), which);
-        here = _o611.here;
-        const M _m612 = lanes_both(rows, here);
-        if (lanes_any(_m612)) {
-            const LANES(court_bridge_turning_out) _o613 =
+        here = _o610.here;
+        const M _m611 = lanes_both(rows, here);
+        if (lanes_any(_m611)) {
+            const LANES(court_bridge_turning_out) _o612 =
                 LANES(court_bridge_turning)(rolled_x, rolled_y, rolled_z, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
-            V turning_x = _o613.turning_x;
-            V turning_y = _o613.turning_y;
-            V turning_z = _o613.turning_z;
-            const LANES(court_pressed_on_out) _o614 =
-                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[169]), lanes_load(lists->fixed[130]));
-            V press = _o614.press;
-            V weight = _o614.weight;
-            V drag = _o614.drag;
-            V thrust_x = _o614.thrust_x;
-            V thrust_y = _o614.thrust_y;
-            V thrust_z = _o614.thrust_z;
-            const LANES(court_alone_out) _o615 =
+            V turning_x = _o612.turning_x;
+            V turning_y = _o612.turning_y;
+            V turning_z = _o612.turning_z;
+            const LANES(court_pressed_on_out) _o613 =
+                LANES(court_pressed_on)(nx, ny, nz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, wx, wy, wz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[172]), lanes_load(lists->fixed[130]));
+            V press = _o613.press;
+            V weight = _o613.weight;
+            V drag = _o613.drag;
+            V thrust_x = _o613.thrust_x;
+            V thrust_y = _o613.thrust_y;
+            V thrust_z = _o613.thrust_z;
+            const LANES(court_alone_out) _o614 =
                 LANES(court_alone)();
-            V nearest = _o615.nearest;
-            V wedge = _o615.wedge;
-            const LANES(court_ring_closing_out) _o616 =
+            V nearest = _o614.nearest;
+            V wedge = _o614.wedge;
+            const LANES(court_ring_closing_out) _o615 =
                 LANES(court_ring_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]));
-            V gap = _o616.gap;
-            V nearing = _o616.nearing;
-            V swerve = _o616.swerve;
-            V facing = _o616.facing;
-            const LANES(court_neared_body_out) _o617 =
+            V gap = _o615.gap;
+            V nearing = _o615.nearing;
+            V swerve = _o615.swerve;
+            V facing = _o615.facing;
+            const LANES(court_neared_body_out) _o616 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o617.nearest;
-            wedge = _o617.wedge;
-            const LANES(court_backboard_closing_out) _o618 =
+            nearest = _o616.nearest;
+            wedge = _o616.wedge;
+            const LANES(court_backboard_closing_out) _o617 =
                 LANES(court_backboard_closing)(nx, ny, nz, rolled_x, rolled_y, rolled_z, thrust_x, thrust_y, thrust_z, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[15]));
-            gap = _o618.gap;
-            nearing = _o618.nearing;
-            swerve = _o618.swerve;
-            facing = _o618.facing;
-            const LANES(court_neared_body_out) _o619 =
+            gap = _o617.gap;
+            nearing = _o617.nearing;
+            swerve = _o617.swerve;
+            facing = _o617.facing;
+            const LANES(court_neared_body_out) _o618 =
                 LANES(court_neared_body)(facing, gap, nearest, nearing, press, swerve, wedge);
-            nearest = _o619.nearest;
-            wedge = _o619.wedge;
-            const LANES(court_end_beside_out) _o620 =
+            nearest = _o618.nearest;
+            wedge = _o618.wedge;
+            const LANES(court_end_beside_out) _o619 =
                 LANES(court_end_beside)(vz, z, lanes_load(lists->fixed[18]));
-            gap = _o620.gap;
-            const LANES(court_neared_out) _o621 =
+            gap = _o619.gap;
+            const LANES(court_neared_out) _o620 =
                 LANES(court_neared)(gap, nearest);
-            nearest = _o621.nearest;
-            const LANES(court_bridge_parting_out) _o622 =
-                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[16]));
-            V lift = _o622.lift;
-            const LANES(court_ring_impact_settling_out) _o623 =
-                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[179]), lanes_load(lists->fixed[180]), lanes_load(lists->fixed[181]), lanes_load(lists->fixed[182]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[174]));
-            M settles = _o623.settles;
-            M lodges = _o623.lodges;
-            M slides = _o623.slides;
-            M parts = _o623.parts;
-            assured = lanes_select(_m612, _o623.assured, assured);
-            M unsure = _o623.unsure;
-            const LANES(court_settled_out) _o624 =
+            nearest = _o620.nearest;
+            const LANES(court_bridge_parting_out) _o621 =
+                LANES(court_bridge_parting)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[23]));
+            V lift = _o621.lift;
+            const LANES(court_ring_impact_settling_out) _o622 =
+                LANES(court_ring_impact_settling)(bounce, drag, lift, nearest, press, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wedge, weight, wx, wy, wz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[182]), lanes_load(lists->fixed[183]), lanes_load(lists->fixed[184]), lanes_load(lists->fixed[185]), lanes_load(lists->fixed[113]), lanes_load(lists->fixed[177]));
+            M settles = _o622.settles;
+            M lodges = _o622.lodges;
+            M slides = _o622.slides;
+            M parts = _o622.parts;
+            assured = lanes_select(_m611, _o622.assured, assured);
+            M unsure = _o622.unsure;
+            const LANES(court_settled_out) _o623 =
                 LANES(court_settled)(K(2.0), lodges, nearly, outcome, parts, settles, slides, uncertain, unsure);
-            mode = lanes_select(_m612, _o624.mode, mode);
-            held = lanes_select(_m612, _o624.held, held);
-            outcome = lanes_select(_m612, _o624.outcome, outcome);
-            slip_left = lanes_select(_m612, _o624.slip_left, slip_left);
-            uncertain = lanes_select(_m612, _o624.uncertain, uncertain);
+            mode = lanes_select(_m611, _o623.mode, mode);
+            held = lanes_select(_m611, _o623.held, held);
+            outcome = lanes_select(_m611, _o623.outcome, outcome);
+            slip_left = lanes_select(_m611, _o623.slip_left, slip_left);
+            uncertain = lanes_select(_m611, _o623.uncertain, uncertain);
         }
         lanes_store(lists->slow_assured + i, assured);
         lanes_store(lists->slow_held + i, held);
@@ -11645,7 +11496,7 @@ static void LANES(court_bounded_slow)(LANES(court_bounded_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(court_bounded_fix_f625)(LANES(court_bounded_lists) *lists, size_t i)
+static void LANES(court_bounded_fix_f624)(LANES(court_bounded_lists) *lists, size_t i)
 {
     const V p_gravity = lanes_load(lists->p_gravity + i);
     {
@@ -11665,6 +11516,7 @@ static void LANES(court_bounded)(const court_job *job)
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
     size_t begun = 0, end = 0, shots = 0;
+    int streams = 0; /* whether the shots before ended all at once: then those to come will, too */
 
     lists->waiting = 0;
     if (job->shots == 0)
@@ -11732,10 +11584,10 @@ static void LANES(court_bounded)(const court_job *job)
             M finite = _o2.finite;
             const LANES(court_aside_out) _o3 =
                 LANES(court_aside)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]));
-            M near = _o3.near;
+            M close = _o3.close;
             V valid = _o3.valid;
             V doubt = _o3.doubt;
-            const M _m4 = lanes_both(rows, near);
+            const M _m4 = lanes_both(rows, close);
             if (lanes_any(_m4)) {
                 const LANES(court_valid_out) _o5 =
                     LANES(court_valid)(last, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[0]));
@@ -11768,7 +11620,7 @@ static void LANES(court_bounded)(const court_job *job)
         size_t open_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
-            LANES(court_ahead)(job, begun + i);
+            LANES(court_ahead)(job, begun + i, streams);
             if (LANES_SELDOM(varying))
                 LANES(court_bounded_fix_f8)(lists, i);
             V clock_error = lanes_load(lists->clock_error + i);
@@ -11826,11 +11678,12 @@ static void LANES(court_bounded)(const court_job *job)
             V apex = _o15.apex;
             V height = _o15.height;
             const LANES(court_meeting_plane_out) _o16 =
-                LANES(court_meeting_plane)(bend, rate, time);
+                LANES(court_meeting_plane)(apex, bend, rate, time);
             M arrives = _o16.arrives;
             V ceiling = _o16.ceiling;
+            V nearest = _o16.nearest;
             const LANES(court_end_margin_out) _o17 =
-                LANES(court_end_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[26]));
+                LANES(court_end_margin)(nearest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[26]));
             V margin = _o17.margin;
             const LANES(court_crossing_out) _o18 =
                 LANES(court_crossing)(margin, K(0.0), rate, ceiling);
@@ -11839,36 +11692,33 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_timely_out) _o19 =
                 LANES(court_timely)(arrives, delay, late, time, when);
             M possible = _o19.possible;
-            const LANES(court_end_margin_out) _o20 =
-                LANES(court_end_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[26]));
-            margin = _o20.margin;
-            const LANES(court_grazed_out) _o21 =
+            const LANES(court_grazed_out) _o20 =
                 LANES(court_grazed)(apex, doubt, height, margin);
-            doubt = _o21.doubt;
-            const M _m22 = lanes_both(rows, possible);
+            doubt = _o20.doubt;
+            const M _m21 = lanes_both(rows, possible);
             {
-                const LANES(court_crossed_out) _o23 =
+                const LANES(court_crossed_out) _o22 =
                     LANES(court_crossed)(arrives, clearance, doubt, time);
-                doubt = lanes_select(_m22, _o23.doubt, doubt);
-                const LANES(court_tied_out) _o24 =
+                doubt = lanes_select(_m21, _o22.doubt, doubt);
+                const LANES(court_tied_out) _o23 =
                     LANES(court_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m22, _o24.doubt, doubt);
-                late = lanes_select(_m22, _o24.late, late);
-                const LANES(court_sooner_out) _o25 =
+                doubt = lanes_select(_m21, _o23.doubt, doubt);
+                late = lanes_select(_m21, _o23.late, late);
+                const LANES(court_sooner_out) _o24 =
                     LANES(court_sooner)(arrives, K(3.0), time, when, which);
-                when = lanes_select(_m22, _o25.when, when);
-                which = lanes_select(_m22, _o25.which, which);
+                when = lanes_select(_m21, _o24.when, when);
+                which = lanes_select(_m21, _o24.which, which);
             }
-            const LANES(court_horizon_out) _o26 =
+            const LANES(court_horizon_out) _o25 =
                 LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
-            V until = _o26.horizon;
-            V pad = _o26.pad;
-            const LANES(court_ring_clear_out) _o27 =
+            V until = _o25.horizon;
+            V pad = _o25.pad;
+            const LANES(court_ring_clear_out) _o26 =
                 LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]));
-            V clear = _o27.clear;
-            const LANES(court_opens_in_flight_out) _o28 =
+            V clear = _o26.clear;
+            const LANES(court_opens_in_flight_out) _o27 =
                 LANES(court_opens_in_flight)(clear, kept);
-            M open = _o28.open;
+            M open = _o27.open;
             lanes_store(lists->began + i, began);
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->extent + i, extent);
@@ -11917,7 +11767,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f29)(lists, i);
+                LANES(court_bounded_fix_f28)(lists, i);
             V doubt = lanes_load(lists->open_doubt + i);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
@@ -11933,93 +11783,93 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_beginning_out) _o30 =
+            const LANES(court_beginning_out) _o29 =
                 LANES(court_beginning)();
-            V share = _o30.share;
-            V arrival = _o30.arrival;
-            M certain = _o30.certain;
-            const LANES(court_left_out) _o31 =
+            V share = _o29.share;
+            V arrival = _o29.arrival;
+            M certain = _o29.certain;
+            const LANES(court_left_out) _o30 =
                 LANES(court_left)(K(0.0), last);
-            V leaving = _o31.leaving;
-            const LANES(court_ring_opened_out) _o32 =
+            V leaving = _o30.leaving;
+            const LANES(court_ring_opened_out) _o31 =
                 LANES(court_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[2]), singles_load(lists->fixed_single[3]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[5]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[7]), singles_load(lists->fixed_single[8]), singles_load(lists->fixed_single[9]));
-            S onset = _o32.t;
-            S wide_end = _o32.end;
-            M searching = _o32.searching;
-            S wide_low1 = _o32.low1;
-            S wide_high1 = _o32.high1;
-            S wide_low2 = _o32.low2;
-            S wide_high2 = _o32.high2;
-            S lapsed = _o32.latest;
-            M sound = _o32.sound;
-            const LANES(court_opened_out) _o33 =
+            S onset = _o31.t;
+            S wide_end = _o31.end;
+            M searching = _o31.searching;
+            S wide_low1 = _o31.low1;
+            S wide_high1 = _o31.high1;
+            S wide_low2 = _o31.low2;
+            S wide_high2 = _o31.high2;
+            S lapsed = _o31.latest;
+            M sound = _o31.sound;
+            const LANES(court_opened_out) _o32 =
                 LANES(court_opened)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _o33.time;
-            V latest = _o33.latest;
-            const LANES(court_ring_started_out) _o34 =
+            V since = _o32.time;
+            V latest = _o32.latest;
+            const LANES(court_ring_started_out) _o33 =
                 LANES(court_ring_started)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]));
-            V rho_start = _o34.rho_start;
-            V parting = _o34.parting;
-            V drift = _o34.drift;
-            const LANES(court_flight_out) _o35 =
+            V rho_start = _o33.rho_start;
+            V parting = _o33.parting;
+            V drift = _o33.drift;
+            const LANES(court_flight_out) _o34 =
                 LANES(court_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]));
-            V near_x = _o35.x;
-            V near_y = _o35.y;
-            V near_z = _o35.z;
-            V near_vz = _o35.vz;
-            const LANES(court_ring_grain_out) _o36 =
+            V near_x = _o34.x;
+            V near_y = _o34.y;
+            V near_z = _o34.z;
+            V near_vz = _o34.vz;
+            const LANES(court_ring_grain_out) _o35 =
                 LANES(court_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[10]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[11]), singles_load(lists->fixed_single[12]), singles_load(lists->fixed_single[13]), singles_load(lists->fixed_single[14]), singles_load(lists->fixed_single[15]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[16]), singles_load(lists->fixed_single[17]), singles_load(lists->fixed_single[18]));
-            S short_share = _o36.share;
-            S short_t = _o36.t;
-            S short_end = _o36.end;
-            S short_x = _o36.x;
-            S short_y = _o36.y;
-            S short_z = _o36.z;
-            S short_vx = _o36.vx;
-            S short_vy = _o36.vy;
-            S short_vz = _o36.vz;
-            S short_steady = _o36.steady;
-            S short_swing = _o36.swing;
-            S short_rho_start = _o36.rho_start;
-            S short_ceiling = _o36.ceiling;
-            S short_flat = _o36.flat;
-            S short_tilt = _o36.tilt;
-            S short_jerk = _o36.jerk;
-            S short_grit = _o36.grit;
-            S short_parting = _o36.parting;
-            S short_drift = _o36.drift;
-            S short_rate_margin = _o36.rate_margin;
-            S short_low1 = _o36.low1;
-            S short_high1 = _o36.high1;
-            S short_low2 = _o36.low2;
-            S short_high2 = _o36.high2;
-            M fits = _o36.fits;
-            const LANES(court_coarse_out) _o37 =
+            S short_share = _o35.share;
+            S short_t = _o35.t;
+            S short_end = _o35.end;
+            S short_x = _o35.x;
+            S short_y = _o35.y;
+            S short_z = _o35.z;
+            S short_vx = _o35.vx;
+            S short_vy = _o35.vy;
+            S short_vz = _o35.vz;
+            S short_steady = _o35.steady;
+            S short_swing = _o35.swing;
+            S short_rho_start = _o35.rho_start;
+            S short_ceiling = _o35.ceiling;
+            S short_flat = _o35.flat;
+            S short_tilt = _o35.tilt;
+            S short_jerk = _o35.jerk;
+            S short_grit = _o35.grit;
+            S short_parting = _o35.parting;
+            S short_drift = _o35.drift;
+            S short_rate_margin = _o35.rate_margin;
+            S short_low1 = _o35.low1;
+            S short_high1 = _o35.high1;
+            S short_low2 = _o35.low2;
+            S short_high2 = _o35.high2;
+            M fits = _o35.fits;
+            const LANES(court_coarse_out) _o36 =
                 LANES(court_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
-            M leaping = _o37.leaping;
-            searching = _o37.searching;
-            M served = _o37.served;
-            V ceiling = _o37.ceiling;
-            V flat = _o37.flat;
-            V tilt = _o37.tilt;
-            V allowing = _o37.allowing;
-            const LANES(court_allowance_out) _o38 =
+            M leaping = _o36.leaping;
+            searching = _o36.searching;
+            M served = _o36.served;
+            V ceiling = _o36.ceiling;
+            V flat = _o36.flat;
+            V tilt = _o36.tilt;
+            V allowing = _o36.allowing;
+            const LANES(court_allowance_out) _o37 =
                 LANES(court_allowance)(allowing, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
-            V excess = _o38.excess;
-            const LANES(court_ring_lost_out) _o39 =
+            V excess = _o37.excess;
+            const LANES(court_ring_lost_out) _o38 =
                 LANES(court_ring_lost)(until, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]));
-            V lost = _o39.lost;
-            const LANES(court_beyond_out) _o40 =
+            V lost = _o38.lost;
+            const LANES(court_beyond_out) _o39 =
                 LANES(court_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o40.doubt;
-            const M _m41 = lanes_both(rows, leaping);
-            if (lanes_any(_m41)) {
-                const LANES(court_ring_leap_out) _o42 =
+            doubt = _o39.doubt;
+            const M _m40 = lanes_both(rows, leaping);
+            if (lanes_any(_m40)) {
+                const LANES(court_ring_leap_out) _o41 =
                     LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
-                short_t = singles_select(singles_of(_m41), _o42.t, short_t);
-                short_end = singles_select(singles_of(_m41), _o42.end, short_end);
-                certain = lanes_choose(_m41, _o42.certain, certain);
-                leaping = lanes_choose(_m41, _o42.leaping, leaping);
+                short_t = singles_select(singles_of(_m40), _o41.t, short_t);
+                short_end = singles_select(singles_of(_m40), _o41.end, short_end);
+                certain = lanes_choose(_m40, _o41.certain, certain);
+                leaping = lanes_choose(_m40, _o41.leaping, leaping);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
@@ -12125,7 +11975,7 @@ static void LANES(court_bounded)(const court_job *job)
                     short_y = singles_expand(lists->open_leaping_short_y + taken, idle, short_y);
                     short_z = singles_expand(lists->open_leaping_short_z + taken, idle, short_z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f43)(lists, taken, idle);
+                        LANES(court_bounded_fix_f42)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_leaping_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -12134,12 +11984,12 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(court_ring_leap_out) _o44 =
+                const LANES(court_ring_leap_out) _o43 =
                     LANES(court_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
-                short_t = _o44.t;
-                short_end = _o44.end;
-                M certain = _o44.certain;
-                leaping = _o44.leaping;
+                short_t = _o43.t;
+                short_end = _o43.end;
+                M certain = _o43.certain;
+                leaping = _o43.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -12185,11 +12035,11 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_leapt_out) _o45 =
+            const LANES(court_leapt_out) _o44 =
                 LANES(court_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o45.arrival;
-            V t = _o45.t;
-            searching = _o45.searching;
+            arrival = _o44.arrival;
+            V t = _o44.t;
+            searching = _o44.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -12225,7 +12075,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_searching_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f46)(lists, i);
+                LANES(court_bounded_fix_f45)(lists, i);
             V arrival = lanes_load(lists->open_searching_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
             V doubt = lanes_load(lists->open_searching_doubt + i);
@@ -12243,33 +12093,33 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(court_ring_prepare_out) _o47 =
+            const LANES(court_ring_prepare_out) _o46 =
                 LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[39]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]));
-            V steady = _o47.steady;
-            V swing = _o47.swing;
-            V rho_start = _o47.rho_start;
-            V low0 = _o47.low0;
-            V high0 = _o47.high0;
-            V low1 = _o47.low1;
-            V high1 = _o47.high1;
-            V low2 = _o47.low2;
-            V high2 = _o47.high2;
-            V ceiling = _o47.ceiling;
-            V latest = _o47.latest;
-            const LANES(court_allowance_out) _o48 =
+            V steady = _o46.steady;
+            V swing = _o46.swing;
+            V rho_start = _o46.rho_start;
+            V low0 = _o46.low0;
+            V high0 = _o46.high0;
+            V low1 = _o46.low1;
+            V high1 = _o46.high1;
+            V low2 = _o46.low2;
+            V high2 = _o46.high2;
+            V ceiling = _o46.ceiling;
+            V latest = _o46.latest;
+            const LANES(court_allowance_out) _o47 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
-            V position_level = _o48.position_level;
-            V velocity_level = _o48.velocity_level;
-            const LANES(court_ring_margins_out) _o49 =
+            V position_level = _o47.position_level;
+            V velocity_level = _o47.velocity_level;
+            const LANES(court_ring_margins_out) _o48 =
                 LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
-            V flat = _o49.margin;
-            V tilt = _o49.leaving_margin;
-            V rate_slack = _o49.rate_margin;
-            const LANES(court_ring_enter_out) _o50 =
+            V flat = _o48.margin;
+            V tilt = _o48.leaving_margin;
+            V rate_slack = _o48.rate_margin;
+            const LANES(court_ring_enter_out) _o49 =
                 LANES(court_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o50.t;
-            V end = _o50.end;
-            M searching = _o50.searching;
+            t = _o49.t;
+            V end = _o49.end;
+            M searching = _o49.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_latest + i, latest);
@@ -12392,7 +12242,7 @@ static void LANES(court_bounded)(const court_job *job)
                     y = lanes_expand(lists->open_searching_searching_y + taken, idle, y);
                     z = lanes_expand(lists->open_searching_searching_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f51)(lists, taken, idle);
+                        LANES(court_bounded_fix_f50)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_searching_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -12401,56 +12251,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o52 =
+                const LANES(court_nearby_out) _o51 =
                     LANES(court_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o52.leaving;
-                V margin = _o52.margin;
-                const LANES(court_ring_advance_out) _o53 =
+                V leaving = _o51.leaving;
+                V margin = _o51.margin;
+                const LANES(court_ring_advance_out) _o52 =
                     LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[51]), lanes_load(lists->fixed[52]));
-                V gap = _o53.gap;
-                V rate = _o53.rate;
-                V bend = _o53.bend;
-                V step = _o53.step;
-                V next = _o53.next;
-                V clearance = _o53.clearance;
-                const LANES(court_struck_out) _o54 =
+                V gap = _o52.gap;
+                V rate = _o52.rate;
+                V bend = _o52.bend;
+                V step = _o52.step;
+                V next = _o52.next;
+                V clearance = _o52.clearance;
+                const LANES(court_struck_out) _o53 =
                     LANES(court_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o54.hit;
-                M sure = _o54.sure;
-                M vague = _o54.vague;
-                const M _m55 = lanes_both(active, vague);
-                if (lanes_any(_m55)) {
-                    const LANES(court_finer_out) _o56 =
+                M hit = _o53.hit;
+                M sure = _o53.sure;
+                M vague = _o53.vague;
+                const M _m54 = lanes_both(active, vague);
+                if (lanes_any(_m54)) {
+                    const LANES(court_finer_out) _o55 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m55, _o56.share, share);
-                    const LANES(court_allowance_out) _o57 =
+                    share = lanes_select(_m54, _o55.share, share);
+                    const LANES(court_allowance_out) _o56 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
-                    V position_level = _o57.position_level;
-                    V velocity_level = _o57.velocity_level;
-                    V excess = _o57.excess;
-                    const LANES(court_ring_margins_out) _o58 =
+                    V position_level = _o56.position_level;
+                    V velocity_level = _o56.velocity_level;
+                    V excess = _o56.excess;
+                    const LANES(court_ring_margins_out) _o57 =
                         LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
-                    flat = lanes_select(_m55, _o58.margin, flat);
-                    tilt = lanes_select(_m55, _o58.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m55, _o58.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o59 =
+                    flat = lanes_select(_m54, _o57.margin, flat);
+                    tilt = lanes_select(_m54, _o57.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m54, _o57.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o58 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m55, _o59.doubt, doubt);
+                    doubt = lanes_select(_m54, _o58.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o60 =
+                const LANES(court_advanced_out) _o59 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o60.arrival;
-                certain = _o60.certain;
-                M exhausted = _o60.exhausted;
-                searching = _o60.searching;
-                t = _o60.t;
-                const M _m61 = lanes_both(active, exhausted);
+                arrival = _o59.arrival;
+                certain = _o59.certain;
+                M exhausted = _o59.exhausted;
+                searching = _o59.searching;
+                t = _o59.t;
+                const M _m60 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_ring_enter_out) _o62 =
+                    const LANES(court_ring_enter_out) _o61 =
                         LANES(court_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m61, _o62.t, t);
-                    end = lanes_select(_m61, _o62.end, end);
-                    searching = lanes_choose(_m61, _o62.searching, searching);
+                    t = lanes_select(_m60, _o61.t, t);
+                    end = lanes_select(_m60, _o61.end, end);
+                    searching = lanes_choose(_m60, _o61.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -12492,9 +12342,9 @@ static void LANES(court_bounded)(const court_job *job)
             V doubt = lanes_load(lists->open_searching_doubt + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching_searching + i));
             V t = lanes_load(lists->open_searching_t + i);
-            const LANES(court_questioned_out) _o63 =
+            const LANES(court_questioned_out) _o62 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o63.doubt;
+            doubt = _o62.doubt;
             lanes_store(lists->open_searching_doubt + i, doubt);
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
@@ -12514,7 +12364,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f64)(lists, i);
+                LANES(court_bounded_fix_f63)(lists, i);
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
@@ -12528,37 +12378,37 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(court_found_out) _o65 =
+            const LANES(court_found_out) _o64 =
                 LANES(court_found)(arrival);
-            M arrives = _o65.arrives;
-            M refining = _o65.refining;
-            V rate = _o65.rate;
-            const LANES(court_nearby_out) _o66 =
+            M arrives = _o64.arrives;
+            M refining = _o64.refining;
+            V rate = _o64.rate;
+            const LANES(court_nearby_out) _o65 =
                 LANES(court_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o66.leaving;
-            const M _m67 = lanes_both(rows, refining);
-            if (lanes_any(_m67)) {
-                const LANES(court_ring_refine_out) _o68 =
+            V leaving = _o65.leaving;
+            const M _m66 = lanes_both(rows, refining);
+            if (lanes_any(_m66)) {
+                const LANES(court_ring_refine_out) _o67 =
                     LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]));
-                V refined = _o68.time;
-                V gap = _o68.gap;
-                rate = lanes_select(_m67, _o68.rate, rate);
-                const LANES(court_polished_out) _o69 =
+                V refined = _o67.time;
+                V gap = _o67.gap;
+                rate = lanes_select(_m66, _o67.rate, rate);
+                const LANES(court_polished_out) _o68 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m67, _o69.arrival, arrival);
-                refining = lanes_choose(_m67, _o69.refining, refining);
+                arrival = lanes_select(_m66, _o68.arrival, arrival);
+                refining = lanes_choose(_m66, _o68.refining, refining);
             }
-            const M _m70 = lanes_both(rows, refining);
-            if (lanes_any(_m70)) {
-                const LANES(court_ring_refine_out) _o71 =
+            const M _m69 = lanes_both(rows, refining);
+            if (lanes_any(_m69)) {
+                const LANES(court_ring_refine_out) _o70 =
                     LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]));
-                V refined = _o71.time;
-                V gap = _o71.gap;
-                rate = lanes_select(_m70, _o71.rate, rate);
-                const LANES(court_polished_out) _o72 =
+                V refined = _o70.time;
+                V gap = _o70.gap;
+                rate = lanes_select(_m69, _o70.rate, rate);
+                const LANES(court_polished_out) _o71 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m70, _o72.arrival, arrival);
-                refining = lanes_choose(_m70, _o72.refining, refining);
+                arrival = lanes_select(_m69, _o71.arrival, arrival);
+                refining = lanes_choose(_m69, _o71.refining, refining);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -12619,7 +12469,7 @@ static void LANES(court_bounded)(const court_job *job)
                     y = lanes_expand(lists->open_refining_y + taken, idle, y);
                     z = lanes_expand(lists->open_refining_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f73)(lists, taken, idle);
+                        LANES(court_bounded_fix_f72)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -12628,15 +12478,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_ring_refine_out) _o74 =
+                const LANES(court_ring_refine_out) _o73 =
                     LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]));
-                V refined = _o74.time;
-                V gap = _o74.gap;
-                V rate = _o74.rate;
-                const LANES(court_polished_out) _o75 =
+                V refined = _o73.time;
+                V gap = _o73.gap;
+                V rate = _o73.rate;
+                const LANES(court_polished_out) _o74 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o75.arrival;
-                refining = _o75.refining;
+                arrival = _o74.arrival;
+                refining = _o74.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -12660,7 +12510,7 @@ static void LANES(court_bounded)(const court_job *job)
         }
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f76)(lists, i);
+                LANES(court_bounded_fix_f75)(lists, i);
             V arrival = lanes_load(lists->open_arrival + i);
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V ceiling = lanes_load(lists->open_ceiling + i);
@@ -12676,33 +12526,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(court_ring_margins_out) _o77 =
+            const LANES(court_ring_margins_out) _o76 =
                 LANES(court_ring_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
-            V flat = _o77.margin;
-            V tilt = _o77.leaving_margin;
-            V rate_margin = _o77.rate_margin;
-            const LANES(court_own_margin_out) _o78 =
+            V flat = _o76.margin;
+            V tilt = _o76.leaving_margin;
+            V rate_margin = _o76.rate_margin;
+            const LANES(court_own_margin_out) _o77 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o78.margin;
-            const LANES(court_crossing_out) _o79 =
+            V margin = _o77.margin;
+            const LANES(court_crossing_out) _o78 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o79.clearance;
-            V delay = _o79.delay;
-            const LANES(court_landed_out) _o80 =
+            V clearance = _o78.clearance;
+            V delay = _o78.delay;
+            const LANES(court_landed_out) _o79 =
                 LANES(court_landed)(arrival);
-            V time = _o80.time;
-            const LANES(court_landed_surely_out) _o81 =
+            V time = _o79.time;
+            const LANES(court_landed_surely_out) _o80 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o81.delay;
-            doubt = _o81.doubt;
-            const LANES(court_tied_out) _o82 =
+            delay = _o80.delay;
+            doubt = _o80.doubt;
+            const LANES(court_tied_out) _o81 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o82.doubt;
-            late = _o82.late;
-            const LANES(court_sooner_out) _o83 =
+            doubt = _o81.doubt;
+            late = _o81.late;
+            const LANES(court_sooner_out) _o82 =
                 LANES(court_sooner)(arrives, K(0.0), time, when, which);
-            when = _o83.when;
-            which = _o83.which;
+            when = _o82.when;
+            which = _o82.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -12721,7 +12571,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f84)(lists, i);
+                LANES(court_bounded_fix_f83)(lists, i);
             V doubt = lanes_load(lists->doubt + i);
             V extent = lanes_load(lists->extent + i);
             M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
@@ -12738,30 +12588,30 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o85 =
+            const LANES(court_horizon_out) _o84 =
                 LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
-            V until = _o85.horizon;
-            V pad = _o85.pad;
-            const LANES(court_halved_out) _o86 =
+            V until = _o84.horizon;
+            V pad = _o84.pad;
+            const LANES(court_halved_out) _o85 =
                 LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[54]));
-            V middle_x = _o86.middle_x;
-            V reach_x = _o86.reach_x;
-            V later_middle_x = _o86.later_middle_x;
-            V later_reach_x = _o86.later_reach_x;
-            V middle_y = _o86.middle_y;
-            V reach_y = _o86.reach_y;
-            V later_middle_y = _o86.later_middle_y;
-            V later_reach_y = _o86.later_reach_y;
-            V middle_z = _o86.middle_z;
-            V reach_z = _o86.reach_z;
-            V later_middle_z = _o86.later_middle_z;
-            V later_reach_z = _o86.later_reach_z;
-            const LANES(court_backboard_near_out) _o87 =
+            V middle_x = _o85.middle_x;
+            V reach_x = _o85.reach_x;
+            V later_middle_x = _o85.later_middle_x;
+            V later_reach_x = _o85.later_reach_x;
+            V middle_y = _o85.middle_y;
+            V reach_y = _o85.reach_y;
+            V later_middle_y = _o85.later_middle_y;
+            V later_reach_y = _o85.later_reach_y;
+            V middle_z = _o85.middle_z;
+            V reach_z = _o85.reach_z;
+            V later_middle_z = _o85.later_middle_z;
+            V later_reach_z = _o85.later_reach_z;
+            const LANES(court_backboard_near_out) _o86 =
                 LANES(court_backboard_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, lanes_load(lists->fixed[55]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[56]), lanes_load(lists->fixed[57]), lanes_load(lists->fixed[58]), lanes_load(lists->fixed[59]));
-            M reachable = _o87.near;
-            const LANES(court_reachable_in_flight_out) _o88 =
+            M reachable = _o86.near;
+            const LANES(court_reachable_in_flight_out) _o87 =
                 LANES(court_reachable_in_flight)(kept, reachable);
-            reachable = _o88.reachable;
+            reachable = _o87.reachable;
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
                 lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -12797,7 +12647,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(reachable_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f89)(lists, i);
+                LANES(court_bounded_fix_f88)(lists, i);
             V doubt = lanes_load(lists->reachable_doubt + i);
             V extent = lanes_load(lists->reachable_extent + i);
             V last = lanes_load(lists->reachable_last + i);
@@ -12812,94 +12662,94 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_horizon_out) _o90 =
+            const LANES(court_horizon_out) _o89 =
                 LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
-            V until = _o90.horizon;
-            V pad = _o90.pad;
-            const LANES(court_backboard_prepare_out) _o91 =
+            V until = _o89.horizon;
+            V pad = _o89.pad;
+            const LANES(court_backboard_prepare_out) _o90 =
                 LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[60]), lanes_load(lists->fixed[61]), lanes_load(lists->fixed[62]), lanes_load(lists->fixed[63]), lanes_load(lists->fixed[64]), lanes_load(lists->fixed[65]), lanes_load(lists->fixed[66]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]), lanes_load(lists->fixed[70]));
-            V low0 = _o91.low0;
-            V high0 = _o91.high0;
-            V low1 = _o91.low1;
-            V high1 = _o91.high1;
-            V ceiling = _o91.ceiling;
-            V latest = _o91.latest;
-            V lost = _o91.lost;
-            const LANES(court_beginning_out) _o92 =
+            V low0 = _o90.low0;
+            V high0 = _o90.high0;
+            V low1 = _o90.low1;
+            V high1 = _o90.high1;
+            V ceiling = _o90.ceiling;
+            V latest = _o90.latest;
+            V lost = _o90.lost;
+            const LANES(court_beginning_out) _o91 =
                 LANES(court_beginning)();
-            V share = _o92.share;
-            V arrival = _o92.arrival;
-            M certain = _o92.certain;
-            const LANES(court_allowance_out) _o93 =
+            V share = _o91.share;
+            V arrival = _o91.arrival;
+            M certain = _o91.certain;
+            const LANES(court_allowance_out) _o92 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
-            V position_level = _o93.position_level;
-            V velocity_level = _o93.velocity_level;
-            V excess = _o93.excess;
-            const LANES(court_backboard_margins_out) _o94 =
+            V position_level = _o92.position_level;
+            V velocity_level = _o92.velocity_level;
+            V excess = _o92.excess;
+            const LANES(court_backboard_margins_out) _o93 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[80]), lanes_load(lists->fixed[81]));
-            V flat = _o94.margin;
-            V tilt = _o94.leaving_margin;
-            V rate_slack = _o94.rate_margin;
-            const LANES(court_backboard_enter_out) _o95 =
+            V flat = _o93.margin;
+            V tilt = _o93.leaving_margin;
+            V rate_slack = _o93.rate_margin;
+            const LANES(court_backboard_enter_out) _o94 =
                 LANES(court_backboard_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o95.t;
-            V end = _o95.end;
-            M searching = _o95.searching;
-            const LANES(court_beyond_windows_out) _o96 =
+            V t = _o94.t;
+            V end = _o94.end;
+            M searching = _o94.searching;
+            const LANES(court_beyond_windows_out) _o95 =
                 LANES(court_beyond_windows)(doubt, excess, late, lost, pad, searching);
-            doubt = _o96.doubt;
-            const M _m97 = lanes_both(rows, searching);
-            if (lanes_any(_m97)) {
-                const LANES(court_nearby_out) _o98 =
+            doubt = _o95.doubt;
+            const M _m96 = lanes_both(rows, searching);
+            if (lanes_any(_m96)) {
+                const LANES(court_nearby_out) _o97 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o98.leaving;
-                V margin = _o98.margin;
-                const LANES(court_backboard_advance_out) _o99 =
+                V leaving = _o97.leaving;
+                V margin = _o97.margin;
+                const LANES(court_backboard_advance_out) _o98 =
                     LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[84]));
-                V gap = _o99.gap;
-                V rate = _o99.rate;
-                V bend = _o99.bend;
-                V step = _o99.step;
-                V next = _o99.next;
-                V clearance = _o99.clearance;
-                const LANES(court_struck_or_still_out) _o100 =
+                V gap = _o98.gap;
+                V rate = _o98.rate;
+                V bend = _o98.bend;
+                V step = _o98.step;
+                V next = _o98.next;
+                V clearance = _o98.clearance;
+                const LANES(court_struck_or_still_out) _o99 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o100.hit;
-                M sure = _o100.sure;
-                M vague = _o100.vague;
-                const M _m101 = lanes_both(_m97, vague);
-                if (lanes_any(_m101)) {
-                    const LANES(court_finer_out) _o102 =
+                M hit = _o99.hit;
+                M sure = _o99.sure;
+                M vague = _o99.vague;
+                const M _m100 = lanes_both(_m96, vague);
+                if (lanes_any(_m100)) {
+                    const LANES(court_finer_out) _o101 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m101, _o102.share, share);
-                    const LANES(court_allowance_out) _o103 =
+                    share = lanes_select(_m100, _o101.share, share);
+                    const LANES(court_allowance_out) _o102 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
-                    V position_level = _o103.position_level;
-                    V velocity_level = _o103.velocity_level;
-                    V excess = _o103.excess;
-                    const LANES(court_backboard_margins_out) _o104 =
+                    V position_level = _o102.position_level;
+                    V velocity_level = _o102.velocity_level;
+                    V excess = _o102.excess;
+                    const LANES(court_backboard_margins_out) _o103 =
                         LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[80]), lanes_load(lists->fixed[81]));
-                    flat = lanes_select(_m101, _o104.margin, flat);
-                    tilt = lanes_select(_m101, _o104.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m101, _o104.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o105 =
+                    flat = lanes_select(_m100, _o103.margin, flat);
+                    tilt = lanes_select(_m100, _o103.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m100, _o103.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o104 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m101, _o105.doubt, doubt);
+                    doubt = lanes_select(_m100, _o104.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o106 =
+                const LANES(court_advanced_out) _o105 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = lanes_select(_m97, _o106.arrival, arrival);
-                certain = lanes_choose(_m97, _o106.certain, certain);
-                M exhausted = _o106.exhausted;
-                searching = lanes_choose(_m97, _o106.searching, searching);
-                t = lanes_select(_m97, _o106.t, t);
-                const M _m107 = lanes_both(_m97, exhausted);
+                arrival = lanes_select(_m96, _o105.arrival, arrival);
+                certain = lanes_choose(_m96, _o105.certain, certain);
+                M exhausted = _o105.exhausted;
+                searching = lanes_choose(_m96, _o105.searching, searching);
+                t = lanes_select(_m96, _o105.t, t);
+                const M _m106 = lanes_both(_m96, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o108 =
+                    const LANES(court_backboard_enter_out) _o107 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m107, _o108.t, t);
-                    end = lanes_select(_m107, _o108.end, end);
-                    searching = lanes_choose(_m107, _o108.searching, searching);
+                    t = lanes_select(_m106, _o107.t, t);
+                    end = lanes_select(_m106, _o107.end, end);
+                    searching = lanes_choose(_m106, _o107.searching, searching);
                 }
             }
             lanes_store(lists->reachable_arrival + i, arrival);
@@ -13014,7 +12864,7 @@ static void LANES(court_bounded)(const court_job *job)
                     y = lanes_expand(lists->reachable_searching_y + taken, idle, y);
                     z = lanes_expand(lists->reachable_searching_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f109)(lists, taken, idle);
+                        LANES(court_bounded_fix_f108)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = reachable_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -13023,56 +12873,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o110 =
+                const LANES(court_nearby_out) _o109 =
                     LANES(court_nearby)(flat, K(1.0), last, t, tilt);
-                V leaving = _o110.leaving;
-                V margin = _o110.margin;
-                const LANES(court_backboard_advance_out) _o111 =
+                V leaving = _o109.leaving;
+                V margin = _o109.margin;
+                const LANES(court_backboard_advance_out) _o110 =
                     LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[84]));
-                V gap = _o111.gap;
-                V rate = _o111.rate;
-                V bend = _o111.bend;
-                V step = _o111.step;
-                V next = _o111.next;
-                V clearance = _o111.clearance;
-                const LANES(court_struck_or_still_out) _o112 =
+                V gap = _o110.gap;
+                V rate = _o110.rate;
+                V bend = _o110.bend;
+                V step = _o110.step;
+                V next = _o110.next;
+                V clearance = _o110.clearance;
+                const LANES(court_struck_or_still_out) _o111 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o112.hit;
-                M sure = _o112.sure;
-                M vague = _o112.vague;
-                const M _m113 = lanes_both(active, vague);
-                if (lanes_any(_m113)) {
-                    const LANES(court_finer_out) _o114 =
+                M hit = _o111.hit;
+                M sure = _o111.sure;
+                M vague = _o111.vague;
+                const M _m112 = lanes_both(active, vague);
+                if (lanes_any(_m112)) {
+                    const LANES(court_finer_out) _o113 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m113, _o114.share, share);
-                    const LANES(court_allowance_out) _o115 =
+                    share = lanes_select(_m112, _o113.share, share);
+                    const LANES(court_allowance_out) _o114 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
-                    V position_level = _o115.position_level;
-                    V velocity_level = _o115.velocity_level;
-                    V excess = _o115.excess;
-                    const LANES(court_backboard_margins_out) _o116 =
+                    V position_level = _o114.position_level;
+                    V velocity_level = _o114.velocity_level;
+                    V excess = _o114.excess;
+                    const LANES(court_backboard_margins_out) _o115 =
                         LANES(court_backboard_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[80]), lanes_load(lists->fixed[81]));
-                    flat = lanes_select(_m113, _o116.margin, flat);
-                    tilt = lanes_select(_m113, _o116.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m113, _o116.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o117 =
+                    flat = lanes_select(_m112, _o115.margin, flat);
+                    tilt = lanes_select(_m112, _o115.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m112, _o115.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o116 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m113, _o117.doubt, doubt);
+                    doubt = lanes_select(_m112, _o116.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o118 =
+                const LANES(court_advanced_out) _o117 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o118.arrival;
-                certain = _o118.certain;
-                M exhausted = _o118.exhausted;
-                searching = _o118.searching;
-                t = _o118.t;
-                const M _m119 = lanes_both(active, exhausted);
+                arrival = _o117.arrival;
+                certain = _o117.certain;
+                M exhausted = _o117.exhausted;
+                searching = _o117.searching;
+                t = _o117.t;
+                const M _m118 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_backboard_enter_out) _o120 =
+                    const LANES(court_backboard_enter_out) _o119 =
                         LANES(court_backboard_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m119, _o120.t, t);
-                    end = lanes_select(_m119, _o120.end, end);
-                    searching = lanes_choose(_m119, _o120.searching, searching);
+                    t = lanes_select(_m118, _o119.t, t);
+                    end = lanes_select(_m118, _o119.end, end);
+                    searching = lanes_choose(_m118, _o119.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -13115,7 +12965,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(reachable_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f121)(lists, i);
+                LANES(court_bounded_fix_f120)(lists, i);
             V arrival = lanes_load(lists->reachable_arrival + i);
             V ceiling = lanes_load(lists->reachable_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->reachable_certain + i));
@@ -13131,40 +12981,40 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_questioned_out) _o122 =
+            const LANES(court_questioned_out) _o121 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o122.doubt;
-            const LANES(court_found_out) _o123 =
+            doubt = _o121.doubt;
+            const LANES(court_found_out) _o122 =
                 LANES(court_found)(arrival);
-            M arrives = _o123.arrives;
-            M refining = _o123.refining;
-            V rate = _o123.rate;
-            const LANES(court_nearby_out) _o124 =
+            M arrives = _o122.arrives;
+            M refining = _o122.refining;
+            V rate = _o122.rate;
+            const LANES(court_nearby_out) _o123 =
                 LANES(court_nearby)(flat, K(1.0), last, arrival, tilt);
-            V leaving = _o124.leaving;
-            const M _m125 = lanes_both(rows, refining);
-            if (lanes_any(_m125)) {
-                const LANES(court_backboard_refine_out) _o126 =
+            V leaving = _o123.leaving;
+            const M _m124 = lanes_both(rows, refining);
+            if (lanes_any(_m124)) {
+                const LANES(court_backboard_refine_out) _o125 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]));
-                V refined = _o126.time;
-                V gap = _o126.gap;
-                rate = lanes_select(_m125, _o126.rate, rate);
-                const LANES(court_polished_out) _o127 =
+                V refined = _o125.time;
+                V gap = _o125.gap;
+                rate = lanes_select(_m124, _o125.rate, rate);
+                const LANES(court_polished_out) _o126 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m125, _o127.arrival, arrival);
-                refining = lanes_choose(_m125, _o127.refining, refining);
+                arrival = lanes_select(_m124, _o126.arrival, arrival);
+                refining = lanes_choose(_m124, _o126.refining, refining);
             }
-            const M _m128 = lanes_both(rows, refining);
-            if (lanes_any(_m128)) {
-                const LANES(court_backboard_refine_out) _o129 =
+            const M _m127 = lanes_both(rows, refining);
+            if (lanes_any(_m127)) {
+                const LANES(court_backboard_refine_out) _o128 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]));
-                V refined = _o129.time;
-                V gap = _o129.gap;
-                rate = lanes_select(_m128, _o129.rate, rate);
-                const LANES(court_polished_out) _o130 =
+                V refined = _o128.time;
+                V gap = _o128.gap;
+                rate = lanes_select(_m127, _o128.rate, rate);
+                const LANES(court_polished_out) _o129 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m128, _o130.arrival, arrival);
-                refining = lanes_choose(_m128, _o130.refining, refining);
+                arrival = lanes_select(_m127, _o129.arrival, arrival);
+                refining = lanes_choose(_m127, _o129.refining, refining);
             }
             lanes_store(lists->reachable_arrival + i, arrival);
             lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -13226,7 +13076,7 @@ static void LANES(court_bounded)(const court_job *job)
                     y = lanes_expand(lists->reachable_refining_y + taken, idle, y);
                     z = lanes_expand(lists->reachable_refining_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f131)(lists, taken, idle);
+                        LANES(court_bounded_fix_f130)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = reachable_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -13235,15 +13085,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_backboard_refine_out) _o132 =
+                const LANES(court_backboard_refine_out) _o131 =
                     LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]));
-                V refined = _o132.time;
-                V gap = _o132.gap;
-                V rate = _o132.rate;
-                const LANES(court_polished_out) _o133 =
+                V refined = _o131.time;
+                V gap = _o131.gap;
+                V rate = _o131.rate;
+                const LANES(court_polished_out) _o132 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o133.arrival;
-                refining = _o133.refining;
+                arrival = _o132.arrival;
+                refining = _o132.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -13267,7 +13117,7 @@ static void LANES(court_bounded)(const court_job *job)
         }
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f134)(lists, i);
+                LANES(court_bounded_fix_f133)(lists, i);
             V arrival = lanes_load(lists->reachable_arrival + i);
             M arrives = lanes_less(K(0.0), lanes_load(lists->reachable_arrives + i));
             V ceiling = lanes_load(lists->reachable_ceiling + i);
@@ -13283,33 +13133,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->reachable_velocity_error + i);
             V when = lanes_load(lists->reachable_when + i);
             V which = lanes_load(lists->reachable_which + i);
-            const LANES(court_backboard_margins_out) _o135 =
+            const LANES(court_backboard_margins_out) _o134 =
                 LANES(court_backboard_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[73]), lanes_load(lists->fixed[74]), lanes_load(lists->fixed[75]), lanes_load(lists->fixed[76]), lanes_load(lists->fixed[77]), lanes_load(lists->fixed[78]), lanes_load(lists->fixed[79]), lanes_load(lists->fixed[80]), lanes_load(lists->fixed[81]));
-            V flat = _o135.margin;
-            V tilt = _o135.leaving_margin;
-            V rate_margin = _o135.rate_margin;
-            const LANES(court_own_margin_out) _o136 =
+            V flat = _o134.margin;
+            V tilt = _o134.leaving_margin;
+            V rate_margin = _o134.rate_margin;
+            const LANES(court_own_margin_out) _o135 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o136.margin;
-            const LANES(court_crossing_out) _o137 =
+            V margin = _o135.margin;
+            const LANES(court_crossing_out) _o136 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o137.clearance;
-            V delay = _o137.delay;
-            const LANES(court_landed_out) _o138 =
+            V clearance = _o136.clearance;
+            V delay = _o136.delay;
+            const LANES(court_landed_out) _o137 =
                 LANES(court_landed)(arrival);
-            V time = _o138.time;
-            const LANES(court_landed_surely_out) _o139 =
+            V time = _o137.time;
+            const LANES(court_landed_surely_out) _o138 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o139.delay;
-            doubt = _o139.doubt;
-            const LANES(court_tied_out) _o140 =
+            delay = _o138.delay;
+            doubt = _o138.doubt;
+            const LANES(court_tied_out) _o139 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o140.doubt;
-            late = _o140.late;
-            const LANES(court_sooner_out) _o141 =
+            doubt = _o139.doubt;
+            late = _o139.late;
+            const LANES(court_sooner_out) _o140 =
                 LANES(court_sooner)(arrives, K(1.0), time, when, which);
-            when = _o141.when;
-            which = _o141.which;
+            when = _o140.when;
+            which = _o140.which;
             lanes_store(lists->reachable_doubt + i, doubt);
             lanes_store(lists->reachable_late + i, late);
             lanes_store(lists->reachable_when + i, when);
@@ -13328,7 +13178,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f142)(lists, i);
+                LANES(court_bounded_fix_f141)(lists, i);
             V doubt = lanes_load(lists->doubt + i);
             V extent = lanes_load(lists->extent + i);
             M kept = lanes_less(K(0.0), lanes_load(lists->kept + i));
@@ -13345,30 +13195,30 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_horizon_out) _o143 =
+            const LANES(court_horizon_out) _o142 =
                 LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
-            V until = _o143.horizon;
-            V pad = _o143.pad;
-            const LANES(court_halved_out) _o144 =
+            V until = _o142.horizon;
+            V pad = _o142.pad;
+            const LANES(court_halved_out) _o143 =
                 LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[54]));
-            V middle_x = _o144.middle_x;
-            V reach_x = _o144.reach_x;
-            V later_middle_x = _o144.later_middle_x;
-            V later_reach_x = _o144.later_reach_x;
-            V middle_y = _o144.middle_y;
-            V reach_y = _o144.reach_y;
-            V later_middle_y = _o144.later_middle_y;
-            V later_reach_y = _o144.later_reach_y;
-            V middle_z = _o144.middle_z;
-            V reach_z = _o144.reach_z;
-            V later_middle_z = _o144.later_middle_z;
-            V later_reach_z = _o144.later_reach_z;
-            const LANES(court_bridge_near_out) _o145 =
+            V middle_x = _o143.middle_x;
+            V reach_x = _o143.reach_x;
+            V later_middle_x = _o143.later_middle_x;
+            V later_reach_x = _o143.later_reach_x;
+            V middle_y = _o143.middle_y;
+            V reach_y = _o143.reach_y;
+            V later_middle_y = _o143.later_middle_y;
+            V later_reach_y = _o143.later_reach_y;
+            V middle_z = _o143.middle_z;
+            V reach_z = _o143.reach_z;
+            V later_middle_z = _o143.later_middle_z;
+            V later_reach_z = _o143.later_reach_z;
+            const LANES(court_bridge_near_out) _o144 =
                 LANES(court_bridge_near)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, lanes_load(lists->fixed[55]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[85]), lanes_load(lists->fixed[86]), lanes_load(lists->fixed[87]), lanes_load(lists->fixed[88]));
-            M reachable = _o145.near;
-            const LANES(court_reachable_in_flight_out) _o146 =
+            M reachable = _o144.near;
+            const LANES(court_reachable_in_flight_out) _o145 =
                 LANES(court_reachable_in_flight)(kept, reachable);
-            reachable = _o146.reachable;
+            reachable = _o145.reachable;
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
                 lanes_pack(lists->reachable_row + reachable_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
@@ -13404,7 +13254,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(reachable_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f147)(lists, i);
+                LANES(court_bounded_fix_f146)(lists, i);
             V doubt = lanes_load(lists->reachable_doubt + i);
             V extent = lanes_load(lists->reachable_extent + i);
             V last = lanes_load(lists->reachable_last + i);
@@ -13419,94 +13269,94 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_horizon_out) _o148 =
+            const LANES(court_horizon_out) _o147 =
                 LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
-            V until = _o148.horizon;
-            V pad = _o148.pad;
-            const LANES(court_bridge_prepare_out) _o149 =
+            V until = _o147.horizon;
+            V pad = _o147.pad;
+            const LANES(court_bridge_prepare_out) _o148 =
                 LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[8]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[89]), lanes_load(lists->fixed[90]), lanes_load(lists->fixed[91]), lanes_load(lists->fixed[92]), lanes_load(lists->fixed[93]), lanes_load(lists->fixed[94]), lanes_load(lists->fixed[95]), lanes_load(lists->fixed[96]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[97]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]), lanes_load(lists->fixed[100]));
-            V low0 = _o149.low0;
-            V high0 = _o149.high0;
-            V low1 = _o149.low1;
-            V high1 = _o149.high1;
-            V ceiling = _o149.ceiling;
-            V latest = _o149.latest;
-            V lost = _o149.lost;
-            const LANES(court_beginning_out) _o150 =
+            V low0 = _o148.low0;
+            V high0 = _o148.high0;
+            V low1 = _o148.low1;
+            V high1 = _o148.high1;
+            V ceiling = _o148.ceiling;
+            V latest = _o148.latest;
+            V lost = _o148.lost;
+            const LANES(court_beginning_out) _o149 =
                 LANES(court_beginning)();
-            V share = _o150.share;
-            V arrival = _o150.arrival;
-            M certain = _o150.certain;
-            const LANES(court_allowance_out) _o151 =
+            V share = _o149.share;
+            V arrival = _o149.arrival;
+            M certain = _o149.certain;
+            const LANES(court_allowance_out) _o150 =
                 LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
-            V position_level = _o151.position_level;
-            V velocity_level = _o151.velocity_level;
-            V excess = _o151.excess;
-            const LANES(court_bridge_margins_out) _o152 =
+            V position_level = _o150.position_level;
+            V velocity_level = _o150.velocity_level;
+            V excess = _o150.excess;
+            const LANES(court_bridge_margins_out) _o151 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[110]));
-            V flat = _o152.margin;
-            V tilt = _o152.leaving_margin;
-            V rate_slack = _o152.rate_margin;
-            const LANES(court_bridge_enter_out) _o153 =
+            V flat = _o151.margin;
+            V tilt = _o151.leaving_margin;
+            V rate_slack = _o151.rate_margin;
+            const LANES(court_bridge_enter_out) _o152 =
                 LANES(court_bridge_enter)(K(0.0), K(0.0), high0, high1, low0, low1, K(0.0));
-            V t = _o153.t;
-            V end = _o153.end;
-            M searching = _o153.searching;
-            const LANES(court_beyond_windows_out) _o154 =
+            V t = _o152.t;
+            V end = _o152.end;
+            M searching = _o152.searching;
+            const LANES(court_beyond_windows_out) _o153 =
                 LANES(court_beyond_windows)(doubt, excess, late, lost, pad, searching);
-            doubt = _o154.doubt;
-            const M _m155 = lanes_both(rows, searching);
-            if (lanes_any(_m155)) {
-                const LANES(court_nearby_out) _o156 =
+            doubt = _o153.doubt;
+            const M _m154 = lanes_both(rows, searching);
+            if (lanes_any(_m154)) {
+                const LANES(court_nearby_out) _o155 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o156.leaving;
-                V margin = _o156.margin;
-                const LANES(court_bridge_advance_out) _o157 =
+                V leaving = _o155.leaving;
+                V margin = _o155.margin;
+                const LANES(court_bridge_advance_out) _o156 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[84]));
-                V gap = _o157.gap;
-                V rate = _o157.rate;
-                V bend = _o157.bend;
-                V step = _o157.step;
-                V next = _o157.next;
-                V clearance = _o157.clearance;
-                const LANES(court_struck_or_still_out) _o158 =
+                V gap = _o156.gap;
+                V rate = _o156.rate;
+                V bend = _o156.bend;
+                V step = _o156.step;
+                V next = _o156.next;
+                V clearance = _o156.clearance;
+                const LANES(court_struck_or_still_out) _o157 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o158.hit;
-                M sure = _o158.sure;
-                M vague = _o158.vague;
-                const M _m159 = lanes_both(_m155, vague);
-                if (lanes_any(_m159)) {
-                    const LANES(court_finer_out) _o160 =
+                M hit = _o157.hit;
+                M sure = _o157.sure;
+                M vague = _o157.vague;
+                const M _m158 = lanes_both(_m154, vague);
+                if (lanes_any(_m158)) {
+                    const LANES(court_finer_out) _o159 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m159, _o160.share, share);
-                    const LANES(court_allowance_out) _o161 =
+                    share = lanes_select(_m158, _o159.share, share);
+                    const LANES(court_allowance_out) _o160 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
-                    V position_level = _o161.position_level;
-                    V velocity_level = _o161.velocity_level;
-                    V excess = _o161.excess;
-                    const LANES(court_bridge_margins_out) _o162 =
+                    V position_level = _o160.position_level;
+                    V velocity_level = _o160.velocity_level;
+                    V excess = _o160.excess;
+                    const LANES(court_bridge_margins_out) _o161 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[110]));
-                    flat = lanes_select(_m159, _o162.margin, flat);
-                    tilt = lanes_select(_m159, _o162.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m159, _o162.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o163 =
+                    flat = lanes_select(_m158, _o161.margin, flat);
+                    tilt = lanes_select(_m158, _o161.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m158, _o161.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o162 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m159, _o163.doubt, doubt);
+                    doubt = lanes_select(_m158, _o162.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o164 =
+                const LANES(court_advanced_out) _o163 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = lanes_select(_m155, _o164.arrival, arrival);
-                certain = lanes_choose(_m155, _o164.certain, certain);
-                M exhausted = _o164.exhausted;
-                searching = lanes_choose(_m155, _o164.searching, searching);
-                t = lanes_select(_m155, _o164.t, t);
-                const M _m165 = lanes_both(_m155, exhausted);
+                arrival = lanes_select(_m154, _o163.arrival, arrival);
+                certain = lanes_choose(_m154, _o163.certain, certain);
+                M exhausted = _o163.exhausted;
+                searching = lanes_choose(_m154, _o163.searching, searching);
+                t = lanes_select(_m154, _o163.t, t);
+                const M _m164 = lanes_both(_m154, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o166 =
+                    const LANES(court_bridge_enter_out) _o165 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m165, _o166.t, t);
-                    end = lanes_select(_m165, _o166.end, end);
-                    searching = lanes_choose(_m165, _o166.searching, searching);
+                    t = lanes_select(_m164, _o165.t, t);
+                    end = lanes_select(_m164, _o165.end, end);
+                    searching = lanes_choose(_m164, _o165.searching, searching);
                 }
             }
             lanes_store(lists->reachable_arrival + i, arrival);
@@ -13621,7 +13471,7 @@ static void LANES(court_bounded)(const court_job *job)
                     y = lanes_expand(lists->reachable_searching_y + taken, idle, y);
                     z = lanes_expand(lists->reachable_searching_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f167)(lists, taken, idle);
+                        LANES(court_bounded_fix_f166)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = reachable_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -13630,56 +13480,56 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(court_nearby_out) _o168 =
+                const LANES(court_nearby_out) _o167 =
                     LANES(court_nearby)(flat, K(2.0), last, t, tilt);
-                V leaving = _o168.leaving;
-                V margin = _o168.margin;
-                const LANES(court_bridge_advance_out) _o169 =
+                V leaving = _o167.leaving;
+                V margin = _o167.margin;
+                const LANES(court_bridge_advance_out) _o168 =
                     LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[84]));
-                V gap = _o169.gap;
-                V rate = _o169.rate;
-                V bend = _o169.bend;
-                V step = _o169.step;
-                V next = _o169.next;
-                V clearance = _o169.clearance;
-                const LANES(court_struck_or_still_out) _o170 =
+                V gap = _o168.gap;
+                V rate = _o168.rate;
+                V bend = _o168.bend;
+                V step = _o168.step;
+                V next = _o168.next;
+                V clearance = _o168.clearance;
+                const LANES(court_struck_or_still_out) _o169 =
                     LANES(court_struck_or_still)(bend, clearance, end, gap, margin, next, rate, rate_slack, share, t);
-                M hit = _o170.hit;
-                M sure = _o170.sure;
-                M vague = _o170.vague;
-                const M _m171 = lanes_both(active, vague);
-                if (lanes_any(_m171)) {
-                    const LANES(court_finer_out) _o172 =
+                M hit = _o169.hit;
+                M sure = _o169.sure;
+                M vague = _o169.vague;
+                const M _m170 = lanes_both(active, vague);
+                if (lanes_any(_m170)) {
+                    const LANES(court_finer_out) _o171 =
                         LANES(court_finer)(share);
-                    share = lanes_select(_m171, _o172.share, share);
-                    const LANES(court_allowance_out) _o173 =
+                    share = lanes_select(_m170, _o171.share, share);
+                    const LANES(court_allowance_out) _o172 =
                         LANES(court_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
-                    V position_level = _o173.position_level;
-                    V velocity_level = _o173.velocity_level;
-                    V excess = _o173.excess;
-                    const LANES(court_bridge_margins_out) _o174 =
+                    V position_level = _o172.position_level;
+                    V velocity_level = _o172.velocity_level;
+                    V excess = _o172.excess;
+                    const LANES(court_bridge_margins_out) _o173 =
                         LANES(court_bridge_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[110]));
-                    flat = lanes_select(_m171, _o174.margin, flat);
-                    tilt = lanes_select(_m171, _o174.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m171, _o174.rate_margin, rate_slack);
-                    const LANES(court_exceeded_out) _o175 =
+                    flat = lanes_select(_m170, _o173.margin, flat);
+                    tilt = lanes_select(_m170, _o173.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m170, _o173.rate_margin, rate_slack);
+                    const LANES(court_exceeded_out) _o174 =
                         LANES(court_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m171, _o175.doubt, doubt);
+                    doubt = lanes_select(_m170, _o174.doubt, doubt);
                 }
-                const LANES(court_advanced_out) _o176 =
+                const LANES(court_advanced_out) _o175 =
                     LANES(court_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o176.arrival;
-                certain = _o176.certain;
-                M exhausted = _o176.exhausted;
-                searching = _o176.searching;
-                t = _o176.t;
-                const M _m177 = lanes_both(active, exhausted);
+                arrival = _o175.arrival;
+                certain = _o175.certain;
+                M exhausted = _o175.exhausted;
+                searching = _o175.searching;
+                t = _o175.t;
+                const M _m176 = lanes_both(active, exhausted);
                 {
-                    const LANES(court_bridge_enter_out) _o178 =
+                    const LANES(court_bridge_enter_out) _o177 =
                         LANES(court_bridge_enter)(end, end, high0, high1, low0, low1, t);
-                    t = lanes_select(_m177, _o178.t, t);
-                    end = lanes_select(_m177, _o178.end, end);
-                    searching = lanes_choose(_m177, _o178.searching, searching);
+                    t = lanes_select(_m176, _o177.t, t);
+                    end = lanes_select(_m176, _o177.end, end);
+                    searching = lanes_choose(_m176, _o177.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -13722,7 +13572,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(reachable_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f179)(lists, i);
+                LANES(court_bounded_fix_f178)(lists, i);
             V arrival = lanes_load(lists->reachable_arrival + i);
             V ceiling = lanes_load(lists->reachable_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->reachable_certain + i));
@@ -13738,40 +13588,40 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->reachable_x + i);
             V y = lanes_load(lists->reachable_y + i);
             V z = lanes_load(lists->reachable_z + i);
-            const LANES(court_questioned_out) _o180 =
+            const LANES(court_questioned_out) _o179 =
                 LANES(court_questioned)(doubt, t, searching);
-            doubt = _o180.doubt;
-            const LANES(court_found_out) _o181 =
+            doubt = _o179.doubt;
+            const LANES(court_found_out) _o180 =
                 LANES(court_found)(arrival);
-            M arrives = _o181.arrives;
-            M refining = _o181.refining;
-            V rate = _o181.rate;
-            const LANES(court_nearby_out) _o182 =
+            M arrives = _o180.arrives;
+            M refining = _o180.refining;
+            V rate = _o180.rate;
+            const LANES(court_nearby_out) _o181 =
                 LANES(court_nearby)(flat, K(2.0), last, arrival, tilt);
-            V leaving = _o182.leaving;
-            const M _m183 = lanes_both(rows, refining);
-            if (lanes_any(_m183)) {
-                const LANES(court_bridge_refine_out) _o184 =
+            V leaving = _o181.leaving;
+            const M _m182 = lanes_both(rows, refining);
+            if (lanes_any(_m182)) {
+                const LANES(court_bridge_refine_out) _o183 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[82]));
-                V refined = _o184.time;
-                V gap = _o184.gap;
-                rate = lanes_select(_m183, _o184.rate, rate);
-                const LANES(court_polished_out) _o185 =
+                V refined = _o183.time;
+                V gap = _o183.gap;
+                rate = lanes_select(_m182, _o183.rate, rate);
+                const LANES(court_polished_out) _o184 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m183, _o185.arrival, arrival);
-                refining = lanes_choose(_m183, _o185.refining, refining);
+                arrival = lanes_select(_m182, _o184.arrival, arrival);
+                refining = lanes_choose(_m182, _o184.refining, refining);
             }
-            const M _m186 = lanes_both(rows, refining);
-            if (lanes_any(_m186)) {
-                const LANES(court_bridge_refine_out) _o187 =
+            const M _m185 = lanes_both(rows, refining);
+            if (lanes_any(_m185)) {
+                const LANES(court_bridge_refine_out) _o186 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[82]));
-                V refined = _o187.time;
-                V gap = _o187.gap;
-                rate = lanes_select(_m186, _o187.rate, rate);
-                const LANES(court_polished_out) _o188 =
+                V refined = _o186.time;
+                V gap = _o186.gap;
+                rate = lanes_select(_m185, _o186.rate, rate);
+                const LANES(court_polished_out) _o187 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m186, _o188.arrival, arrival);
-                refining = lanes_choose(_m186, _o188.refining, refining);
+                arrival = lanes_select(_m185, _o187.arrival, arrival);
+                refining = lanes_choose(_m185, _o187.refining, refining);
             }
             lanes_store(lists->reachable_arrival + i, arrival);
             lanes_store(lists->reachable_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -13833,7 +13683,7 @@ static void LANES(court_bounded)(const court_job *job)
                     y = lanes_expand(lists->reachable_refining_y + taken, idle, y);
                     z = lanes_expand(lists->reachable_refining_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(court_bounded_fix_f189)(lists, taken, idle);
+                        LANES(court_bounded_fix_f188)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = reachable_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -13842,15 +13692,15 @@ static void LANES(court_bounded)(const court_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(court_bridge_refine_out) _o190 =
+                const LANES(court_bridge_refine_out) _o189 =
                     LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[82]));
-                V refined = _o190.time;
-                V gap = _o190.gap;
-                V rate = _o190.rate;
-                const LANES(court_polished_out) _o191 =
+                V refined = _o189.time;
+                V gap = _o189.gap;
+                V rate = _o189.rate;
+                const LANES(court_polished_out) _o190 =
                     LANES(court_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o191.arrival;
-                refining = _o191.refining;
+                arrival = _o190.arrival;
+                refining = _o190.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -13874,7 +13724,7 @@ static void LANES(court_bounded)(const court_job *job)
         }
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f192)(lists, i);
+                LANES(court_bounded_fix_f191)(lists, i);
             V arrival = lanes_load(lists->reachable_arrival + i);
             M arrives = lanes_less(K(0.0), lanes_load(lists->reachable_arrives + i));
             V ceiling = lanes_load(lists->reachable_ceiling + i);
@@ -13890,33 +13740,33 @@ static void LANES(court_bounded)(const court_job *job)
             V velocity_error = lanes_load(lists->reachable_velocity_error + i);
             V when = lanes_load(lists->reachable_when + i);
             V which = lanes_load(lists->reachable_which + i);
-            const LANES(court_bridge_margins_out) _o193 =
+            const LANES(court_bridge_margins_out) _o192 =
                 LANES(court_bridge_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[102]), lanes_load(lists->fixed[103]), lanes_load(lists->fixed[104]), lanes_load(lists->fixed[105]), lanes_load(lists->fixed[106]), lanes_load(lists->fixed[107]), lanes_load(lists->fixed[108]), lanes_load(lists->fixed[109]), lanes_load(lists->fixed[110]));
-            V flat = _o193.margin;
-            V tilt = _o193.leaving_margin;
-            V rate_margin = _o193.rate_margin;
-            const LANES(court_own_margin_out) _o194 =
+            V flat = _o192.margin;
+            V tilt = _o192.leaving_margin;
+            V rate_margin = _o192.rate_margin;
+            const LANES(court_own_margin_out) _o193 =
                 LANES(court_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o194.margin;
-            const LANES(court_crossing_out) _o195 =
+            V margin = _o193.margin;
+            const LANES(court_crossing_out) _o194 =
                 LANES(court_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o195.clearance;
-            V delay = _o195.delay;
-            const LANES(court_landed_out) _o196 =
+            V clearance = _o194.clearance;
+            V delay = _o194.delay;
+            const LANES(court_landed_out) _o195 =
                 LANES(court_landed)(arrival);
-            V time = _o196.time;
-            const LANES(court_landed_surely_out) _o197 =
+            V time = _o195.time;
+            const LANES(court_landed_surely_out) _o196 =
                 LANES(court_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o197.delay;
-            doubt = _o197.doubt;
-            const LANES(court_tied_out) _o198 =
+            delay = _o196.delay;
+            doubt = _o196.doubt;
+            const LANES(court_tied_out) _o197 =
                 LANES(court_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o198.doubt;
-            late = _o198.late;
-            const LANES(court_sooner_out) _o199 =
+            doubt = _o197.doubt;
+            late = _o197.late;
+            const LANES(court_sooner_out) _o198 =
                 LANES(court_sooner)(arrives, K(2.0), time, when, which);
-            when = _o199.when;
-            which = _o199.which;
+            when = _o198.when;
+            which = _o198.which;
             lanes_store(lists->reachable_doubt + i, doubt);
             lanes_store(lists->reachable_late + i, late);
             lanes_store(lists->reachable_when + i, when);
@@ -13972,22 +13822,22 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m200 = lanes_both(rows, limited);
-            if (lanes_any(_m200)) {
-                const LANES(court_expiry_out) _o201 =
+            const M _m199 = lanes_both(rows, limited);
+            if (lanes_any(_m199)) {
+                const LANES(court_expiry_out) _o200 =
                     LANES(court_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o201.time;
-                V delay = _o201.delay;
-                M arrives = _o201.arrives;
-                doubt = lanes_select(_m200, _o201.doubt, doubt);
-                const LANES(court_tied_out) _o202 =
+                V time = _o200.time;
+                V delay = _o200.delay;
+                M arrives = _o200.arrives;
+                doubt = lanes_select(_m199, _o200.doubt, doubt);
+                const LANES(court_tied_out) _o201 =
                     LANES(court_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m200, _o202.doubt, doubt);
-                late = lanes_select(_m200, _o202.late, late);
-                const LANES(court_sooner_out) _o203 =
+                doubt = lanes_select(_m199, _o201.doubt, doubt);
+                late = lanes_select(_m199, _o201.late, late);
+                const LANES(court_sooner_out) _o202 =
                     LANES(court_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m200, _o203.when, when);
-                which = lanes_select(_m200, _o203.which, which);
+                when = lanes_select(_m199, _o202.when, when);
+                which = lanes_select(_m199, _o202.which, which);
             }
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->late + i, late);
@@ -14093,7 +13943,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f488)(lists, i);
+                LANES(court_bounded_fix_f487)(lists, i);
             const V p_ring_friction = lanes_load(lists->p_ring_friction + (i & varying));
             const V p_ring_restitution = lanes_load(lists->p_ring_restitution + (i & varying));
             V assured = lanes_load(lists->assured + i);
@@ -14142,90 +13992,90 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(court_departed_out) _o489 =
+            const LANES(court_departed_out) _o488 =
                 LANES(court_departed)(K(3.0), which);
-            M moves = _o489.moves;
-            M ends = _o489.ends;
-            M touches = _o489.touches;
-            V reached = _o489.reached;
-            M edge = _o489.edge;
-            const LANES(court_body_of_out) _o490 =
+            M moves = _o488.moves;
+            M ends = _o488.ends;
+            M touches = _o488.touches;
+            V reached = _o488.reached;
+            M edge = _o488.edge;
+            const LANES(court_body_of_out) _o489 =
                 LANES(court_body_of)(which);
-            V body = _o490.body;
-            const M _m491 = lanes_both(rows, moves);
-            if (lanes_any(_m491)) {
-                const LANES(court_passing_doubt_out) _o492 =
-                    LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[161]));
-                M unsure = _o492.unsure;
-                const LANES(court_undecided_out) _o493 =
+            V body = _o489.body;
+            const M _m490 = lanes_both(rows, moves);
+            if (lanes_any(_m490)) {
+                const LANES(court_passing_doubt_out) _o491 =
+                    LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[164]));
+                M unsure = _o491.unsure;
+                const LANES(court_undecided_out) _o492 =
                     LANES(court_undecided)(uncertain, unsure);
-                uncertain = lanes_select(_m491, _o493.uncertain, uncertain);
-                const LANES(court_passing_out) _o494 =
+                uncertain = lanes_select(_m490, _o492.uncertain, uncertain);
+                const LANES(court_passing_out) _o493 =
                     LANES(court_passing)(through, when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[19]));
-                through = lanes_select(_m491, _o494.through, through);
-                const LANES(court_flight_out) _o495 =
+                through = lanes_select(_m490, _o493.through, through);
+                const LANES(court_flight_out) _o494 =
                     LANES(court_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]));
-                x = lanes_select(_m491, _o495.x, x);
-                y = lanes_select(_m491, _o495.y, y);
-                z = lanes_select(_m491, _o495.z, z);
-                vx = lanes_select(_m491, _o495.vx, vx);
-                vy = lanes_select(_m491, _o495.vy, vy);
-                vz = lanes_select(_m491, _o495.vz, vz);
-                const LANES(court_ticked_out) _o496 =
+                x = lanes_select(_m490, _o494.x, x);
+                y = lanes_select(_m490, _o494.y, y);
+                z = lanes_select(_m490, _o494.z, z);
+                vx = lanes_select(_m490, _o494.vx, vx);
+                vy = lanes_select(_m490, _o494.vy, vy);
+                vz = lanes_select(_m490, _o494.vz, vz);
+                const LANES(court_ticked_out) _o495 =
                     LANES(court_ticked)(clock, when);
-                clock = lanes_select(_m491, _o496.clock, clock);
+                clock = lanes_select(_m490, _o495.clock, clock);
             }
-            const M _m497 = lanes_both(rows, limited);
-            if (lanes_any(_m497)) {
-                const LANES(court_expired_out) _o498 =
+            const M _m496 = lanes_both(rows, limited);
+            if (lanes_any(_m496)) {
+                const LANES(court_expired_out) _o497 =
                     LANES(court_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m497, _o498.clock, clock);
-                body = lanes_select(_m497, _o498.body, body);
-                reached = lanes_select(_m497, _o498.reached, reached);
-                ends = lanes_choose(_m497, _o498.ends, ends);
+                clock = lanes_select(_m496, _o497.clock, clock);
+                body = lanes_select(_m496, _o497.body, body);
+                reached = lanes_select(_m496, _o497.reached, reached);
+                ends = lanes_choose(_m496, _o497.ends, ends);
             }
-            const LANES(court_unhopped_out) _o499 =
+            const LANES(court_unhopped_out) _o498 =
                 LANES(court_unhopped)();
-            M hopped = _o499.hopped;
-            const M _m500 = lanes_both(rows, kept);
-            if (lanes_any(_m500)) {
-                const LANES(court_kept_on_out) _o501 =
+            M hopped = _o498.hopped;
+            const M _m499 = lanes_both(rows, kept);
+            if (lanes_any(_m499)) {
+                const LANES(court_kept_on_out) _o500 =
                     LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, rolls, which);
-                body = lanes_select(_m500, _o501.body, body);
-                reached = lanes_select(_m500, _o501.reached, reached);
-                doubt = lanes_select(_m500, _o501.doubt, doubt);
-                ends = lanes_choose(_m500, _o501.ends, ends);
-                hopped = lanes_choose(_m500, _o501.hopped, hopped);
-                last = lanes_select(_m500, _o501.last, last);
-                mode = lanes_select(_m500, _o501.mode, mode);
-                held = lanes_select(_m500, _o501.held, held);
-                rolls = lanes_select(_m500, _o501.rolls, rolls);
+                body = lanes_select(_m499, _o500.body, body);
+                reached = lanes_select(_m499, _o500.reached, reached);
+                doubt = lanes_select(_m499, _o500.doubt, doubt);
+                ends = lanes_choose(_m499, _o500.ends, ends);
+                hopped = lanes_choose(_m499, _o500.hopped, hopped);
+                last = lanes_select(_m499, _o500.last, last);
+                mode = lanes_select(_m499, _o500.mode, mode);
+                held = lanes_select(_m499, _o500.held, held);
+                rolls = lanes_select(_m499, _o500.rolls, rolls);
             }
-            const LANES(court_displacement_out) _o502 =
-                LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[162]));
-            V slack = _o502.margin;
-            const LANES(court_here_out) _o503 =
+            const LANES(court_displacement_out) _o501 =
+                LANES(court_displacement)(late, when, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[165]));
+            V slack = _o501.margin;
+            const LANES(court_here_out) _o502 =
                 LANES(court_here)(K(3.0), which);
-            M here = _o503.here;
-            const M _m504 = lanes_both(rows, here);
+            M here = _o502.here;
+            const M _m503 = lanes_both(rows, here);
             {
-                const LANES(court_end_bounds_out) _o505 =
+                const LANES(court_end_bounds_out) _o504 =
                     LANES(court_end_bounds)(x, y, lanes_load(lists->fixed[7]));
-                V g0 = _o505.g0;
-                const LANES(court_end_reached_out) _o506 =
+                V g0 = _o504.g0;
+                const LANES(court_end_reached_out) _o505 =
                     LANES(court_end_reached)(g0, through);
-                reached = lanes_select(_m504, _o506.reached, reached);
-                const LANES(court_end_edge_out) _o507 =
+                reached = lanes_select(_m503, _o505.reached, reached);
+                const LANES(court_end_edge_out) _o506 =
                     LANES(court_end_edge)(g0, slack, through);
-                edge = lanes_choose(_m504, _o507.edge, edge);
+                edge = lanes_choose(_m503, _o506.edge, edge);
             }
-            const LANES(court_doubted_in_contact_out) _o508 =
+            const LANES(court_doubted_in_contact_out) _o507 =
                 LANES(court_doubted_in_contact)(assured, doubt, edge, last, late, uncertain, when, which);
-            uncertain = _o508.uncertain;
-            const LANES(court_accounted_out) _o509 =
+            uncertain = _o507.uncertain;
+            const LANES(court_accounted_out) _o508 =
                 LANES(court_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o509.contacts;
-            V outcome = _o509.outcome;
+            contacts = _o508.contacts;
+            V outcome = _o508.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -14238,260 +14088,260 @@ static void LANES(court_bounded)(const court_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(court_meeting_out) _o510 =
+            const LANES(court_meeting_out) _o509 =
                 LANES(court_meeting)(claims, ends, touches);
-            M meeting = _o510.meeting;
-            const LANES(court_unslowed_out) _o511 =
+            M meeting = _o509.meeting;
+            const LANES(court_unslowed_out) _o510 =
                 LANES(court_unslowed)();
-            M slow = _o511.slow;
-            const M _m512 = lanes_both(rows, meeting);
-            if (lanes_any(_m512)) {
-                const LANES(court_end_normal_out) _o513 =
+            M slow = _o510.slow;
+            const M _m511 = lanes_both(rows, meeting);
+            if (lanes_any(_m511)) {
+                const LANES(court_end_normal_out) _o512 =
                     LANES(court_end_normal)();
-                V nx = _o513.nx;
-                V ny = _o513.ny;
-                V nz = _o513.nz;
-                const LANES(court_here_out) _o514 =
+                V nx = _o512.nx;
+                V ny = _o512.ny;
+                V nz = _o512.nz;
+                const LANES(court_here_out) _o513 =
                     LANES(court_here)(K(0.0), which);
-                M here = _o514.here;
-                const M _m515 = lanes_both(_m512, here);
+                M here = _o513.here;
+                const M _m514 = lanes_both(_m511, here);
                 {
-                    const LANES(court_ring_normal_out) _o516 =
+                    const LANES(court_ring_normal_out) _o515 =
                         LANES(court_ring_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[111]));
-                    nx = lanes_select(_m515, _o516.nx, nx);
-                    ny = lanes_select(_m515, _o516.ny, ny);
-                    nz = lanes_select(_m515, _o516.nz, nz);
-                    const LANES(court_counted_out) _o517 =
+                    nx = lanes_select(_m514, _o515.nx, nx);
+                    ny = lanes_select(_m514, _o515.ny, ny);
+                    nz = lanes_select(_m514, _o515.nz, nz);
+                    const LANES(court_counted_out) _o516 =
                         LANES(court_counted)(count_0);
-                    count_0 = lanes_select(_m515, _o517.count, count_0);
+                    count_0 = lanes_select(_m514, _o516.count, count_0);
                 }
-                const LANES(court_here_out) _o518 =
+                const LANES(court_here_out) _o517 =
                     LANES(court_here)(K(1.0), which);
-                here = _o518.here;
-                const M _m519 = lanes_both(_m512, here);
+                here = _o517.here;
+                const M _m518 = lanes_both(_m511, here);
                 {
-                    const LANES(court_backboard_normal_out) _o520 =
+                    const LANES(court_backboard_normal_out) _o519 =
                         LANES(court_backboard_normal)(x, y, z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
-                    nx = lanes_select(_m519, _o520.nx, nx);
-                    ny = lanes_select(_m519, _o520.ny, ny);
-                    nz = lanes_select(_m519, _o520.nz, nz);
-                    const LANES(court_counted_out) _o521 =
+                    nx = lanes_select(_m518, _o519.nx, nx);
+                    ny = lanes_select(_m518, _o519.ny, ny);
+                    nz = lanes_select(_m518, _o519.nz, nz);
+                    const LANES(court_counted_out) _o520 =
                         LANES(court_counted)(count_1);
-                    count_1 = lanes_select(_m519, _o521.count, count_1);
+                    count_1 = lanes_select(_m518, _o520.count, count_1);
                 }
-                const LANES(court_here_out) _o522 =
+                const LANES(court_here_out) _o521 =
                     LANES(court_here)(K(2.0), which);
-                here = _o522.here;
-                const M _m523 = lanes_both(_m512, here);
+                here = _o521.here;
+                const M _m522 = lanes_both(_m511, here);
                 {
-                    const LANES(court_bridge_normal_out) _o524 =
+                    const LANES(court_bridge_normal_out) _o523 =
                         LANES(court_bridge_normal)(x, y, z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
-                    nx = lanes_select(_m523, _o524.nx, nx);
-                    ny = lanes_select(_m523, _o524.ny, ny);
-                    nz = lanes_select(_m523, _o524.nz, nz);
-                    const LANES(court_counted_out) _o525 =
+                    nx = lanes_select(_m522, _o523.nx, nx);
+                    ny = lanes_select(_m522, _o523.ny, ny);
+                    nz = lanes_select(_m522, _o523.nz, nz);
+                    const LANES(court_counted_out) _o524 =
                         LANES(court_counted)(count_2);
-                    count_2 = lanes_select(_m523, _o525.count, count_2);
+                    count_2 = lanes_select(_m522, _o524.count, count_2);
                 }
-                const LANES(court_elsewhere_out) _o526 =
+                const LANES(court_elsewhere_out) _o525 =
                     LANES(court_elsewhere)();
-                V curving = _o526.curving;
-                const LANES(court_anew_out) _o527 =
+                V curving = _o525.curving;
+                const LANES(court_anew_out) _o526 =
                     LANES(court_anew)();
-                V left_nx = _o527.left_nx;
-                V left_ny = _o527.left_ny;
-                V left_nz = _o527.left_nz;
-                const LANES(court_again_out) _o528 =
+                V left_nx = _o526.left_nx;
+                V left_ny = _o526.left_ny;
+                V left_nz = _o526.left_nz;
+                const LANES(court_again_out) _o527 =
                     LANES(court_again)(K(0.0), last, which);
-                M again = _o528.again;
-                const M _m529 = lanes_both(_m512, again);
-                if (lanes_any(_m529)) {
-                    const LANES(court_ring_curvature_out) _o530 =
-                        LANES(court_ring_curvature)(lanes_load(lists->fixed[163]));
-                    curving = lanes_select(_m529, _o530.curvature, curving);
-                    const LANES(court_started_out) _o531 =
+                M again = _o527.again;
+                const M _m528 = lanes_both(_m511, again);
+                if (lanes_any(_m528)) {
+                    const LANES(court_ring_curvature_out) _o529 =
+                        LANES(court_ring_curvature)(lanes_load(lists->fixed[166]));
+                    curving = lanes_select(_m528, _o529.curvature, curving);
+                    const LANES(court_started_out) _o530 =
                         LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[36]));
-                    V from_x = _o531.from_x;
-                    V from_y = _o531.from_y;
-                    V from_z = _o531.from_z;
-                    const LANES(court_ring_normal_out) _o532 =
+                    V from_x = _o530.from_x;
+                    V from_y = _o530.from_y;
+                    V from_z = _o530.from_z;
+                    const LANES(court_ring_normal_out) _o531 =
                         LANES(court_ring_normal)(from_x, from_y, from_z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[111]));
-                    left_nx = lanes_select(_m529, _o532.nx, left_nx);
-                    left_ny = lanes_select(_m529, _o532.ny, left_ny);
-                    left_nz = lanes_select(_m529, _o532.nz, left_nz);
+                    left_nx = lanes_select(_m528, _o531.nx, left_nx);
+                    left_ny = lanes_select(_m528, _o531.ny, left_ny);
+                    left_nz = lanes_select(_m528, _o531.nz, left_nz);
                 }
-                const LANES(court_again_out) _o533 =
+                const LANES(court_again_out) _o532 =
                     LANES(court_again)(K(1.0), last, which);
-                again = _o533.again;
-                const M _m534 = lanes_both(_m512, again);
-                if (lanes_any(_m534)) {
-                    const LANES(court_backboard_curvature_out) _o535 =
+                again = _o532.again;
+                const M _m533 = lanes_both(_m511, again);
+                if (lanes_any(_m533)) {
+                    const LANES(court_backboard_curvature_out) _o534 =
                         LANES(court_backboard_curvature)(lanes_load(lists->fixed[112]));
-                    curving = lanes_select(_m534, _o535.curvature, curving);
-                    const LANES(court_started_out) _o536 =
+                    curving = lanes_select(_m533, _o534.curvature, curving);
+                    const LANES(court_started_out) _o535 =
                         LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[36]));
-                    V from_x = _o536.from_x;
-                    V from_y = _o536.from_y;
-                    V from_z = _o536.from_z;
-                    const LANES(court_backboard_normal_out) _o537 =
+                    V from_x = _o535.from_x;
+                    V from_y = _o535.from_y;
+                    V from_z = _o535.from_z;
+                    const LANES(court_backboard_normal_out) _o536 =
                         LANES(court_backboard_normal)(from_x, from_y, from_z, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
-                    left_nx = lanes_select(_m534, _o537.nx, left_nx);
-                    left_ny = lanes_select(_m534, _o537.ny, left_ny);
-                    left_nz = lanes_select(_m534, _o537.nz, left_nz);
+                    left_nx = lanes_select(_m533, _o536.nx, left_nx);
+                    left_ny = lanes_select(_m533, _o536.ny, left_ny);
+                    left_nz = lanes_select(_m533, _o536.nz, left_nz);
                 }
-                const LANES(court_again_out) _o538 =
+                const LANES(court_again_out) _o537 =
                     LANES(court_again)(K(2.0), last, which);
-                again = _o538.again;
-                const M _m539 = lanes_both(_m512, again);
-                if (lanes_any(_m539)) {
-                    const LANES(court_bridge_curvature_out) _o540 =
+                again = _o537.again;
+                const M _m538 = lanes_both(_m511, again);
+                if (lanes_any(_m538)) {
+                    const LANES(court_bridge_curvature_out) _o539 =
                         LANES(court_bridge_curvature)(lanes_load(lists->fixed[112]));
-                    curving = lanes_select(_m539, _o540.curvature, curving);
-                    const LANES(court_started_out) _o541 =
+                    curving = lanes_select(_m538, _o539.curvature, curving);
+                    const LANES(court_started_out) _o540 =
                         LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[36]));
-                    V from_x = _o541.from_x;
-                    V from_y = _o541.from_y;
-                    V from_z = _o541.from_z;
-                    const LANES(court_bridge_normal_out) _o542 =
+                    V from_x = _o540.from_x;
+                    V from_y = _o540.from_y;
+                    V from_z = _o540.from_z;
+                    const LANES(court_bridge_normal_out) _o541 =
                         LANES(court_bridge_normal)(from_x, from_y, from_z, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
-                    left_nx = lanes_select(_m539, _o542.nx, left_nx);
-                    left_ny = lanes_select(_m539, _o542.ny, left_ny);
-                    left_nz = lanes_select(_m539, _o542.nz, left_nz);
+                    left_nx = lanes_select(_m538, _o541.nx, left_nx);
+                    left_ny = lanes_select(_m538, _o541.ny, left_ny);
+                    left_nz = lanes_select(_m538, _o541.nz, left_nz);
                 }
-                const LANES(court_carry_flight_out) _o543 =
+                const LANES(court_carry_flight_out) _o542 =
                     LANES(court_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, lanes_load(lists->fixed[21]));
-                dx = lanes_select(_m512, _o543.dx, dx);
-                dy = lanes_select(_m512, _o543.dy, dy);
-                dz = lanes_select(_m512, _o543.dz, dz);
-                V lifting = _o543.lifting;
-                dvx = lanes_select(_m512, _o543.dvx, dvx);
-                dvy = lanes_select(_m512, _o543.dvy, dvy);
-                dvz = lanes_select(_m512, _o543.dvz, dvz);
-                V delay = _o543.delay;
-                V shift = _o543.shift;
-                const LANES(court_delayed_out) _o544 =
-                    LANES(court_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m512, _o544.clock_error, clock_error);
-                const M _m545 = lanes_both(_m512, ends);
+                dx = lanes_select(_m511, _o542.dx, dx);
+                dy = lanes_select(_m511, _o542.dy, dy);
+                dz = lanes_select(_m511, _o542.dz, dz);
+                V lifting = _o542.lifting;
+                dvx = lanes_select(_m511, _o542.dvx, dvx);
+                dvy = lanes_select(_m511, _o542.dvy, dvy);
+                dvz = lanes_select(_m511, _o542.dvz, dvz);
+                V belated = _o542.delay;
+                V shift = _o542.shift;
+                const LANES(court_delayed_out) _o543 =
+                    LANES(court_delayed)(clock_error, belated);
+                clock_error = lanes_select(_m511, _o543.clock_error, clock_error);
+                const M _m544 = lanes_both(_m511, ends);
                 {
-                    const LANES(court_floored_out) _o546 =
+                    const LANES(court_floored_out) _o545 =
                         LANES(court_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m545, _o546.dx, dx);
-                    dy = lanes_select(_m545, _o546.dy, dy);
-                    dz = lanes_select(_m545, _o546.dz, dz);
+                    dx = lanes_select(_m544, _o545.dx, dx);
+                    dy = lanes_select(_m544, _o545.dy, dy);
+                    dz = lanes_select(_m544, _o545.dz, dz);
                 }
-                const LANES(court_unturned_out) _o547 =
+                const LANES(court_unturned_out) _o546 =
                     LANES(court_unturned)();
-                V dnx = _o547.dnx;
-                V dny = _o547.dny;
-                V dnz = _o547.dnz;
-                V turn = _o547.turn;
-                const LANES(court_here_out) _o548 =
+                V dnx = _o546.dnx;
+                V dny = _o546.dny;
+                V dnz = _o546.dnz;
+                V turn = _o546.turn;
+                const LANES(court_here_out) _o547 =
                     LANES(court_here)(K(0.0), which);
-                here = _o548.here;
-                const M _m549 = lanes_both(_m512, here);
-                if (lanes_any(_m549)) {
-                    const LANES(court_ring_carry_normal_out) _o550 =
-                        LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[163]));
-                    dnx = lanes_select(_m549, _o550.dnx, dnx);
-                    dny = lanes_select(_m549, _o550.dny, dny);
-                    dnz = lanes_select(_m549, _o550.dnz, dnz);
-                    turn = lanes_select(_m549, _o550.turn, turn);
+                here = _o547.here;
+                const M _m548 = lanes_both(_m511, here);
+                if (lanes_any(_m548)) {
+                    const LANES(court_ring_carry_normal_out) _o549 =
+                        LANES(court_ring_carry_normal)(x, y, dx, dy, dz, shift, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[111]), lanes_load(lists->fixed[166]));
+                    dnx = lanes_select(_m548, _o549.dnx, dnx);
+                    dny = lanes_select(_m548, _o549.dny, dny);
+                    dnz = lanes_select(_m548, _o549.dnz, dnz);
+                    turn = lanes_select(_m548, _o549.turn, turn);
                 }
-                const LANES(court_here_out) _o551 =
+                const LANES(court_here_out) _o550 =
                     LANES(court_here)(K(1.0), which);
-                here = _o551.here;
-                const M _m552 = lanes_both(_m512, here);
+                here = _o550.here;
+                const M _m551 = lanes_both(_m511, here);
                 {
-                    const LANES(court_backboard_carry_normal_out) _o553 =
+                    const LANES(court_backboard_carry_normal_out) _o552 =
                         LANES(court_backboard_carry_normal)(x, y, z, dx, dy, dz, shift, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[15]));
-                    dnx = lanes_select(_m552, _o553.dnx, dnx);
-                    dny = lanes_select(_m552, _o553.dny, dny);
-                    dnz = lanes_select(_m552, _o553.dnz, dnz);
-                    turn = lanes_select(_m552, _o553.turn, turn);
+                    dnx = lanes_select(_m551, _o552.dnx, dnx);
+                    dny = lanes_select(_m551, _o552.dny, dny);
+                    dnz = lanes_select(_m551, _o552.dnz, dnz);
+                    turn = lanes_select(_m551, _o552.turn, turn);
                 }
-                const LANES(court_here_out) _o554 =
+                const LANES(court_here_out) _o553 =
                     LANES(court_here)(K(2.0), which);
-                here = _o554.here;
-                const M _m555 = lanes_both(_m512, here);
+                here = _o553.here;
+                const M _m554 = lanes_both(_m511, here);
                 {
-                    const LANES(court_bridge_carry_normal_out) _o556 =
+                    const LANES(court_bridge_carry_normal_out) _o555 =
                         LANES(court_bridge_carry_normal)(x, y, z, dx, dy, dz, shift, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[112]), lanes_load(lists->fixed[16]));
-                    dnx = lanes_select(_m555, _o556.dnx, dnx);
-                    dny = lanes_select(_m555, _o556.dny, dny);
-                    dnz = lanes_select(_m555, _o556.dnz, dnz);
-                    turn = lanes_select(_m555, _o556.turn, turn);
+                    dnx = lanes_select(_m554, _o555.dnx, dnx);
+                    dny = lanes_select(_m554, _o555.dny, dny);
+                    dnz = lanes_select(_m554, _o555.dnz, dnz);
+                    turn = lanes_select(_m554, _o555.turn, turn);
                 }
-                const LANES(court_untaken_out) _o557 =
+                const LANES(court_untaken_out) _o556 =
                     LANES(court_untaken)();
-                M struck_0 = _o557.mine;
-                const LANES(court_ring_impact_taken_out) _o558 =
+                M struck_0 = _o556.mine;
+                const LANES(court_ring_impact_taken_out) _o557 =
                     LANES(court_ring_impact_taken)(p_ring_restitution, p_ring_friction);
-                V its_0_ring_impact = _o558.its_0;
-                V its_1_ring_impact = _o558.its_1;
+                V its_0_ring_impact = _o557.its_0;
+                V its_1_ring_impact = _o557.its_1;
                 {
-                    const double *const _t560[][2] = {
+                    const double *const _t559[][2] = {
                         {lists->p_ring_friction, lists->p_ring_restitution},
                         {lists->p_backboard_friction, lists->p_backboard_restitution},
                         {lists->p_bridge_friction, lists->p_bridge_restitution},
                     };
-                    static const double _t561[][1] = {
+                    static const double _t560[][1] = {
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k559 = 0; _k559 < 3; _k559++) {
-                        const V own_1 = lanes_load(_t560[_k559][0] + (i & varying));
-                        const V own_2 = lanes_load(_t560[_k559][1] + (i & varying));
-                        const V own_index = K(_t561[_k559][0]);
-                        const LANES(court_here_out) _o562 =
+                    for (size_t _k558 = 0; _k558 < 3; _k558++) {
+                        const V own_1 = lanes_load(_t559[_k558][0] + (i & varying));
+                        const V own_2 = lanes_load(_t559[_k558][1] + (i & varying));
+                        const V own_index = K(_t560[_k558][0]);
+                        const LANES(court_here_out) _o561 =
                             LANES(court_here)(own_index, which);
-                        M here = _o562.here;
-                        const M _m563 = lanes_both(_m512, here);
-                        if (lanes_any(_m563)) {
-                            const LANES(court_ring_impact_taken_out) _o564 =
+                        M here = _o561.here;
+                        const M _m562 = lanes_both(_m511, here);
+                        if (lanes_any(_m562)) {
+                            const LANES(court_ring_impact_taken_out) _o563 =
                                 LANES(court_ring_impact_taken)(own_2, own_1);
-                            struck_0 = lanes_choose(_m563, _o564.mine, struck_0);
-                            its_0_ring_impact = lanes_select(_m563, _o564.its_0, its_0_ring_impact);
-                            its_1_ring_impact = lanes_select(_m563, _o564.its_1, its_1_ring_impact);
+                            struck_0 = lanes_choose(_m562, _o563.mine, struck_0);
+                            its_0_ring_impact = lanes_select(_m562, _o563.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_m562, _o563.its_1, its_1_ring_impact);
                         }
                     }
                 }
-                const M _m565 = lanes_both(_m512, struck_0);
-                if (lanes_any(_m565)) {
-                    const LANES(court_ring_impact_doubt_out) _o566 =
-                        LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[164]), lanes_load(lists->fixed[165]));
-                    M unsure = _o566.unsure;
-                    const LANES(court_undecided_out) _o567 =
+                const M _m564 = lanes_both(_m511, struck_0);
+                if (lanes_any(_m564)) {
+                    const LANES(court_ring_impact_doubt_out) _o565 =
+                        LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[167]), lanes_load(lists->fixed[168]));
+                    M unsure = _o565.unsure;
+                    const LANES(court_undecided_out) _o566 =
                         LANES(court_undecided)(uncertain, unsure);
-                    uncertain = lanes_select(_m565, _o567.uncertain, uncertain);
-                    const LANES(court_carry_ring_impact_out) _o568 =
-                        LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[164]), lanes_load(lists->fixed[165]), lanes_load(lists->fixed[166]));
-                    dvx = lanes_select(_m565, _o568.dvx, dvx);
-                    dvy = lanes_select(_m565, _o568.dvy, dvy);
-                    dvz = lanes_select(_m565, _o568.dvz, dvz);
-                    dwx = lanes_select(_m565, _o568.dwx, dwx);
-                    dwy = lanes_select(_m565, _o568.dwy, dwy);
-                    dwz = lanes_select(_m565, _o568.dwz, dwz);
-                    const LANES(court_ring_impact_out) _o569 =
-                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[164]), lanes_load(lists->fixed[165]), lanes_load(lists->fixed[166]));
-                    vx = lanes_select(_m565, _o569.vx, vx);
-                    vy = lanes_select(_m565, _o569.vy, vy);
-                    vz = lanes_select(_m565, _o569.vz, vz);
-                    wx = lanes_select(_m565, _o569.wx, wx);
-                    wy = lanes_select(_m565, _o569.wy, wy);
-                    wz = lanes_select(_m565, _o569.wz, wz);
+                    uncertain = lanes_select(_m564, _o566.uncertain, uncertain);
+                    const LANES(court_carry_ring_impact_out) _o567 =
+                        LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[167]), lanes_load(lists->fixed[168]), lanes_load(lists->fixed[169]), lanes_load(lists->fixed[112]));
+                    dvx = lanes_select(_m564, _o567.dvx, dvx);
+                    dvy = lanes_select(_m564, _o567.dvy, dvy);
+                    dvz = lanes_select(_m564, _o567.dvz, dvz);
+                    dwx = lanes_select(_m564, _o567.dwx, dwx);
+                    dwy = lanes_select(_m564, _o567.dwy, dwy);
+                    dwz = lanes_select(_m564, _o567.dwz, dwz);
+                    const LANES(court_ring_impact_out) _o568 =
+                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[167]), lanes_load(lists->fixed[168]), lanes_load(lists->fixed[169]));
+                    vx = lanes_select(_m564, _o568.vx, vx);
+                    vy = lanes_select(_m564, _o568.vy, vy);
+                    vz = lanes_select(_m564, _o568.vz, vz);
+                    wx = lanes_select(_m564, _o568.wx, wx);
+                    wy = lanes_select(_m564, _o568.wy, wy);
+                    wz = lanes_select(_m564, _o568.wz, wz);
                 }
-                const M _m570 = lanes_both(_m512, touches);
+                const M _m569 = lanes_both(_m511, touches);
                 {
-                    const LANES(court_touched_out) _o571 =
+                    const LANES(court_touched_out) _o570 =
                         LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m570, _o571.first, first);
-                    last = lanes_select(_m570, _o571.last, last);
-                    const LANES(court_slowed_out) _o572 =
-                        LANES(court_slowed)(nx, ny, nz, position_error, vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[167]), lanes_load(lists->fixed[168]));
-                    slow = lanes_choose(_m570, _o572.slow, slow);
-                    assured = lanes_select(_m570, _o572.assured, assured);
+                    first = lanes_select(_m569, _o570.first, first);
+                    last = lanes_select(_m569, _o570.last, last);
+                    const LANES(court_slowed_out) _o571 =
+                        LANES(court_slowed)(nx, ny, nz, position_error, vx, vy, vz, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[170]), lanes_load(lists->fixed[171]));
+                    slow = lanes_choose(_m569, _o571.slow, slow);
+                    assured = lanes_select(_m569, _o571.assured, assured);
                 }
             }
             lanes_store(lists->assured + i, assured);
@@ -14586,7 +14436,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(court_bounded_fix_f625)(lists, i);
+                LANES(court_bounded_fix_f624)(lists, i);
             V clock = lanes_load(lists->clock + i);
             V clock_error = lanes_load(lists->clock_error + i);
             V dvx = lanes_load(lists->dvx + i);
@@ -14601,10 +14451,6 @@ static void LANES(court_bounded)(const court_job *job)
             M hopped = lanes_less(K(0.0), lanes_load(lists->hopped + i));
             M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
             V outcome = lanes_load(lists->outcome + i);
-            V position_claim = lanes_load(lists->position_claim + i);
-            V spin_claim = lanes_load(lists->spin_claim + i);
-            V time_claim = lanes_load(lists->time_claim + i);
-            V velocity_claim = lanes_load(lists->velocity_claim + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
             V vz = lanes_load(lists->vz + i);
@@ -14613,48 +14459,52 @@ static void LANES(court_bounded)(const court_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m626 = lanes_both(rows, limited);
-            if (lanes_any(_m626)) {
-                const LANES(court_timed_out) _o627 =
+            const M _m625 = lanes_both(rows, limited);
+            if (lanes_any(_m625)) {
+                const LANES(court_timed_out) _o626 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o627.timed;
-                const M _m628 = lanes_both(_m626, timed);
-                if (lanes_any(_m628)) {
-                    const LANES(court_carry_time_out) _o629 =
+                M timed = _o626.timed;
+                const M _m627 = lanes_both(_m625, timed);
+                if (lanes_any(_m627)) {
+                    const LANES(court_carry_time_out) _o628 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[53]));
-                    dx = lanes_select(_m628, _o629.dx, dx);
-                    dy = lanes_select(_m628, _o629.dy, dy);
-                    dz = lanes_select(_m628, _o629.dz, dz);
-                    dvx = lanes_select(_m628, _o629.dvx, dvx);
-                    dvy = lanes_select(_m628, _o629.dvy, dvy);
-                    dvz = lanes_select(_m628, _o629.dvz, dvz);
-                    clock_error = lanes_select(_m628, _o629.clock_error, clock_error);
+                    dx = lanes_select(_m627, _o628.dx, dx);
+                    dy = lanes_select(_m627, _o628.dy, dy);
+                    dz = lanes_select(_m627, _o628.dz, dz);
+                    dvx = lanes_select(_m627, _o628.dvx, dvx);
+                    dvy = lanes_select(_m627, _o628.dvy, dvy);
+                    dvz = lanes_select(_m627, _o628.dvz, dvz);
+                    clock_error = lanes_select(_m627, _o628.clock_error, clock_error);
                 }
+                lanes_store(lists->clock_error + i, clock_error);
+                lanes_store(lists->dvx + i, dvx);
+                lanes_store(lists->dvy + i, dvy);
+                lanes_store(lists->dvz + i, dvz);
             }
-            const M _m630 = lanes_both(rows, hopped);
-            if (lanes_any(_m630)) {
-                const LANES(court_carry_hop_out) _o631 =
+            const M _m629 = lanes_both(rows, hopped);
+            if (lanes_any(_m629)) {
+                const LANES(court_carry_hop_out) _o630 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m630, _o631.dx, dx);
-                dy = lanes_select(_m630, _o631.dy, dy);
-                dz = lanes_select(_m630, _o631.dz, dz);
+                dx = lanes_select(_m629, _o630.dx, dx);
+                dy = lanes_select(_m629, _o630.dy, dy);
+                dz = lanes_select(_m629, _o630.dz, dz);
             }
-            const LANES(court_closing_out) _o632 =
+            const LANES(court_closing_out) _o631 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o632.closed;
-            const M _m633 = lanes_both(rows, closed);
-            {
-                const LANES(court_claimed_errors_out) _o634 =
+            M closed = _o631.closed;
+            V position_claim = _o631.position_claim;
+            V velocity_claim = _o631.velocity_claim;
+            V spin_claim = _o631.spin_claim;
+            V time_claim = _o631.time_claim;
+            const M _m632 = lanes_both(rows, closed);
+            if (lanes_any(_m632)) {
+                const LANES(court_claimed_errors_out) _o633 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m633, _o634.position_error, position_claim);
-                velocity_claim = lanes_select(_m633, _o634.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m633, _o634.spin_error, spin_claim);
-                time_claim = lanes_select(_m633, _o634.time_error, time_claim);
+                position_claim = lanes_select(_m632, _o633.position_error, position_claim);
+                velocity_claim = lanes_select(_m632, _o633.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m632, _o633.spin_error, spin_claim);
+                time_claim = lanes_select(_m632, _o633.time_error, time_claim);
             }
-            lanes_store(lists->clock_error + i, clock_error);
-            lanes_store(lists->dvx + i, dvx);
-            lanes_store(lists->dvy + i, dvy);
-            lanes_store(lists->dvz + i, dvz);
             lanes_store(lists->dx + i, dx);
             lanes_store(lists->dy + i, dy);
             lanes_store(lists->dz + i, dz);
@@ -14701,8 +14551,10 @@ static void LANES(court_bounded)(const court_job *job)
         if (following && !lanes_any(going)) {
             LANES(court_bounded_finish_all)(lists, shots, job);
             shots = 0;
+            streams = 1;
             continue;
         }
+        streams = 0;
         shots = LANES(court_bounded_leave)(lists, 0, shots, job);
     }
 }
@@ -14743,6 +14595,7 @@ static void LANES(court_run)(const court_job *job)
 #undef lanes_store
 #undef lanes_gather
 #undef lanes_columns
+#undef lanes_rows
 #undef lanes_bits
 #undef lanes_of
 #undef lanes_many

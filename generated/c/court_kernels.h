@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation fdb99a920399295a,
+   Generated from templates/c/kernels.h.j2, scene court, derivation afd6566da598ff1c,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -115,7 +115,7 @@ LANES(court_displacement)(V delay, V horizon, V extent, V speed, V position_erro
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 158 operations: 33 additions, 2 subtractions, 40 multiplications, 3 divisions, 8 negations, 17 absolute values, 23 comparisons, 32 selections. */
+   derivative of Eq. 3 and of the contact time, with roundings. 165 operations: 36 additions, 2 subtractions, 43 multiplications, 2 divisions, 10 negations, 17 absolute values, 23 comparisons, 32 selections. */
 typedef struct {
     V dx;
     V dy;
@@ -145,25 +145,25 @@ LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz
     const V _s11 = lanes_add(K(1.0), lanes_mul(curving, lanes_add(lanes_add(_s8, _s9), _s10)));
     const V _s12 = lanes_mul(K(2.0), t);
     const V _s13 = lanes_mul(_s12, _s0);
-    const V _s14 = lanes_mul(K(1.1102230246251565e-16), lanes_add(_s13, _s8));
+    const V _s14 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(1.1102230246251565e-16), lanes_add(_s13, _s8)));
     const M _s15 = lanes_less(curving, K(INFINITY));
     const V _s16 = lanes_select(_s15, lanes_mul(K(4.440892098500626e-16), lanes_mul(_s13, _s11)), _s14);
     const M _s17 = lanes_less(_s7, K(0.0));
     const V _s18 = lanes_add(dy, lanes_mul(dvy, t));
     const V _s19 = lanes_mul(_s12, _s1);
-    const V _s20 = lanes_mul(K(1.1102230246251565e-16), lanes_add(_s19, _s9));
+    const V _s20 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(1.1102230246251565e-16), lanes_add(_s19, _s9)));
     const V _s21 = lanes_select(_s15, lanes_mul(K(4.440892098500626e-16), lanes_mul(_s19, _s11)), _s20);
     const M _s22 = lanes_less(_s18, K(0.0));
     const V _s23 = lanes_add(dz, lanes_mul(dvz, t));
     const V _s24 = lanes_add(lanes_mul(_c0, lanes_mul(t, t)), lanes_mul(_s12, _s3));
-    const V _s25 = lanes_mul(K(1.1102230246251565e-16), lanes_add(_s24, _s10));
+    const V _s25 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(1.1102230246251565e-16), lanes_add(_s24, _s10)));
     const V _s26 = lanes_select(_s15, lanes_mul(K(4.440892098500626e-16), lanes_mul(_s24, _s11)), _s25);
     const M _s27 = lanes_less(_s23, K(0.0));
     const V _s28 = lanes_add(lanes_add(lanes_mul(nx, lanes_add(_s7, lanes_select(_s17, lanes_neg(_s16), _s16))), lanes_mul(ny, lanes_add(_s18, lanes_select(_s22, lanes_neg(_s21), _s21)))), lanes_mul(nz, lanes_add(_s23, lanes_select(_s27, lanes_neg(_s26), _s26))));
-    const V _s29 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s30 = lanes_neg(lanes_div(lanes_sub(_s28, lanes_add(lanes_add(lanes_mul(dx, left_nx), lanes_mul(dy, left_ny)), lanes_mul(dz, left_nz))), _s29));
+    const V _s29 = lanes_div(K(1.0), lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz)));
+    const V _s30 = lanes_neg(lanes_mul(lanes_sub(_s28, lanes_add(lanes_add(lanes_mul(dx, left_nx), lanes_mul(dy, left_ny)), lanes_mul(dz, left_nz))), _s29));
     const V _s31 = lanes_add(lanes_mul(vx, _s30), lanes_add(_s7, lanes_select(_s17, lanes_neg(_s14), _s14)));
-    const V _s32 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
+    const V _s32 = lanes_abs(_s31);
     const V _s33 = lanes_abs(dx);
     const V _s34 = lanes_abs(dy);
     const V _s35 = lanes_max(_s33, _s34);
@@ -177,19 +177,24 @@ LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz
     const V _s43 = lanes_max(_s16, _s21);
     const V _s44 = lanes_max(_s14, _s20);
     const V _s45 = lanes_add(lanes_add(_s42, lanes_max(_s44, _s25)), _s37);
-    const V _s46 = lanes_add(lanes_mul(lanes_div(_s4, lanes_abs(_s29)), lanes_add(lanes_mul(_s37, _s6), lanes_add(_s42, lanes_max(_s43, _s26)))), _s45);
-    const V _s47 = lanes_div(_s46, _s32);
-    const V _s48 = lanes_neg(_s47);
-    const M _s49 = lanes_less(_s6, K(0.25));
-    const V _s50 = lanes_add(lanes_mul(vy, _s30), lanes_add(_s18, lanes_select(_s22, lanes_neg(_s20), _s20)));
-    const V _s51 = lanes_add(lanes_mul(vz, _s30), lanes_add(_s23, lanes_select(_s27, lanes_neg(_s25), _s25)));
-    const V _s52 = lanes_abs(_s30);
-    const V _s53 = lanes_mul(K(0.0625), late);
-    return (LANES(court_carry_flight_out)){ lanes_select(_s49, _s31, lanes_select(lanes_less(lanes_abs(_s31), _s47), lanes_select(lanes_less(_s31, K(0.0)), _s48, _s47), _s31)), lanes_select(_s49, _s50, lanes_select(lanes_less(lanes_abs(_s50), _s47), lanes_select(lanes_less(_s50, K(0.0)), _s48, _s47), _s50)), lanes_select(_s49, _s51, lanes_select(lanes_less(lanes_abs(_s51), _s47), lanes_select(lanes_less(_s51, K(0.0)), _s48, _s47), _s51)), lanes_select(_s49, K(8.0), _s32), dvx, dvy, lanes_sub(dvz, lanes_mul(_c0, _s30)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s52, _s53)), lanes_select(_s49, _s45, _s46) };
+    const V _s46 = lanes_add(lanes_mul(lanes_mul(lanes_abs(_s29), _s4), lanes_add(lanes_mul(_s37, _s6), lanes_add(_s42, lanes_max(_s43, _s26)))), _s45);
+    const V _s47 = lanes_div(K(1.0), lanes_add(K(8.0), lanes_mul(K(8.0), contacts)));
+    const V _s48 = lanes_mul(_s46, _s47);
+    const V _s49 = lanes_max(_s32, _s48);
+    const M _s50 = lanes_less(_s6, K(0.25));
+    const V _s51 = lanes_add(lanes_mul(vy, _s30), lanes_add(_s18, lanes_select(_s22, lanes_neg(_s20), _s20)));
+    const V _s52 = lanes_abs(_s51);
+    const V _s53 = lanes_max(_s52, _s48);
+    const V _s54 = lanes_add(lanes_mul(vz, _s30), lanes_add(_s23, lanes_select(_s27, lanes_neg(_s25), _s25)));
+    const V _s55 = lanes_abs(_s54);
+    const V _s56 = lanes_max(_s55, _s48);
+    const V _s57 = lanes_abs(_s30);
+    const V _s58 = lanes_mul(K(0.0625), late);
+    return (LANES(court_carry_flight_out)){ lanes_select(_s50, _s31, lanes_select(lanes_less(_s31, K(0.0)), lanes_neg(_s49), _s49)), lanes_select(_s50, _s51, lanes_select(lanes_less(_s51, K(0.0)), lanes_neg(_s53), _s53)), lanes_select(_s50, _s54, lanes_select(lanes_less(_s54, K(0.0)), lanes_neg(_s56), _s56)), lanes_select(_s50, K(0.125), _s47), dvx, dvy, lanes_sub(dvz, lanes_mul(_c0, _s30)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s57, _s58)), lanes_select(_s50, _s45, _s46) };
 }
 
 /* Errors of a state at the time limit, from those at the start of the flight.
-   derivative of Eq. 3, with roundings. 61 operations: 17 additions, 18 multiplications, 1 negation, 13 absolute values, 6 comparisons, 6 selections. */
+   derivative of Eq. 3, with roundings. 64 operations: 20 additions, 18 multiplications, 1 negation, 13 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V dx;
     V dy;
@@ -210,12 +215,12 @@ LANES(court_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_e
     const V _s4 = lanes_max(_s2, _s3);
     const V _s5 = lanes_abs(dvz);
     const V _s6 = lanes_mul(K(2.0), t);
-    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s0), lanes_abs(x)));
+    const V _s7 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s0), lanes_abs(x))));
     const V _s8 = lanes_abs(vy);
-    const V _s9 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s8), lanes_abs(y)));
+    const V _s9 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s8), lanes_abs(y))));
     const V _s10 = lanes_max(_s7, _s9);
     const V _s11 = lanes_abs(vz);
-    const V _s12 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(_c0, lanes_mul(t, t)), lanes_mul(_s6, _s11)), lanes_abs(z)));
+    const V _s12 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(_c0, lanes_mul(t, t)), lanes_mul(_s6, _s11)), lanes_abs(z))));
     const V _s13 = lanes_abs(dx);
     const V _s14 = lanes_abs(dy);
     const V _s15 = lanes_max(_s13, _s14);
@@ -358,7 +363,7 @@ LANES(court_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _
 /* Where a start may overlap a surface, or be in doubt; and what is said elsewhere.
    Table 2. 21 operations: 3 additions, 5 subtractions, 2 multiplications, 5 absolute values, 3 comparisons, 2 conjunctions, 1 complement. */
 typedef struct {
-    M near;
+    M close;
     V valid;
     V doubt;
 } LANES(court_aside_out);
@@ -545,18 +550,19 @@ LANES(court_left)(V index, V last)
     return (LANES(court_left_out)){ lanes_select(lanes_equal(last, index), K(1.0), K(0.0)) };
 }
 
-/* Whether a plane's only arrival is one, and the size of the bend there.
-   Table 1. 12 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction. */
+/* Whether a plane's only arrival is one, the bend's size; when the ball is nearest.
+   Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection. */
 typedef struct {
     M arrives;
     V ceiling;
+    V nearest;
 } LANES(court_meeting_plane_out);
 
 LANES_INLINE LANES(court_meeting_plane_out)
-LANES(court_meeting_plane)(V bend, V rate, V time)
+LANES(court_meeting_plane)(V apex, V bend, V rate, V time)
 {
     const M _s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
-    return (LANES(court_meeting_plane_out)){ _s0, lanes_abs(bend) };
+    return (LANES(court_meeting_plane_out)){ _s0, lanes_abs(bend), lanes_select(_s0, time, apex) };
 }
 
 /* Whether an arrival may be the earliest, as far as their delays are bounded.
@@ -1010,47 +1016,6 @@ LANES(court_again)(V index, V last, V which)
     return (LANES(court_again_out)){ lanes_both(lanes_equal(which, index), lanes_equal(last, which)) };
 }
 
-/* The error of the event's time.
-   Table 1. 1 operation: 1 addition. */
-typedef struct {
-    V clock_error;
-} LANES(court_delayed_out);
-
-LANES_INLINE LANES(court_delayed_out)
-LANES(court_delayed)(V clock_error, V delay)
-{
-    return (LANES(court_delayed_out)){ lanes_add(clock_error, delay) };
-}
-
-/* Errors of the position at the end, not below what one flight can make.
-   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
-typedef struct {
-    V dx;
-    V dy;
-    V dz;
-} LANES(court_floored_out);
-
-LANES_INLINE LANES(court_floored_out)
-LANES(court_floored)(V dx, V dy, V dz, V shift)
-{
-    return (LANES(court_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
-}
-
-/* A normal without error.
-   Table 1. No operations. */
-typedef struct {
-    V dnx;
-    V dny;
-    V dnz;
-    V turn;
-} LANES(court_unturned_out);
-
-LANES_INLINE LANES(court_unturned_out)
-LANES(court_unturned)(void)
-{
-    return (LANES(court_unturned_out)){ K(0.0), K(0.0), K(0.0), K(0.0) };
-}
-
 /* The surfaces that were touched first and last.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
@@ -1074,18 +1039,6 @@ LANES_INLINE LANES(court_timed_out)
 LANES(court_timed)(V claims, V index, V which)
 {
     return (LANES(court_timed_out)){ lanes_both(lanes_equal(which, index), lanes_less(K(0.0), claims)) };
-}
-
-/* Where a shot has ended whose errors are asked for.
-   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
-typedef struct {
-    M closed;
-} LANES(court_closing_out);
-
-LANES_INLINE LANES(court_closing_out)
-LANES(court_closing)(V claims, V outcome)
-{
-    return (LANES(court_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)) };
 }
 
 /* 1 where a decision within a contact lies within its error.
@@ -1189,6 +1142,63 @@ LANES(court_accounted)(V contacts, V most_contacts, V reached, M touches)
 {
     const V _s0 = lanes_add(K(1.0), contacts);
     return (LANES(court_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), reached) };
+}
+
+/* The error of the event's time.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    V clock_error;
+} LANES(court_delayed_out);
+
+LANES_INLINE LANES(court_delayed_out)
+LANES(court_delayed)(V clock_error, V delay)
+{
+    return (LANES(court_delayed_out)){ lanes_add(clock_error, delay) };
+}
+
+/* Where a shot has ended whose errors are asked for; no other one claims any.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+typedef struct {
+    M closed;
+    V position_claim;
+    V velocity_claim;
+    V spin_claim;
+    V time_claim;
+} LANES(court_closing_out);
+
+LANES_INLINE LANES(court_closing_out)
+LANES(court_closing)(V claims, V outcome)
+{
+    return (LANES(court_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)), K(0.0), K(0.0), K(0.0), K(0.0) };
+}
+
+/* Errors of the position at the end, not below what one flight can make.
+   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
+typedef struct {
+    V dx;
+    V dy;
+    V dz;
+} LANES(court_floored_out);
+
+LANES_INLINE LANES(court_floored_out)
+LANES(court_floored)(V dx, V dy, V dz, V shift)
+{
+    return (LANES(court_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
+}
+
+/* A normal without error.
+   Table 1. No operations. */
+typedef struct {
+    V dnx;
+    V dny;
+    V dnz;
+    V turn;
+} LANES(court_unturned_out);
+
+LANES_INLINE LANES(court_unturned_out)
+LANES(court_unturned)(void)
+{
+    return (LANES(court_unturned_out)){ K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
 /* Which of the balls in contact are on the ring.
@@ -1749,9 +1759,10 @@ LANES(court_roll_placed)(V gap, V nx, V ny, V nz, V turn_rate, V vx, V vy, V vz,
 }
 
 /* A step of the series, bounds of the motion in it, and the normal force.
-   the last terms of the series. 157 operations: 53 additions, 47 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections. */
+   the last terms of the series. 158 operations: 53 additions, 48 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
     V stride;
+    V missed;
     V strongest;
     V fastest;
     V force;
@@ -1770,7 +1781,7 @@ LANES(court_roll_pace)(V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_
     const V _s4 = lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_8), lanes_abs(vx_8)), lanes_abs(vy_8)), lanes_abs(vz_8));
     const V _s5 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s2, _s0), lanes_sqrt(lanes_mul(_c0, _s2))), _s3), _s4);
     const V _s6 = lanes_mul(_s1, lanes_add(lanes_add(lanes_abs(nx_8), lanes_abs(ny_8)), lanes_abs(nz_8)));
-    const V _s7 = lanes_sqrt(lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.1102230246251565e-16), _s1), lanes_max(_s5, _s6)))));
+    const V _s7 = lanes_sqrt(lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.4210854715202004e-14), _s1), lanes_max(_s5, _s6)))));
     const V _s8 = lanes_min(_s7, K(1.0));
     const V _s9 = lanes_mul(lanes_mul(K(2.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_2), lanes_abs(vx_2)), lanes_abs(vy_2)), lanes_abs(vz_2))), _s8);
     const V _s10 = lanes_mul(_s8, _s8);
@@ -1787,7 +1798,7 @@ LANES(court_roll_pace)(V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_
     const V _s21 = lanes_add(_s20, lanes_mul(lanes_mul(K(20.0), lanes_abs(lanes_add(lift_5, lanes_mul(_c2, nz_5)))), _s12));
     const V _s22 = lanes_add(_s21, lanes_mul(lanes_mul(K(30.0), lanes_abs(lanes_add(lift_6, lanes_mul(_c2, nz_6)))), _s14));
     const V _s23 = lanes_add(_s22, lanes_mul(lanes_mul(K(42.0), lanes_abs(lanes_add(lift_7, lanes_mul(_c2, nz_7)))), _s16));
-    return (LANES(court_roll_pace_out)){ _s8, _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(_c2, nz_0)), lanes_add(lift_1, lanes_mul(_c2, nz_1)), lanes_add(_s23, lanes_mul(K(2.0), lanes_abs(lanes_add(lift_2, lanes_mul(_c2, nz_2))))), lanes_neg(lanes_mul(K(0.8), lanes_neg(lanes_mul(_c0, nz_1)))) };
+    return (LANES(court_roll_pace_out)){ _s8, lanes_mul(K(1.7763568394002505e-15), _s1), _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(_c2, nz_0)), lanes_add(lift_1, lanes_mul(_c2, nz_1)), lanes_add(_s23, lanes_mul(K(2.0), lanes_abs(lanes_add(lift_2, lanes_mul(_c2, nz_2))))), lanes_neg(lanes_mul(K(0.8), lanes_neg(lanes_mul(_c0, nz_1)))) };
 }
 
 /* The spin about the normal, times the ball's radius.
@@ -2226,8 +2237,8 @@ LANES(court_neighbour)(V apart, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, 
     return (LANES(court_neighbour_out)){ lanes_add(x, lanes_mul(apart, dx)), lanes_add(y, lanes_mul(apart, dy)), lanes_add(z, lanes_mul(apart, dz)), lanes_add(vx, lanes_mul(apart, dvx)), lanes_add(vy, lanes_mul(apart, dvy)), lanes_add(vz, lanes_mul(apart, dvz)), lanes_add(wx, lanes_mul(apart, dwx)), lanes_add(wy, lanes_mul(apart, dwy)), lanes_add(wz, lanes_mul(apart, dwz)), K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
-/* The errors after a step, with its roundings.
-   differences. 69 operations: 17 additions, 9 subtractions, 3 multiplications, 10 divisions, 3 negations, 9 absolute values, 9 comparisons, 9 selections. */
+/* The errors after a step, with what it rounds and leaves out.
+   differences. 72 operations: 19 additions, 9 subtractions, 4 multiplications, 10 divisions, 3 negations, 9 absolute values, 9 comparisons, 9 selections. */
 typedef struct {
     V dx;
     V dy;
@@ -2241,16 +2252,16 @@ typedef struct {
 } LANES(court_compared_out);
 
 LANES_INLINE LANES(court_compared_out)
-LANES(court_compared)(V apart, V far_vx, V far_vy, V far_vz, V far_wx, V far_wy, V far_wz, V far_x, V far_y, V far_z, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z, V _c0)
+LANES(court_compared)(V apart, V far_vx, V far_vy, V far_vz, V far_wx, V far_wy, V far_wz, V far_x, V far_y, V far_z, V missed, V stride, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z, V _c0)
 {
     const V _s0 = lanes_div(lanes_sub(far_x, x), apart);
-    const V _s1 = lanes_mul(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_add(_c0, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const V _s1 = lanes_add(lanes_mul(missed, stride), lanes_mul(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_add(_c0, lanes_abs(x)), lanes_abs(y)), lanes_abs(z))));
     const V _s2 = lanes_neg(_s1);
     const V _s3 = lanes_div(lanes_sub(far_y, y), apart);
     const V _s4 = lanes_div(lanes_sub(far_z, z), apart);
     const V _s5 = lanes_div(lanes_sub(far_vx, vx), apart);
     const V _s6 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
-    const V _s7 = lanes_mul(K(4.440892098500626e-16), lanes_add(_s6, lanes_abs(vz)));
+    const V _s7 = lanes_add(missed, lanes_mul(K(4.440892098500626e-16), lanes_add(_s6, lanes_abs(vz))));
     const V _s8 = lanes_neg(_s7);
     const V _s9 = lanes_div(lanes_sub(far_vy, vy), apart);
     const V _s10 = lanes_div(lanes_sub(far_vz, vz), apart);
@@ -2712,7 +2723,7 @@ LANES(court_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
-   derivative of the contact with friction, with roundings. 312 operations: 40 additions, 56 subtractions, 124 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
+   derivative of the contact with friction, with roundings. 308 operations: 59 additions, 38 subtractions, 126 multiplications, 9 divisions, 1 square root, 13 negations, 18 absolute values, 19 comparisons, 25 selections. */
 typedef struct {
     V dvx;
     V dvy;
@@ -2723,11 +2734,11 @@ typedef struct {
 } LANES(court_carry_ring_impact_out);
 
 LANES_INLINE LANES(court_carry_ring_impact_out)
-LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V lifting, V p_ring_restitution, V p_ring_friction, V _c0, V _c1, V _c2, V _c3)
+LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V lifting, V p_ring_restitution, V p_ring_friction, V _c0, V _c1, V _c2, V _c3, V _c4)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
-    const V _s2 = lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s0)), lanes_mul(nx, _s1));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dvx, nx)), lanes_add(lanes_mul(dny, vy), lanes_mul(dvy, ny))), lanes_add(lanes_mul(dnz, vz), lanes_mul(dvz, nz)));
+    const V _s2 = lanes_sub(dvx, lanes_add(lanes_mul(dnx, _s0), lanes_mul(nx, _s1)));
     const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(_c0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
     const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(_c0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
     const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(_c0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
@@ -2738,11 +2749,11 @@ LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V
     const V _s10 = lanes_neg(lanes_mul(p_ring_friction, lanes_mul(_s9, _s0)));
     const V _s11 = lanes_neg(lanes_div(lanes_mul(p_ring_restitution, lanes_neg(lanes_div(_s1, _c1))), lanes_mul(_s7, _s7)));
     const V _s12 = lanes_sqrt(_s6);
-    const V _s13 = lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1));
-    const V _s14 = lanes_sub(_s13, lanes_mul(_c0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))));
-    const V _s15 = lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1));
-    const V _s16 = lanes_sub(_s15, lanes_mul(_c0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))));
-    const V _s17 = lanes_sub(_s2, lanes_mul(_c0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))));
+    const V _s13 = lanes_sub(dvz, lanes_add(lanes_mul(dnz, _s0), lanes_mul(nz, _s1)));
+    const V _s14 = lanes_sub(_s13, lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_add(lanes_mul(dnx, wy), lanes_mul(dwy, nx)))));
+    const V _s15 = lanes_sub(dvy, lanes_add(lanes_mul(dny, _s0), lanes_mul(ny, _s1)));
+    const V _s16 = lanes_sub(_s15, lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_add(lanes_mul(dnz, wx), lanes_mul(dwx, nz)))));
+    const V _s17 = lanes_sub(_s2, lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_add(lanes_mul(dny, wz), lanes_mul(dwz, ny)))));
     const V _s18 = lanes_div(lanes_mul(lanes_mul(K(0.5), _s10), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s14), lanes_mul(lanes_mul(K(2.0), _s5), _s16)), lanes_mul(lanes_mul(K(2.0), _s3), _s17))), lanes_mul(_s12, _s6));
     const V _s19 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_ring_friction, lanes_add(lanes_mul(_s9, _s1), lanes_mul(_s11, _s0)))), _s12), _s18);
     const M _s20 = lanes_at_most(lanes_mul(_s6, _c3), lanes_mul(_s10, _s10));
@@ -2750,44 +2761,48 @@ LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V
     const M _s22 = lanes_less(K(0.0), p_ring_friction);
     const V _s23 = lanes_select(_s22, lanes_select(_s21, lanes_select(_s20, K(0.0), _s19), K(0.0)), K(0.0));
     const V _s24 = lanes_select(_s22, lanes_select(_s21, lanes_select(_s20, _c2, lanes_div(_s10, _s12)), _c2), K(0.0));
-    const V _s25 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s2, lanes_mul(_s3, _s23)), lanes_mul(_s17, _s24)), lanes_mul(lanes_mul(dnx, _s8), _s0)), lanes_mul(lanes_mul(nx, _s8), _s1)), lanes_mul(lanes_mul(nx, _s11), _s0));
+    const V _s25 = lanes_sub(lanes_sub(_s2, lanes_add(lanes_mul(_s3, _s23), lanes_mul(_s17, _s24))), lanes_add(lanes_add(lanes_mul(lanes_mul(dnx, _s8), _s0), lanes_mul(lanes_mul(nx, _s8), _s1)), lanes_mul(lanes_mul(nx, _s11), _s0)));
     const V _s26 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
     const V _s27 = lanes_add(_s26, lanes_abs(vz));
-    const V _s28 = lanes_mul(K(2.220446049250313e-16), _s27);
-    const V _s29 = lanes_neg(_s28);
-    const V _s30 = lanes_add(_s25, lanes_select(lanes_less(_s25, K(0.0)), _s29, _s28));
-    const V _s31 = lanes_abs(dwx);
-    const V _s32 = lanes_abs(dwy);
-    const V _s33 = lanes_max(_s31, _s32);
-    const V _s34 = lanes_abs(dwz);
-    const V _s35 = lanes_abs(dvx);
-    const V _s36 = lanes_abs(dvy);
-    const V _s37 = lanes_max(_s35, _s36);
-    const V _s38 = lanes_abs(dvz);
-    const V _s39 = lanes_add(lanes_add(lanes_mul(_c0, lanes_max(_s33, _s34)), lanes_mul(turn, _s27)), lanes_max(_s37, _s38));
-    const V _s40 = lanes_div(_s39, lifting);
-    const V _s41 = lanes_neg(_s40);
-    const V _s42 = lanes_select(lanes_less(lanes_abs(_s30), _s40), lanes_select(lanes_less(_s30, K(0.0)), _s41, _s40), _s30);
-    const V _s43 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s15, lanes_mul(_s5, _s23)), lanes_mul(_s16, _s24)), lanes_mul(lanes_mul(dny, _s8), _s0)), lanes_mul(lanes_mul(ny, _s8), _s1)), lanes_mul(lanes_mul(ny, _s11), _s0));
-    const V _s44 = lanes_add(_s43, lanes_select(lanes_less(_s43, K(0.0)), _s29, _s28));
-    const V _s45 = lanes_select(lanes_less(lanes_abs(_s44), _s40), lanes_select(lanes_less(_s44, K(0.0)), _s41, _s40), _s44);
-    const V _s46 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s13, lanes_mul(_s4, _s23)), lanes_mul(_s14, _s24)), lanes_mul(lanes_mul(dnz, _s8), _s0)), lanes_mul(lanes_mul(nz, _s8), _s1)), lanes_mul(lanes_mul(nz, _s11), _s0));
-    const V _s47 = lanes_add(_s46, lanes_select(lanes_less(_s46, K(0.0)), _s29, _s28));
-    const V _s48 = lanes_select(lanes_less(lanes_abs(_s47), _s40), lanes_select(lanes_less(_s47, K(0.0)), _s41, _s40), _s47);
-    const V _s49 = lanes_add(lanes_add(lanes_mul(nx, lanes_sub(_s42, _s30)), lanes_mul(ny, lanes_sub(_s45, _s44))), lanes_mul(nz, lanes_sub(_s48, _s47)));
-    const V _s50 = lanes_div(lanes_mul(K(1.5), _s23), _c0);
-    const V _s51 = lanes_div(lanes_mul(K(1.5), _s24), _c0);
-    const V _s52 = lanes_add(lanes_add(dwx, lanes_mul(_s50, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s51, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s14)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s16))));
-    const V _s53 = lanes_div(_s28, _c0);
-    const V _s54 = lanes_neg(_s53);
-    const V _s55 = lanes_add(_s52, lanes_select(lanes_less(_s52, K(0.0)), _s54, _s53));
-    const V _s56 = lanes_div(_s39, lanes_mul(_c0, lifting));
-    const V _s57 = lanes_neg(_s56);
-    const V _s58 = lanes_add(lanes_add(dwy, lanes_mul(_s50, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s51, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s17)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s14))));
-    const V _s59 = lanes_add(_s58, lanes_select(lanes_less(_s58, K(0.0)), _s54, _s53));
-    const V _s60 = lanes_add(lanes_add(dwz, lanes_mul(_s50, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s51, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s16)), lanes_mul(dny, _s3)), lanes_mul(ny, _s17))));
-    const V _s61 = lanes_add(_s60, lanes_select(lanes_less(_s60, K(0.0)), _s54, _s53));
-    return (LANES(court_carry_ring_impact_out)){ lanes_sub(_s42, lanes_mul(nx, _s49)), lanes_sub(_s45, lanes_mul(ny, _s49)), lanes_sub(_s48, lanes_mul(nz, _s49)), lanes_select(lanes_less(lanes_abs(_s55), _s56), lanes_select(lanes_less(_s55, K(0.0)), _s57, _s56), _s55), lanes_select(lanes_less(lanes_abs(_s59), _s56), lanes_select(lanes_less(_s59, K(0.0)), _s57, _s56), _s59), lanes_select(lanes_less(lanes_abs(_s61), _s56), lanes_select(lanes_less(_s61, K(0.0)), _s57, _s56), _s61) };
+    const V _s28 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(2.220446049250313e-16), _s27));
+    const V _s29 = lanes_add(lanes_abs(_s25), _s28);
+    const V _s30 = lanes_abs(dwx);
+    const V _s31 = lanes_abs(dwy);
+    const V _s32 = lanes_max(_s30, _s31);
+    const V _s33 = lanes_abs(dwz);
+    const V _s34 = lanes_abs(dvx);
+    const V _s35 = lanes_abs(dvy);
+    const V _s36 = lanes_max(_s34, _s35);
+    const V _s37 = lanes_abs(dvz);
+    const V _s38 = lanes_mul(lifting, lanes_add(lanes_add(lanes_mul(_c0, lanes_max(_s32, _s33)), lanes_mul(turn, _s27)), lanes_max(_s36, _s37)));
+    const V _s39 = lanes_max(_s29, _s38);
+    const M _s40 = lanes_less(_s25, K(0.0));
+    const V _s41 = lanes_sub(_s39, _s29);
+    const V _s42 = lanes_sub(lanes_sub(_s15, lanes_add(lanes_mul(_s5, _s23), lanes_mul(_s16, _s24))), lanes_add(lanes_add(lanes_mul(lanes_mul(dny, _s8), _s0), lanes_mul(lanes_mul(ny, _s8), _s1)), lanes_mul(lanes_mul(ny, _s11), _s0)));
+    const V _s43 = lanes_add(lanes_abs(_s42), _s28);
+    const V _s44 = lanes_max(_s43, _s38);
+    const V _s45 = lanes_sub(_s44, _s43);
+    const M _s46 = lanes_less(_s42, K(0.0));
+    const V _s47 = lanes_sub(lanes_sub(_s13, lanes_add(lanes_mul(_s4, _s23), lanes_mul(_s14, _s24))), lanes_add(lanes_add(lanes_mul(lanes_mul(dnz, _s8), _s0), lanes_mul(lanes_mul(nz, _s8), _s1)), lanes_mul(lanes_mul(nz, _s11), _s0)));
+    const V _s48 = lanes_add(lanes_abs(_s47), _s28);
+    const V _s49 = lanes_max(_s48, _s38);
+    const V _s50 = lanes_sub(_s49, _s48);
+    const M _s51 = lanes_less(_s47, K(0.0));
+    const V _s52 = lanes_add(lanes_add(lanes_mul(nx, lanes_select(_s40, lanes_neg(_s41), _s41)), lanes_mul(ny, lanes_select(_s46, lanes_neg(_s45), _s45))), lanes_mul(nz, lanes_select(_s51, lanes_neg(_s50), _s50)));
+    const V _s53 = lanes_div(lanes_mul(K(1.5), _s23), _c0);
+    const V _s54 = lanes_div(lanes_mul(K(1.5), _s24), _c0);
+    const V _s55 = lanes_add(dwx, lanes_add(lanes_mul(_s53, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5))), lanes_mul(_s54, lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s14)), lanes_add(lanes_mul(dnz, _s5), lanes_mul(nz, _s16))))));
+    const V _s56 = lanes_mul(_c4, _s28);
+    const V _s57 = lanes_add(lanes_abs(_s55), _s56);
+    const V _s58 = lanes_mul(_c4, _s38);
+    const V _s59 = lanes_max(_s57, _s58);
+    const V _s60 = lanes_add(dwy, lanes_add(lanes_mul(_s53, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4))), lanes_mul(_s54, lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s17)), lanes_add(lanes_mul(dnx, _s4), lanes_mul(nx, _s14))))));
+    const V _s61 = lanes_add(lanes_abs(_s60), _s56);
+    const V _s62 = lanes_max(_s61, _s58);
+    const V _s63 = lanes_add(dwz, lanes_add(lanes_mul(_s53, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3))), lanes_mul(_s54, lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s16)), lanes_add(lanes_mul(dny, _s3), lanes_mul(ny, _s17))))));
+    const V _s64 = lanes_add(lanes_abs(_s63), _s56);
+    const V _s65 = lanes_max(_s64, _s58);
+    return (LANES(court_carry_ring_impact_out)){ lanes_sub(lanes_select(_s40, lanes_neg(_s39), _s39), lanes_mul(nx, _s52)), lanes_sub(lanes_select(_s46, lanes_neg(_s44), _s44), lanes_mul(ny, _s52)), lanes_sub(lanes_select(_s51, lanes_neg(_s49), _s49), lanes_mul(nz, _s52)), lanes_select(lanes_less(_s55, K(0.0)), lanes_neg(_s59), _s59), lanes_select(lanes_less(_s60, K(0.0)), lanes_neg(_s62), _s62), lanes_select(lanes_less(_s63, K(0.0)), lanes_neg(_s65), _s65) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -2819,7 +2834,7 @@ LANES(court_ring_curvature)(V _c0)
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 31 operations: 5 additions, 1 subtraction, 21 multiplications, 2 divisions, 1 square root, 1 negation. */
+   derivative of Table 2's normal. 27 operations: 5 additions, 1 subtraction, 18 multiplications, 1 division, 1 square root, 1 negation. */
 typedef struct {
     V dnx;
     V dny;
@@ -2834,8 +2849,8 @@ LANES(court_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V _c0, V _c1
     const V _s1 = lanes_sub(_s0, _c0);
     const V _s2 = lanes_div(K(1.0), _s0);
     const V _s3 = lanes_mul(lanes_mul(_c1, _s1), _s2);
-    const V _s4 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s0);
-    const V _s5 = lanes_add(lanes_mul(lanes_mul(_s4, _c1), _s2), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s4, lanes_mul(_s2, _s2))), _c1), _s1));
+    const V _s4 = lanes_mul(lanes_add(lanes_mul(dx, x), lanes_mul(dy, y)), _s2);
+    const V _s5 = lanes_mul(_c1, lanes_add(lanes_mul(_s4, _s2), lanes_mul(lanes_neg(lanes_mul(_s4, lanes_mul(_s2, _s2))), _s1)));
     return (LANES(court_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s3), lanes_mul(x, _s5)), lanes_add(lanes_mul(dy, _s3), lanes_mul(y, _s5)), lanes_mul(dz, _c1), lanes_mul(shift, _c2) };
 }
 
@@ -3309,7 +3324,7 @@ LANES(court_ring_beside)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V
 }
 
 /* The distance, its rate and its second derivative, of a ball that rolls on something else.
-   derivatives of Table 2's distance. 75 operations: 12 additions, 5 subtractions, 48 multiplications, 8 divisions, 2 square roots. */
+   derivatives of Table 2's distance. 73 operations: 14 additions, 3 subtractions, 50 multiplications, 2 divisions, 2 square roots, 2 negations. */
 typedef struct {
     V gap;
     V nearing;
@@ -3320,19 +3335,20 @@ typedef struct {
 LANES_INLINE LANES(court_ring_closing_out)
 LANES(court_ring_closing)(V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V thrust_x, V thrust_y, V thrust_z, V x, V y, V z, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
-    const V _s1 = lanes_sqrt(_s0);
-    const V _s2 = lanes_sub(_s1, _c1);
-    const V _s3 = lanes_add(lanes_mul(z, z), lanes_mul(_s2, _s2));
-    const V _s4 = lanes_sqrt(_s3);
-    const V _s5 = lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_x), x), lanes_mul(lanes_mul(K(2.0), rolled_y), y));
-    const V _s6 = lanes_div(lanes_mul(K(0.5), _s5), _s1);
-    const V _s7 = lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_z), z), lanes_mul(lanes_mul(K(2.0), _s6), _s2));
-    const V _s8 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(K(2.0), lanes_mul(rolled_x, rolled_x)), lanes_mul(lanes_mul(K(2.0), thrust_x), x)), lanes_add(lanes_mul(K(2.0), lanes_mul(rolled_y, rolled_y)), lanes_mul(lanes_mul(K(2.0), thrust_y), y)))), _s1);
-    const V _s9 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s2), lanes_sub(_s8, lanes_div(lanes_mul(K(0.25), lanes_mul(_s5, _s5)), lanes_mul(_s1, _s0)))), lanes_mul(K(2.0), lanes_mul(_s6, _s6)));
-    const V _s10 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(K(2.0), lanes_mul(rolled_z, rolled_z)), lanes_mul(lanes_mul(K(2.0), thrust_z), z)), _s9)), _s4);
-    const V _s11 = lanes_mul(K(2.0), lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), nx), x), lanes_mul(lanes_mul(K(2.0), ny), y))), _s1));
-    return (LANES(court_ring_closing_out)){ lanes_sub(lanes_sub(_s4, _c0), _c2), lanes_div(lanes_mul(K(0.5), _s7), _s4), lanes_sub(_s10, lanes_div(lanes_mul(K(0.25), lanes_mul(_s7, _s7)), lanes_mul(_s4, _s3))), lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), nz), z), lanes_mul(_s11, _s2))), _s4) };
+    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s1 = lanes_sub(_s0, _c1);
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1)));
+    const V _s3 = lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_x), x), lanes_mul(lanes_mul(K(2.0), rolled_y), y));
+    const V _s4 = lanes_div(K(1.0), _s0);
+    const V _s5 = lanes_mul(lanes_mul(K(0.5), _s3), _s4);
+    const V _s6 = lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_z), z), lanes_mul(lanes_mul(K(2.0), _s5), _s1));
+    const V _s7 = lanes_div(K(1.0), _s2);
+    const V _s8 = lanes_mul(lanes_mul(K(0.5), _s6), _s7);
+    const V _s9 = lanes_add(lanes_mul(lanes_neg(lanes_mul(_s5, lanes_mul(_s4, _s4))), _s3), lanes_mul(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(rolled_x, rolled_x), lanes_mul(thrust_x, x))), lanes_mul(K(2.0), lanes_add(lanes_mul(rolled_y, rolled_y), lanes_mul(thrust_y, y)))), _s4));
+    const V _s10 = lanes_mul(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(rolled_z, rolled_z), lanes_mul(thrust_z, z))), lanes_mul(K(2.0), lanes_add(lanes_mul(_s1, lanes_mul(K(0.5), _s9)), lanes_mul(_s5, _s5)))), _s7);
+    const V _s11 = lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_neg(lanes_mul(_s8, lanes_mul(_s7, _s7))), _s6), _s10));
+    const V _s12 = lanes_mul(K(2.0), lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), nx), x), lanes_mul(lanes_mul(K(2.0), ny), y))), _s4));
+    return (LANES(court_ring_closing_out)){ lanes_sub(lanes_sub(_s2, _c0), _c2), _s8, _s11, lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), nz), z), lanes_mul(_s12, _s1))), _s7) };
 }
 
 /* The distance.
@@ -3364,7 +3380,7 @@ LANES(court_ring_tube)(V _c0)
 }
 
 /* The rate at which the normal turns.
-   derivative of Table 2's normal. 30 operations: 5 additions, 1 subtraction, 20 multiplications, 2 divisions, 1 square root, 1 negation. */
+   derivative of Table 2's normal. 26 operations: 5 additions, 1 subtraction, 17 multiplications, 1 division, 1 square root, 1 negation. */
 typedef struct {
     V turning_x;
     V turning_y;
@@ -3378,13 +3394,13 @@ LANES(court_ring_turning)(V rolled_x, V rolled_y, V rolled_z, V x, V y, V _c0, V
     const V _s1 = lanes_sub(_s0, _c0);
     const V _s2 = lanes_div(K(1.0), _s0);
     const V _s3 = lanes_mul(lanes_mul(_c1, _s1), _s2);
-    const V _s4 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_x), x), lanes_mul(lanes_mul(K(2.0), rolled_y), y))), _s0);
-    const V _s5 = lanes_add(lanes_mul(lanes_mul(_s4, _c1), _s2), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s4, lanes_mul(_s2, _s2))), _c1), _s1));
+    const V _s4 = lanes_mul(lanes_add(lanes_mul(rolled_x, x), lanes_mul(rolled_y, y)), _s2);
+    const V _s5 = lanes_mul(_c1, lanes_add(lanes_mul(_s4, _s2), lanes_mul(lanes_neg(lanes_mul(_s4, lanes_mul(_s2, _s2))), _s1)));
     return (LANES(court_ring_turning_out)){ lanes_add(lanes_mul(rolled_x, _s3), lanes_mul(x, _s5)), lanes_add(lanes_mul(rolled_y, _s3), lanes_mul(y, _s5)), lanes_mul(rolled_z, _c1) };
 }
 
 /* The second to the fourth derivative of the distance along a flight.
-   derivatives of Table 2's distance. 116 operations: 14 additions, 11 subtractions, 70 multiplications, 18 divisions, 2 square roots, 1 negation. */
+   derivatives of Table 2's distance. 144 operations: 41 additions, 2 subtractions, 90 multiplications, 2 divisions, 2 square roots, 7 negations. */
 typedef struct {
     V lift;
     V surge;
@@ -3394,36 +3410,48 @@ typedef struct {
 LANES_INLINE LANES(court_ring_parting_out)
 LANES(court_ring_parting)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
-    const V _s1 = lanes_sqrt(_s0);
-    const V _s2 = lanes_sub(_s1, _c0);
-    const V _s3 = lanes_add(lanes_mul(z, z), lanes_mul(_s2, _s2));
-    const V _s4 = lanes_sqrt(_s3);
-    const V _s5 = lanes_add(lanes_mul(K(2.0), lanes_mul(vx, vx)), lanes_mul(K(2.0), lanes_mul(vy, vy)));
-    const V _s6 = lanes_mul(_s1, _s0);
-    const V _s7 = lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y));
-    const V _s8 = lanes_mul(_s7, _s7);
-    const V _s9 = lanes_sub(lanes_div(lanes_mul(K(0.5), _s5), _s1), lanes_div(lanes_mul(K(0.25), _s8), _s6));
-    const V _s10 = lanes_mul(K(2.0), _s2);
-    const V _s11 = lanes_div(lanes_mul(K(0.5), _s7), _s1);
-    const V _s12 = lanes_add(lanes_sub(lanes_mul(K(2.0), lanes_mul(vz, vz)), lanes_mul(_c1, z)), lanes_add(lanes_mul(_s10, _s9), lanes_mul(K(2.0), lanes_mul(_s11, _s11))));
-    const V _s13 = lanes_mul(_s4, _s3);
-    const V _s14 = lanes_add(lanes_mul(lanes_mul(K(2.0), vz), z), lanes_mul(lanes_mul(K(2.0), _s11), _s2));
-    const V _s15 = lanes_mul(_s14, _s14);
-    const V _s16 = lanes_mul(_s3, _s3);
-    const V _s17 = lanes_mul(_s4, _s16);
-    const V _s18 = lanes_mul(_s0, _s0);
-    const V _s19 = lanes_mul(_s1, _s18);
-    const V _s20 = lanes_sub(lanes_div(lanes_mul(K(0.375), lanes_mul(_s7, _s8)), _s19), lanes_div(lanes_mul(lanes_mul(K(0.75), _s5), _s7), _s6));
-    const V _s21 = lanes_add(lanes_neg(lanes_mul(_c2, vz)), lanes_add(lanes_mul(lanes_mul(K(6.0), _s11), _s9), lanes_mul(_s10, _s20)));
-    const V _s22 = lanes_mul(_s10, lanes_sub(lanes_sub(lanes_div(lanes_mul(lanes_mul(K(2.25), _s5), _s8), _s19), lanes_div(lanes_mul(K(0.75), lanes_mul(_s5, _s5)), _s6)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s8, _s8)), lanes_mul(_s6, _s18))));
-    const V _s23 = lanes_mul(K(0.5), lanes_add(_c3, lanes_add(lanes_add(lanes_mul(lanes_mul(K(8.0), _s11), _s20), _s22), lanes_mul(K(6.0), lanes_mul(_s9, _s9)))));
-    const V _s24 = lanes_sub(lanes_sub(lanes_add(lanes_div(_s23, _s4), lanes_div(lanes_mul(lanes_mul(K(2.25), _s15), _s12), _s17)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s15, _s15)), lanes_mul(_s13, _s16))), lanes_div(lanes_mul(K(0.75), lanes_mul(_s12, _s12)), _s13));
-    return (LANES(court_ring_parting_out)){ lanes_sub(lanes_div(lanes_mul(K(0.5), _s12), _s4), lanes_div(lanes_mul(K(0.25), _s15), _s13)), lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.375), lanes_mul(_s14, _s15)), _s17), lanes_div(lanes_mul(K(0.5), _s21), _s4)), lanes_div(lanes_mul(lanes_mul(K(0.75), _s14), _s12), _s13)), lanes_sub(_s24, lanes_div(lanes_mul(_s21, _s14), _s13)) };
+    const V _s0 = lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y));
+    const V _s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s2 = lanes_div(K(1.0), _s1);
+    const V _s3 = lanes_mul(lanes_mul(K(0.5), _s0), _s2);
+    const V _s4 = lanes_sub(_s1, _c1);
+    const V _s5 = lanes_mul(K(2.0), _s3);
+    const V _s6 = lanes_add(lanes_mul(lanes_mul(K(2.0), vz), z), lanes_mul(_s5, _s4));
+    const V _s7 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s4, _s4))));
+    const V _s8 = lanes_mul(lanes_mul(K(0.5), _s6), _s7);
+    const V _s9 = lanes_mul(_s7, _s7);
+    const V _s10 = lanes_neg(lanes_mul(_s8, _s9));
+    const V _s11 = lanes_mul(_s2, _s2);
+    const V _s12 = lanes_neg(lanes_mul(_s3, _s11));
+    const V _s13 = lanes_add(lanes_mul(K(2.0), lanes_mul(vx, vx)), lanes_mul(K(2.0), lanes_mul(vy, vy)));
+    const V _s14 = lanes_mul(K(0.5), lanes_add(lanes_mul(_s12, _s0), lanes_mul(_s13, _s2)));
+    const V _s15 = lanes_add(lanes_mul(K(2.0), lanes_sub(lanes_mul(vz, vz), lanes_mul(_c0, z))), lanes_mul(K(2.0), lanes_add(lanes_mul(_s4, _s14), lanes_mul(_s3, _s3))));
+    const V _s16 = lanes_mul(K(0.5), lanes_add(lanes_mul(_s10, _s6), lanes_mul(_s15, _s7)));
+    const V _s17 = lanes_mul(_s10, _s15);
+    const V _s18 = lanes_mul(K(2.0), _s10);
+    const V _s19 = lanes_neg(lanes_add(lanes_mul(_s16, _s9), lanes_mul(lanes_mul(_s18, _s8), _s7)));
+    const V _s20 = lanes_mul(_s12, _s13);
+    const V _s21 = lanes_mul(K(2.0), _s12);
+    const V _s22 = lanes_neg(lanes_add(lanes_mul(_s14, _s11), lanes_mul(lanes_mul(_s21, _s3), _s2)));
+    const V _s23 = lanes_mul(K(0.5), lanes_add(_s20, lanes_add(_s20, lanes_mul(_s0, _s22))));
+    const V _s24 = lanes_add(lanes_mul(K(2.0), lanes_neg(lanes_mul(_c2, vz))), lanes_mul(K(2.0), lanes_add(lanes_mul(_s5, _s14), lanes_add(lanes_mul(_s3, _s14), lanes_mul(_s4, _s23)))));
+    const V _s25 = lanes_mul(K(0.5), lanes_add(lanes_add(_s17, lanes_mul(_s6, _s19)), lanes_add(_s17, lanes_mul(_s24, _s7))));
+    const V _s26 = lanes_mul(_s10, _s24);
+    const V _s27 = lanes_mul(_s3, _s23);
+    const V _s28 = lanes_add(_s27, lanes_mul(_s14, _s14));
+    const V _s29 = lanes_mul(_s13, _s22);
+    const V _s30 = lanes_add(lanes_add(lanes_mul(_s23, _s11), lanes_mul(lanes_mul(_s21, _s14), _s2)), lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(lanes_mul(_s12, _s12), _s3), lanes_mul(lanes_mul(_s12, _s14), _s2)), lanes_mul(lanes_mul(_s3, _s22), _s2))));
+    const V _s31 = lanes_mul(K(0.5), lanes_add(_s29, lanes_add(_s29, lanes_add(lanes_mul(_s0, lanes_neg(_s30)), _s29))));
+    const V _s32 = lanes_add(_c3, lanes_mul(K(2.0), lanes_add(lanes_mul(K(2.0), _s28), lanes_add(lanes_add(_s27, lanes_mul(_s4, _s31)), _s28))));
+    const V _s33 = lanes_mul(_s15, _s19);
+    const V _s34 = lanes_add(_s26, _s33);
+    const V _s35 = lanes_add(lanes_add(lanes_mul(_s25, _s9), lanes_mul(lanes_mul(_s18, _s16), _s7)), lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(lanes_mul(_s10, _s10), _s8), lanes_mul(lanes_mul(_s10, _s16), _s7)), lanes_mul(lanes_mul(_s8, _s19), _s7))));
+    const V _s36 = lanes_mul(K(0.5), lanes_add(lanes_add(lanes_add(_s26, lanes_mul(_s32, _s7)), _s34), lanes_add(_s34, lanes_add(lanes_mul(_s6, lanes_neg(_s35)), _s33))));
+    return (LANES(court_ring_parting_out)){ _s16, _s25, _s36 };
 }
 
 /* The constant terms, in the ring's coordinates.
-   Routh's equations. 35 operations: 6 additions, 3 subtractions, 20 multiplications, 4 divisions, 2 square roots. */
+   Routh's equations. 39 operations: 6 additions, 4 subtractions, 24 multiplications, 3 divisions, 2 square roots. */
 typedef struct {
     V cosine_0;
     V sine_0;
@@ -3432,11 +3460,12 @@ typedef struct {
     V turn_rate_0;
     V cos_0;
     V sin_0;
+    V tilted_0;
     V near_0;
 } LANES(court_ring_round_start_out);
 
 LANES_INLINE LANES(court_ring_round_start_out)
-LANES(court_ring_round_start)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z, V _c0, V _c1, V _c2)
+LANES(court_ring_round_start)(V per_reach, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
     const V _s1 = lanes_sub(_s0, _c1);
@@ -3446,11 +3475,13 @@ LANES(court_ring_round_start)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z,
     const V _s5 = lanes_div(K(1.0), _s0);
     const V _s6 = lanes_mul(x, _s5);
     const V _s7 = lanes_mul(y, _s5);
-    return (LANES(court_ring_round_start_out)){ _s3, _s4, lanes_div(lanes_sub(lanes_mul(vz, _s3), lanes_mul(_s4, lanes_add(lanes_mul(vx, _s6), lanes_mul(vy, _s7)))), _c2), lanes_sub(lanes_mul(vy, _s6), lanes_mul(vx, _s7)), lanes_mul(_c0, lanes_add(lanes_mul(wz, _s4), lanes_mul(_s3, lanes_add(lanes_mul(wx, _s6), lanes_mul(wy, _s7))))), _s6, _s7, lanes_div(K(1.0), lanes_add(_c1, lanes_mul(_s3, _c2))) };
+    const V _s8 = lanes_sub(lanes_mul(vy, _s6), lanes_mul(vx, _s7));
+    const V _s9 = lanes_mul(_c0, lanes_add(lanes_mul(wz, _s4), lanes_mul(_s3, lanes_add(lanes_mul(wx, _s6), lanes_mul(wy, _s7)))));
+    return (LANES(court_ring_round_start_out)){ _s3, _s4, lanes_mul(per_reach, lanes_sub(lanes_mul(vz, _s3), lanes_mul(_s4, lanes_add(lanes_mul(vx, _s6), lanes_mul(vy, _s7))))), _s8, _s9, _s6, _s7, lanes_sub(lanes_mul(_s4, _s8), lanes_mul(K(0.4), lanes_mul(_s9, _s3))), lanes_div(K(1.0), lanes_add(_c1, lanes_mul(_s3, _c2))) };
 }
 
 /* Where a ball that rolls on the ring is at time t.
-   Routh's equations. 212 operations: 90 additions, 3 subtractions, 114 multiplications, 2 divisions, 2 square roots, 1 negation. */
+   Routh's equations. 221 operations: 82 additions, 10 subtractions, 126 multiplications, 1 division, 1 square root, 1 negation. */
 typedef struct {
     V x;
     V y;
@@ -3465,53 +3496,55 @@ typedef struct {
 } LANES(court_ring_round_moved_out);
 
 LANES_INLINE LANES(court_ring_round_moved_out)
-LANES(court_ring_round_moved)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_11, V cos_12, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_12, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V sin_0, V sin_1, V sin_10, V sin_11, V sin_12, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_11, V sine_12, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V t, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_12, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2)
+LANES(court_ring_round_moved)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_12, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V omega_0, V omega_1, V omega_10, V omega_11, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V sin_0, V sine_0, V sine_1, V sine_10, V sine_11, V sine_12, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V t, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_12, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(cos_9, lanes_mul(t, lanes_add(cos_10, lanes_mul(t, lanes_add(cos_11, lanes_mul(cos_12, t))))));
-    const V _s1 = lanes_add(cos_6, lanes_mul(t, lanes_add(cos_7, lanes_mul(t, lanes_add(cos_8, lanes_mul(t, _s0))))));
-    const V _s2 = lanes_add(cos_3, lanes_mul(t, lanes_add(cos_4, lanes_mul(t, lanes_add(cos_5, lanes_mul(t, _s1))))));
-    const V _s3 = lanes_add(cos_0, lanes_mul(t, lanes_add(cos_1, lanes_mul(t, lanes_add(cos_2, lanes_mul(t, _s2))))));
-    const V _s4 = lanes_add(sin_9, lanes_mul(t, lanes_add(sin_10, lanes_mul(t, lanes_add(sin_11, lanes_mul(sin_12, t))))));
-    const V _s5 = lanes_add(sin_6, lanes_mul(t, lanes_add(sin_7, lanes_mul(t, lanes_add(sin_8, lanes_mul(t, _s4))))));
-    const V _s6 = lanes_add(sin_3, lanes_mul(t, lanes_add(sin_4, lanes_mul(t, lanes_add(sin_5, lanes_mul(t, _s5))))));
-    const V _s7 = lanes_add(sin_0, lanes_mul(t, lanes_add(sin_1, lanes_mul(t, lanes_add(sin_2, lanes_mul(t, _s6))))));
+    const V _s0 = lanes_add(cosine_9, lanes_mul(t, lanes_add(cosine_10, lanes_mul(t, lanes_add(cosine_11, lanes_mul(cosine_12, t))))));
+    const V _s1 = lanes_add(cosine_6, lanes_mul(t, lanes_add(cosine_7, lanes_mul(t, lanes_add(cosine_8, lanes_mul(t, _s0))))));
+    const V _s2 = lanes_add(cosine_3, lanes_mul(t, lanes_add(cosine_4, lanes_mul(t, lanes_add(cosine_5, lanes_mul(t, _s1))))));
+    const V _s3 = lanes_add(cosine_0, lanes_mul(t, lanes_add(cosine_1, lanes_mul(t, lanes_add(cosine_2, lanes_mul(t, _s2))))));
+    const V _s4 = lanes_add(sine_9, lanes_mul(t, lanes_add(sine_10, lanes_mul(t, lanes_add(sine_11, lanes_mul(sine_12, t))))));
+    const V _s5 = lanes_add(sine_6, lanes_mul(t, lanes_add(sine_7, lanes_mul(t, lanes_add(sine_8, lanes_mul(t, _s4))))));
+    const V _s6 = lanes_add(sine_3, lanes_mul(t, lanes_add(sine_4, lanes_mul(t, lanes_add(sine_5, lanes_mul(t, _s5))))));
+    const V _s7 = lanes_add(sine_0, lanes_mul(t, lanes_add(sine_1, lanes_mul(t, lanes_add(sine_2, lanes_mul(t, _s6))))));
     const V _s8 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s7, _s7))));
     const V _s9 = lanes_mul(_s3, _s8);
-    const V _s10 = lanes_add(cosine_9, lanes_mul(t, lanes_add(cosine_10, lanes_mul(t, lanes_add(cosine_11, lanes_mul(cosine_12, t))))));
-    const V _s11 = lanes_add(cosine_6, lanes_mul(t, lanes_add(cosine_7, lanes_mul(t, lanes_add(cosine_8, lanes_mul(t, _s10))))));
-    const V _s12 = lanes_add(cosine_3, lanes_mul(t, lanes_add(cosine_4, lanes_mul(t, lanes_add(cosine_5, lanes_mul(t, _s11))))));
-    const V _s13 = lanes_add(cosine_0, lanes_mul(t, lanes_add(cosine_1, lanes_mul(t, lanes_add(cosine_2, lanes_mul(t, _s12))))));
-    const V _s14 = lanes_add(sine_9, lanes_mul(t, lanes_add(sine_10, lanes_mul(t, lanes_add(sine_11, lanes_mul(sine_12, t))))));
-    const V _s15 = lanes_add(sine_6, lanes_mul(t, lanes_add(sine_7, lanes_mul(t, lanes_add(sine_8, lanes_mul(t, _s14))))));
-    const V _s16 = lanes_add(sine_3, lanes_mul(t, lanes_add(sine_4, lanes_mul(t, lanes_add(sine_5, lanes_mul(t, _s15))))));
-    const V _s17 = lanes_add(sine_0, lanes_mul(t, lanes_add(sine_1, lanes_mul(t, lanes_add(sine_2, lanes_mul(t, _s16))))));
-    const V _s18 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s17, _s17))));
-    const V _s19 = lanes_mul(_s13, _s18);
-    const V _s20 = lanes_add(_c0, lanes_mul(_s19, _c1));
-    const V _s21 = lanes_mul(_s7, _s8);
-    const V _s22 = lanes_mul(_s17, _s18);
-    const V _s23 = lanes_add(climb_9, lanes_mul(t, lanes_add(climb_10, lanes_mul(t, lanes_add(climb_11, lanes_mul(climb_12, t))))));
-    const V _s24 = lanes_add(climb_6, lanes_mul(t, lanes_add(climb_7, lanes_mul(t, lanes_add(climb_8, lanes_mul(t, _s23))))));
-    const V _s25 = lanes_add(climb_3, lanes_mul(t, lanes_add(climb_4, lanes_mul(t, lanes_add(climb_5, lanes_mul(t, _s24))))));
-    const V _s26 = lanes_add(climb_0, lanes_mul(t, lanes_add(climb_1, lanes_mul(t, lanes_add(climb_2, lanes_mul(t, _s25))))));
-    const V _s27 = lanes_mul(_c1, _s26);
-    const V _s28 = lanes_neg(lanes_mul(_s27, _s22));
-    const V _s29 = lanes_add(along_9, lanes_mul(t, lanes_add(along_10, lanes_mul(t, lanes_add(along_11, lanes_mul(along_12, t))))));
-    const V _s30 = lanes_add(along_6, lanes_mul(t, lanes_add(along_7, lanes_mul(t, lanes_add(along_8, lanes_mul(t, _s29))))));
-    const V _s31 = lanes_add(along_3, lanes_mul(t, lanes_add(along_4, lanes_mul(t, lanes_add(along_5, lanes_mul(t, _s30))))));
-    const V _s32 = lanes_add(along_0, lanes_mul(t, lanes_add(along_1, lanes_mul(t, lanes_add(along_2, lanes_mul(t, _s31))))));
-    const V _s33 = lanes_add(turn_rate_9, lanes_mul(t, lanes_add(turn_rate_10, lanes_mul(t, lanes_add(turn_rate_11, lanes_mul(t, turn_rate_12))))));
-    const V _s34 = lanes_add(turn_rate_6, lanes_mul(t, lanes_add(turn_rate_7, lanes_mul(t, lanes_add(turn_rate_8, lanes_mul(t, _s33))))));
-    const V _s35 = lanes_add(turn_rate_3, lanes_mul(t, lanes_add(turn_rate_4, lanes_mul(t, lanes_add(turn_rate_5, lanes_mul(t, _s34))))));
-    const V _s36 = lanes_add(turn_rate_0, lanes_mul(t, lanes_add(turn_rate_1, lanes_mul(t, lanes_add(turn_rate_2, lanes_mul(t, _s35))))));
-    const V _s37 = lanes_sub(lanes_mul(_s19, _s36), lanes_mul(_s22, _s32));
-    return (LANES(court_ring_round_moved_out)){ lanes_mul(_s9, _s20), lanes_mul(_s21, _s20), lanes_mul(_s22, _c1), lanes_sub(lanes_mul(_s28, _s9), lanes_mul(_s21, _s32)), lanes_add(lanes_mul(_s28, _s21), lanes_mul(_s9, _s32)), lanes_mul(_s27, _s19), lanes_mul(_c2, lanes_add(lanes_mul(_s27, _s21), lanes_mul(_s9, _s37))), lanes_mul(_c2, lanes_sub(lanes_mul(_s21, _s37), lanes_mul(_s27, _s9))), lanes_mul(_c2, lanes_add(lanes_mul(_s19, _s32), lanes_mul(_s22, _s36))), _s26 };
+    const V _s10 = lanes_add(_c0, lanes_mul(_s9, _c1));
+    const V _s11 = lanes_mul(t, lanes_add(lanes_mul(K(0.1), omega_9), lanes_mul(t, lanes_add(lanes_mul(K(0.09090909090909091), omega_10), lanes_mul(lanes_mul(K(0.08333333333333333), omega_11), t)))));
+    const V _s12 = lanes_add(lanes_mul(K(0.14285714285714285), omega_6), lanes_mul(t, lanes_add(lanes_mul(K(0.125), omega_7), lanes_mul(t, lanes_add(lanes_mul(K(0.1111111111111111), omega_8), _s11)))));
+    const V _s13 = lanes_add(lanes_mul(K(0.25), omega_3), lanes_mul(t, lanes_add(lanes_mul(K(0.2), omega_4), lanes_mul(t, lanes_add(lanes_mul(K(0.16666666666666666), omega_5), lanes_mul(t, _s12))))));
+    const V _s14 = lanes_add(omega_0, lanes_mul(t, lanes_add(lanes_mul(K(0.5), omega_1), lanes_mul(t, lanes_add(lanes_mul(K(0.3333333333333333), omega_2), lanes_mul(t, _s13))))));
+    const V _s15 = lanes_mul(t, _s14);
+    const V _s16 = lanes_mul(_s15, _s15);
+    const V _s17 = lanes_sub(lanes_mul(lanes_add(K(2.48015873015873e-05), lanes_mul(lanes_sub(lanes_mul(K(2.08767569878681e-09), _s16), K(2.755731922398589e-07)), _s16)), _s16), K(0.001388888888888889));
+    const V _s18 = lanes_add(K(1.0), lanes_mul(lanes_sub(lanes_mul(lanes_add(K(0.041666666666666664), lanes_mul(_s17, _s16)), _s16), K(0.5)), _s16));
+    const V _s19 = lanes_add(K(0.008333333333333333), lanes_mul(lanes_sub(lanes_mul(lanes_sub(K(2.7557319223985893e-06), lanes_mul(K(2.505210838544172e-08), _s16)), _s16), K(0.0001984126984126984)), _s16));
+    const V _s20 = lanes_mul(_s15, lanes_add(K(1.0), lanes_mul(lanes_sub(lanes_mul(_s19, _s16), K(0.16666666666666666)), _s16)));
+    const V _s21 = lanes_sub(lanes_mul(cos_0, _s18), lanes_mul(sin_0, _s20));
+    const V _s22 = lanes_add(lanes_mul(cos_0, _s20), lanes_mul(sin_0, _s18));
+    const V _s23 = lanes_mul(_s7, _s8);
+    const V _s24 = lanes_add(climb_9, lanes_mul(t, lanes_add(climb_10, lanes_mul(t, lanes_add(climb_11, lanes_mul(climb_12, t))))));
+    const V _s25 = lanes_add(climb_6, lanes_mul(t, lanes_add(climb_7, lanes_mul(t, lanes_add(climb_8, lanes_mul(t, _s24))))));
+    const V _s26 = lanes_add(climb_3, lanes_mul(t, lanes_add(climb_4, lanes_mul(t, lanes_add(climb_5, lanes_mul(t, _s25))))));
+    const V _s27 = lanes_add(climb_0, lanes_mul(t, lanes_add(climb_1, lanes_mul(t, lanes_add(climb_2, lanes_mul(t, _s26))))));
+    const V _s28 = lanes_mul(_c1, _s27);
+    const V _s29 = lanes_neg(lanes_mul(_s28, _s23));
+    const V _s30 = lanes_add(along_9, lanes_mul(t, lanes_add(along_10, lanes_mul(t, lanes_add(along_11, lanes_mul(along_12, t))))));
+    const V _s31 = lanes_add(along_6, lanes_mul(t, lanes_add(along_7, lanes_mul(t, lanes_add(along_8, lanes_mul(t, _s30))))));
+    const V _s32 = lanes_add(along_3, lanes_mul(t, lanes_add(along_4, lanes_mul(t, lanes_add(along_5, lanes_mul(t, _s31))))));
+    const V _s33 = lanes_add(along_0, lanes_mul(t, lanes_add(along_1, lanes_mul(t, lanes_add(along_2, lanes_mul(t, _s32))))));
+    const V _s34 = lanes_add(turn_rate_9, lanes_mul(t, lanes_add(turn_rate_10, lanes_mul(t, lanes_add(turn_rate_11, lanes_mul(t, turn_rate_12))))));
+    const V _s35 = lanes_add(turn_rate_6, lanes_mul(t, lanes_add(turn_rate_7, lanes_mul(t, lanes_add(turn_rate_8, lanes_mul(t, _s34))))));
+    const V _s36 = lanes_add(turn_rate_3, lanes_mul(t, lanes_add(turn_rate_4, lanes_mul(t, lanes_add(turn_rate_5, lanes_mul(t, _s35))))));
+    const V _s37 = lanes_add(turn_rate_0, lanes_mul(t, lanes_add(turn_rate_1, lanes_mul(t, lanes_add(turn_rate_2, lanes_mul(t, _s36))))));
+    const V _s38 = lanes_sub(lanes_mul(_s9, _s37), lanes_mul(_s23, _s33));
+    return (LANES(court_ring_round_moved_out)){ lanes_mul(_s10, _s21), lanes_mul(_s10, _s22), lanes_mul(_s23, _c1), lanes_sub(lanes_mul(_s29, _s21), lanes_mul(_s33, _s22)), lanes_add(lanes_mul(_s29, _s22), lanes_mul(_s33, _s21)), lanes_mul(_s28, _s9), lanes_mul(_c2, lanes_add(lanes_mul(_s28, _s22), lanes_mul(_s21, _s38))), lanes_mul(_c2, lanes_sub(lanes_mul(_s22, _s38), lanes_mul(_s28, _s21))), lanes_mul(_c2, lanes_add(lanes_mul(_s9, _s33), lanes_mul(_s23, _s37))), _s27 };
 }
 
 /* A step of the series, and bounds of the motion in it.
-   Routh's equations. 261 operations: 76 additions, 3 subtractions, 124 multiplications, 4 divisions, 6 square roots, 1 negation, 43 absolute values, 2 comparisons, 2 selections. */
+   Routh's equations. 322 operations: 94 additions, 5 subtractions, 164 multiplications, 2 divisions, 7 square roots, 1 negation, 45 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
     V stride;
+    V missed;
     V strongest;
     V fastest;
     V sway;
@@ -3525,70 +3558,95 @@ typedef struct {
 } LANES(court_ring_round_pace_out);
 
 LANES_INLINE LANES(court_ring_round_pace_out)
-LANES(court_ring_round_pace)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_12, V cosine_0, V cosine_12, V force_0, V force_1, V force_10, V force_11, V force_2, V force_3, V force_4, V force_5, V force_6, V force_7, V force_8, V force_9, V omega_0, V sin_0, V sin_12, V sine_0, V sine_12, V turn_rate_0, V turn_rate_11, V turn_rate_12, V _c0, V _c1, V _c2, V _c3, V _c4)
+LANES(court_ring_round_pace)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cosine_0, V cosine_12, V omega_0, V omega_1, V omega_10, V omega_11, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V per_reach, V sin_0, V sine_0, V sine_12, V turn_rate_0, V turn_rate_11, V turn_rate_12, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
     const V _s0 = lanes_abs(climb_0);
     const V _s1 = lanes_abs(along_0);
-    const V _s2 = lanes_add(lanes_mul(_s0, _c1), lanes_add(_s1, lanes_abs(turn_rate_0)));
-    const V _s3 = lanes_add(_c0, _s2);
+    const V _s2 = lanes_add(lanes_mul(_s0, _c2), lanes_add(_s1, lanes_abs(turn_rate_0)));
+    const V _s3 = lanes_add(_c1, _s2);
     const V _s4 = lanes_abs(climb_11);
     const V _s5 = lanes_abs(along_11);
     const V _s6 = lanes_abs(climb_12);
     const V _s7 = lanes_abs(along_12);
-    const V _s8 = lanes_add(lanes_mul(lanes_mul(K(0.25), lanes_add(lanes_mul(_s4, _c1), lanes_add(_s5, lanes_abs(turn_rate_11)))), lanes_add(lanes_div(_s2, _c1), _c2)), lanes_add(lanes_mul(_s6, _c1), lanes_add(_s7, lanes_abs(turn_rate_12))));
-    const V _s9 = lanes_mul(_s3, lanes_add(lanes_add(lanes_add(lanes_abs(cos_12), lanes_abs(cosine_12)), lanes_abs(sin_12)), lanes_abs(sine_12)));
-    const V _s10 = lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.7763568394002505e-15), _s3), lanes_max(_s8, _s9))));
-    const V _s11 = lanes_sqrt(lanes_sqrt(_s10));
-    const V _s12 = lanes_mul(_s11, lanes_sqrt(lanes_sqrt(_s11)));
-    const V _s13 = lanes_add(lanes_div(_s10, lanes_mul(K(3.0), lanes_mul(_s12, _s12))), lanes_mul(K(0.6666666666666666), _s12));
-    const V _s14 = lanes_add(lanes_div(_s10, lanes_mul(K(3.0), lanes_mul(_s13, _s13))), lanes_mul(K(0.6666666666666666), _s13));
-    const V _s15 = lanes_min(_s14, K(0.0625));
-    const V _s16 = lanes_abs(climb_10);
-    const V _s17 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s6), _s15), lanes_mul(K(11.0), _s4)), _s15), lanes_mul(K(10.0), _s16)), _s15);
-    const V _s18 = lanes_abs(climb_9);
-    const V _s19 = lanes_abs(climb_8);
-    const V _s20 = lanes_abs(climb_7);
-    const V _s21 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s17, lanes_mul(K(9.0), _s18)), _s15), lanes_mul(K(8.0), _s19)), _s15), lanes_mul(K(7.0), _s20));
-    const V _s22 = lanes_abs(climb_6);
-    const V _s23 = lanes_abs(climb_5);
-    const V _s24 = lanes_abs(climb_4);
-    const V _s25 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s21, _s15), lanes_mul(K(6.0), _s22)), _s15), lanes_mul(K(5.0), _s23)), _s15), lanes_mul(K(4.0), _s24));
-    const V _s26 = lanes_abs(climb_3);
-    const V _s27 = lanes_abs(climb_2);
-    const V _s28 = lanes_abs(climb_1);
-    const V _s29 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s25, _s15), lanes_mul(K(3.0), _s26)), _s15), lanes_mul(K(2.0), _s27)), _s15), _s28);
-    const V _s30 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s6, _s15), _s4), _s15), _s16), _s15), _s18);
-    const V _s31 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s30, _s15), _s19), _s15), _s20), _s15), _s22);
-    const V _s32 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s31, _s15), _s23), _s15), _s24), _s15), _s26);
-    const V _s33 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s32, _s15), _s27), _s15), _s28), _s15), _s0);
-    const V _s34 = lanes_mul(_c1, lanes_add(_s29, lanes_mul(_s33, _s33)));
-    const V _s35 = lanes_abs(along_10);
-    const V _s36 = lanes_abs(along_9);
-    const V _s37 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s15), _s5), _s15), _s35), _s15), _s36);
-    const V _s38 = lanes_abs(along_8);
-    const V _s39 = lanes_abs(along_7);
-    const V _s40 = lanes_abs(along_6);
-    const V _s41 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s37, _s15), _s38), _s15), _s39), _s15), _s40);
-    const V _s42 = lanes_abs(along_5);
-    const V _s43 = lanes_abs(along_4);
-    const V _s44 = lanes_abs(along_3);
-    const V _s45 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s41, _s15), _s42), _s15), _s43), _s15), _s44);
-    const V _s46 = lanes_abs(along_2);
-    const V _s47 = lanes_abs(along_1);
-    const V _s48 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s45, _s15), _s46), _s15), _s47), _s15), _s1);
-    const V _s49 = lanes_add(lanes_mul(_c1, _s33), _s48);
-    const V _s50 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s7), _s15), lanes_mul(K(11.0), _s5)), _s15), lanes_mul(K(10.0), _s35)), _s15);
-    const V _s51 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s50, lanes_mul(K(9.0), _s36)), _s15), lanes_mul(K(8.0), _s38)), _s15), lanes_mul(K(7.0), _s39));
-    const V _s52 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s51, _s15), lanes_mul(K(6.0), _s40)), _s15), lanes_mul(K(5.0), _s42)), _s15), lanes_mul(K(4.0), _s43));
-    const V _s53 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s52, _s15), lanes_mul(K(3.0), _s44)), _s15), lanes_mul(K(2.0), _s46)), _s15), _s47);
-    const V _s54 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(110.0), lanes_abs(force_11)), _s15), lanes_mul(K(90.0), lanes_abs(force_10))), _s15), lanes_mul(K(72.0), lanes_abs(force_9)));
-    const V _s55 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s54, _s15), lanes_mul(K(56.0), lanes_abs(force_8))), _s15), lanes_mul(K(42.0), lanes_abs(force_7))), _s15);
-    const V _s56 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s55, lanes_mul(K(30.0), lanes_abs(force_6))), _s15), lanes_mul(K(20.0), lanes_abs(force_5))), _s15);
-    const V _s57 = lanes_mul(lanes_add(lanes_mul(lanes_add(_s56, lanes_mul(K(12.0), lanes_abs(force_4))), _s15), lanes_mul(K(6.0), lanes_abs(force_3))), _s15);
-    const V _s58 = lanes_mul(lanes_mul(climb_0, climb_0), _c1);
-    const V _s59 = lanes_neg(lanes_add(lanes_add(lanes_mul(along_0, omega_0), lanes_mul(cosine_0, _s58)), lanes_mul(lanes_mul(climb_1, sine_0), _c1)));
-    const V _s60 = lanes_sub(along_1, lanes_mul(omega_0, lanes_mul(lanes_mul(climb_0, sine_0), _c1)));
-    return (LANES(court_ring_round_pace_out)){ _s15, lanes_add(_s34, lanes_add(lanes_mul(lanes_mul(_s48, _c3), _s49), _s53)), _s49, _s34, force_0, force_1, lanes_add(_s57, lanes_mul(K(2.0), lanes_abs(force_2))), lanes_mul(_c4, lanes_mul(climb_0, cosine_0)), lanes_sub(lanes_mul(cos_0, _s59), lanes_mul(sin_0, _s60)), lanes_add(lanes_mul(cos_0, _s60), lanes_mul(sin_0, _s59)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _c1), lanes_mul(sine_0, _s58)) };
+    const V _s8 = lanes_add(lanes_mul(lanes_mul(K(0.25), lanes_add(lanes_mul(per_reach, _s2), lanes_sqrt(lanes_mul(_c0, per_reach)))), lanes_add(lanes_mul(_s4, _c2), lanes_add(_s5, lanes_abs(turn_rate_11)))), lanes_add(lanes_mul(_s6, _c2), lanes_add(_s7, lanes_abs(turn_rate_12))));
+    const V _s9 = lanes_abs(omega_0);
+    const V _s10 = lanes_mul(omega_0, omega_0);
+    const V _s11 = lanes_mul(lanes_mul(K(4.0), _s9), lanes_mul(K(16.0), _s10));
+    const V _s12 = lanes_mul(_s11, _s11);
+    const V _s13 = lanes_mul(_s3, lanes_add(lanes_add(lanes_abs(cosine_12), lanes_abs(sine_12)), lanes_mul(K(4.547473508864641e-13), lanes_mul(_s12, _s12))));
+    const V _s14 = lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(4.547473508864641e-13), _s3), lanes_max(_s8, _s13))));
+    const V _s15 = lanes_sqrt(lanes_sqrt(_s14));
+    const V _s16 = lanes_mul(lanes_mul(K(0.75), _s15), lanes_sqrt(lanes_sqrt(_s15)));
+    const V _s17 = lanes_mul(_s16, lanes_mul(_s16, _s16));
+    const V _s18 = lanes_mul(lanes_div(lanes_add(_s17, lanes_mul(K(2.0), _s14)), lanes_add(lanes_mul(K(2.0), _s17), _s14)), _s16);
+    const V _s19 = lanes_min(_s18, K(0.0625));
+    const V _s20 = lanes_abs(climb_10);
+    const V _s21 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s6), _s19), lanes_mul(K(11.0), _s4)), _s19), lanes_mul(K(10.0), _s20)), _s19);
+    const V _s22 = lanes_abs(climb_9);
+    const V _s23 = lanes_abs(climb_8);
+    const V _s24 = lanes_abs(climb_7);
+    const V _s25 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s21, lanes_mul(K(9.0), _s22)), _s19), lanes_mul(K(8.0), _s23)), _s19), lanes_mul(K(7.0), _s24));
+    const V _s26 = lanes_abs(climb_6);
+    const V _s27 = lanes_abs(climb_5);
+    const V _s28 = lanes_abs(climb_4);
+    const V _s29 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s25, _s19), lanes_mul(K(6.0), _s26)), _s19), lanes_mul(K(5.0), _s27)), _s19), lanes_mul(K(4.0), _s28));
+    const V _s30 = lanes_abs(climb_3);
+    const V _s31 = lanes_abs(climb_2);
+    const V _s32 = lanes_abs(climb_1);
+    const V _s33 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s29, _s19), lanes_mul(K(3.0), _s30)), _s19), lanes_mul(K(2.0), _s31)), _s19), _s32);
+    const V _s34 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s6, _s19), _s4), _s19), _s20), _s19), _s22);
+    const V _s35 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s34, _s19), _s23), _s19), _s24), _s19), _s26);
+    const V _s36 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s35, _s19), _s27), _s19), _s28), _s19), _s30);
+    const V _s37 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s36, _s19), _s31), _s19), _s32), _s19), _s0);
+    const V _s38 = lanes_mul(_c2, lanes_add(_s33, lanes_mul(_s37, _s37)));
+    const V _s39 = lanes_abs(omega_11);
+    const V _s40 = lanes_abs(omega_10);
+    const V _s41 = lanes_abs(omega_9);
+    const V _s42 = lanes_abs(omega_8);
+    const V _s43 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s39, _s19), _s40), _s19), _s41), _s19), _s42);
+    const V _s44 = lanes_abs(omega_7);
+    const V _s45 = lanes_abs(omega_6);
+    const V _s46 = lanes_abs(omega_5);
+    const V _s47 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s43, _s19), _s44), _s19), _s45), _s19), _s46);
+    const V _s48 = lanes_abs(omega_4);
+    const V _s49 = lanes_abs(omega_3);
+    const V _s50 = lanes_abs(omega_2);
+    const V _s51 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s47, _s19), _s48), _s19), _s49), _s19), _s50);
+    const V _s52 = lanes_abs(omega_1);
+    const V _s53 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s51, _s19), _s52), _s19), _s9);
+    const V _s54 = lanes_abs(along_10);
+    const V _s55 = lanes_abs(along_9);
+    const V _s56 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s19), _s5), _s19), _s54), _s19), _s55);
+    const V _s57 = lanes_abs(along_8);
+    const V _s58 = lanes_abs(along_7);
+    const V _s59 = lanes_abs(along_6);
+    const V _s60 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s56, _s19), _s57), _s19), _s58), _s19), _s59);
+    const V _s61 = lanes_abs(along_5);
+    const V _s62 = lanes_abs(along_4);
+    const V _s63 = lanes_abs(along_3);
+    const V _s64 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s60, _s19), _s61), _s19), _s62), _s19), _s63);
+    const V _s65 = lanes_abs(along_2);
+    const V _s66 = lanes_abs(along_1);
+    const V _s67 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s64, _s19), _s65), _s19), _s66), _s19), _s1);
+    const V _s68 = lanes_add(lanes_mul(_c2, _s37), _s67);
+    const V _s69 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(12.0), _s7), _s19), lanes_mul(K(11.0), _s5)), _s19), lanes_mul(K(10.0), _s54)), _s19);
+    const V _s70 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s69, lanes_mul(K(9.0), _s55)), _s19), lanes_mul(K(8.0), _s57)), _s19), lanes_mul(K(7.0), _s58));
+    const V _s71 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s70, _s19), lanes_mul(K(6.0), _s59)), _s19), lanes_mul(K(5.0), _s61)), _s19), lanes_mul(K(4.0), _s62));
+    const V _s72 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s71, _s19), lanes_mul(K(3.0), _s63)), _s19), lanes_mul(K(2.0), _s65)), _s19), _s66);
+    const V _s73 = lanes_mul(lanes_mul(climb_0, climb_0), _c2);
+    const V _s74 = lanes_mul(along_0, omega_0);
+    const V _s75 = lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(11.0), _s39), _s19), lanes_mul(K(10.0), _s40)), _s19), lanes_mul(K(9.0), _s41)), _s19);
+    const V _s76 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(_s75, lanes_mul(K(8.0), _s42)), _s19), lanes_mul(K(7.0), _s44)), _s19), lanes_mul(K(6.0), _s45));
+    const V _s77 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s76, _s19), lanes_mul(K(5.0), _s46)), _s19), lanes_mul(K(4.0), _s48)), _s19), lanes_mul(K(3.0), _s49));
+    const V _s78 = lanes_mul(_s37, _s19);
+    const V _s79 = lanes_add(lanes_abs(sine_0), _s78);
+    const V _s80 = lanes_mul(lanes_mul(_s53, lanes_add(lanes_mul(lanes_add(lanes_mul(_s77, _s19), lanes_mul(K(2.0), _s50)), _s19), _s52)), _s79);
+    const V _s81 = lanes_mul(_c4, lanes_mul(_s53, _s53));
+    const V _s82 = lanes_add(lanes_abs(cosine_0), _s78);
+    const V _s83 = lanes_add(lanes_mul(lanes_add(lanes_mul(_c5, _s80), lanes_mul(_s37, lanes_add(lanes_mul(_c3, _s79), lanes_mul(_s81, _s82)))), _s37), lanes_mul(_s33, lanes_add(lanes_mul(_c3, _s82), lanes_mul(_s81, _s79))));
+    const V _s84 = lanes_neg(lanes_add(lanes_add(_s74, lanes_mul(cosine_0, _s73)), lanes_mul(lanes_mul(climb_1, sine_0), _c2)));
+    const V _s85 = lanes_sub(along_1, lanes_mul(omega_0, lanes_mul(lanes_mul(climb_0, sine_0), _c2)));
+    return (LANES(court_ring_round_pace_out)){ _s19, lanes_mul(K(5.684341886080802e-14), _s3), lanes_add(_s38, lanes_add(lanes_mul(_s53, _s68), _s72)), _s68, _s38, lanes_sub(lanes_sub(lanes_mul(_c0, sine_0), _s73), lanes_mul(cosine_0, _s74)), lanes_mul(climb_0, lanes_add(lanes_mul(cosine_0, _c3), lanes_mul(sine_0, lanes_mul(_c4, _s10)))), _s83, lanes_mul(_c6, lanes_mul(climb_0, cosine_0)), lanes_sub(lanes_mul(cos_0, _s84), lanes_mul(sin_0, _s85)), lanes_add(lanes_mul(cos_0, _s85), lanes_mul(sin_0, _s84)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _c2), lanes_mul(sine_0, _s73)) };
 }
 
 /* The square of the friction that rolling on the ring takes, and its rate.
@@ -3633,516 +3691,353 @@ LANES(court_ring_swung)(V berth, V circled, V climb, V climb_0, V doubt, V faste
 }
 
 /* The terms of order 1, from those before.
-   Routh's equations. 31 operations: 1 addition, 4 subtractions, 22 multiplications, 1 division, 3 negations. */
+   Routh's equations. 21 operations: 2 additions, 1 subtraction, 16 multiplications, 2 negations. */
 typedef struct {
     V omega_0;
     V around_0;
-    V tilted_0;
-    V pressed_0;
-    V force_0;
     V cosine_1;
     V sine_1;
     V climb_1;
     V along_1;
     V turn_rate_1;
-    V cos_1;
-    V sin_1;
+    V tilted_1;
 } LANES(court_ring_round_0_out);
 
 LANES_INLINE LANES(court_ring_round_0_out)
-LANES(court_ring_round_0)(V along_0, V climb_0, V cos_0, V cosine_0, V near_0, V sin_0, V sine_0, V turn_rate_0, V _c0, V _c1, V _c2)
+LANES(court_ring_round_0)(V along_0, V climb_0, V cosine_0, V near_0, V per_reach, V sine_0, V tilted_0, V turn_rate_0, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_mul(along_0, near_0);
     const V _s1 = lanes_mul(climb_0, _s0);
-    const V _s2 = lanes_sub(lanes_mul(along_0, sine_0), lanes_mul(K(0.4), lanes_mul(cosine_0, turn_rate_0)));
-    const V _s3 = lanes_mul(along_0, cosine_0);
-    return (LANES(court_ring_round_0_out)){ _s0, _s1, _s2, _s3, lanes_sub(lanes_sub(lanes_mul(_c0, sine_0), lanes_mul(lanes_mul(climb_0, climb_0), _c2)), lanes_mul(_s3, _s0)), lanes_neg(lanes_mul(climb_0, sine_0)), lanes_mul(climb_0, cosine_0), lanes_neg(lanes_div(lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_0), _c0), lanes_mul(_s0, _s2)), _c2)), lanes_sub(lanes_mul(lanes_mul(sine_0, _s1), _c2), lanes_mul(K(0.4), lanes_mul(climb_0, turn_rate_0))), lanes_mul(_c1, _s1), lanes_neg(lanes_mul(sin_0, _s0)), lanes_mul(cos_0, _s0) };
+    return (LANES(court_ring_round_0_out)){ _s0, _s1, lanes_neg(lanes_mul(climb_0, sine_0)), lanes_mul(climb_0, cosine_0), lanes_neg(lanes_mul(per_reach, lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_0), _c0), lanes_mul(tilted_0, _s0)))), lanes_sub(lanes_mul(lanes_mul(sine_0, _s1), _c2), lanes_mul(K(0.4), lanes_mul(climb_0, turn_rate_0))), lanes_mul(_c1, _s1), lanes_add(lanes_mul(_c3, lanes_mul(cosine_0, _s1)), lanes_mul(_s1, _c2)) };
 }
 
 /* The terms of order 2, from those before.
-   Routh's equations. 68 operations: 14 additions, 4 subtractions, 45 multiplications, 1 division, 4 negations. */
+   Routh's equations. 43 operations: 9 additions, 2 subtractions, 30 multiplications, 2 negations. */
 typedef struct {
-    V near_1;
     V omega_1;
     V around_1;
-    V tilted_1;
-    V pressed_1;
-    V force_1;
     V cosine_2;
     V sine_2;
     V climb_2;
     V along_2;
     V turn_rate_2;
-    V cos_2;
-    V sin_2;
+    V tilted_2;
 } LANES(court_ring_round_1_out);
 
 LANES_INLINE LANES(court_ring_round_1_out)
-LANES(court_ring_round_1)(V along_0, V along_1, V around_0, V climb_0, V climb_1, V cos_0, V cos_1, V cosine_0, V cosine_1, V near_0, V omega_0, V pressed_0, V sin_0, V sin_1, V sine_0, V sine_1, V tilted_0, V turn_rate_0, V turn_rate_1, V _c0, V _c1, V _c2)
+LANES(court_ring_round_1)(V along_1, V around_0, V climb_0, V climb_1, V cosine_0, V cosine_1, V near_0, V omega_0, V per_reach, V sine_0, V sine_1, V tilted_0, V tilted_1, V turn_rate_0, V turn_rate_1, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_neg(lanes_mul(lanes_mul(near_0, lanes_mul(cosine_1, near_0)), _c1));
-    const V _s1 = lanes_add(lanes_mul(along_0, _s0), lanes_mul(along_1, near_0));
-    const V _s2 = lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_0));
-    const V _s3 = lanes_sub(lanes_add(lanes_mul(along_0, sine_1), lanes_mul(along_1, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_mul(cosine_0, turn_rate_1), lanes_mul(cosine_1, turn_rate_0))));
-    const V _s4 = lanes_add(lanes_mul(along_0, cosine_1), lanes_mul(along_1, cosine_0));
-    const V _s5 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_1), _c0), lanes_add(lanes_mul(omega_0, _s3), lanes_mul(tilted_0, _s1)))), _c1));
-    return (LANES(court_ring_round_1_out)){ _s0, _s1, _s2, _s3, _s4, lanes_sub(lanes_sub(lanes_mul(_c0, sine_1), lanes_mul(lanes_mul(lanes_mul(K(2.0), climb_0), climb_1), _c1)), lanes_add(lanes_mul(omega_0, _s4), lanes_mul(pressed_0, _s1))), lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, sine_1), lanes_mul(climb_1, sine_0)))), lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, cosine_1), lanes_mul(climb_1, cosine_0))), _s5, lanes_mul(K(0.5), lanes_sub(lanes_mul(_c1, lanes_add(lanes_mul(around_0, sine_1), lanes_mul(sine_0, _s2))), lanes_mul(K(0.4), lanes_add(lanes_mul(climb_0, turn_rate_1), lanes_mul(climb_1, turn_rate_0))))), lanes_mul(_c2, _s2), lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(omega_0, sin_1), lanes_mul(sin_0, _s1)))), lanes_mul(K(0.5), lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, omega_0))) };
+    const V _s0 = lanes_mul(near_0, lanes_sub(along_1, lanes_mul(lanes_mul(cosine_1, omega_0), _c1)));
+    const V _s1 = lanes_add(lanes_mul(climb_0, _s0), lanes_mul(climb_1, omega_0));
+    return (LANES(court_ring_round_1_out)){ _s0, _s1, lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, sine_1), lanes_mul(climb_1, sine_0)))), lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, cosine_1), lanes_mul(climb_1, cosine_0))), lanes_neg(lanes_mul(lanes_mul(K(0.5), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_1), _c0), lanes_add(lanes_mul(omega_0, tilted_1), lanes_mul(tilted_0, _s0))))), lanes_mul(K(0.5), lanes_sub(lanes_mul(_c1, lanes_add(lanes_mul(around_0, sine_1), lanes_mul(sine_0, _s1))), lanes_mul(K(0.4), lanes_add(lanes_mul(climb_0, turn_rate_1), lanes_mul(climb_1, turn_rate_0))))), lanes_mul(_c2, _s1), lanes_mul(K(0.5), lanes_add(lanes_mul(_c3, lanes_add(lanes_mul(around_0, cosine_1), lanes_mul(cosine_0, _s1))), lanes_mul(_c1, _s1))) };
 }
 
 /* The terms of order 3, from those before.
-   Routh's equations. 98 operations: 29 additions, 4 subtractions, 60 multiplications, 1 division, 4 negations. */
+   Routh's equations. 59 operations: 17 additions, 2 subtractions, 38 multiplications, 2 negations. */
 typedef struct {
-    V near_2;
     V omega_2;
     V around_2;
-    V tilted_2;
-    V pressed_2;
-    V force_2;
     V cosine_3;
     V sine_3;
     V climb_3;
     V along_3;
     V turn_rate_3;
-    V cos_3;
-    V sin_3;
+    V tilted_3;
 } LANES(court_ring_round_2_out);
 
 LANES_INLINE LANES(court_ring_round_2_out)
-LANES(court_ring_round_2)(V along_0, V along_1, V along_2, V around_0, V around_1, V climb_0, V climb_1, V climb_2, V cos_0, V cos_1, V cos_2, V cosine_0, V cosine_1, V cosine_2, V near_0, V near_1, V omega_0, V omega_1, V pressed_0, V pressed_1, V sin_0, V sin_1, V sin_2, V sine_0, V sine_1, V sine_2, V tilted_0, V tilted_1, V turn_rate_0, V turn_rate_1, V turn_rate_2, V _c0, V _c1, V _c2)
+LANES(court_ring_round_2)(V along_2, V around_0, V around_1, V climb_0, V climb_1, V climb_2, V cosine_0, V cosine_1, V cosine_2, V near_0, V omega_0, V omega_1, V per_reach, V sine_0, V sine_1, V sine_2, V tilted_0, V tilted_1, V tilted_2, V turn_rate_0, V turn_rate_1, V turn_rate_2, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_mul(cosine_1, near_1), lanes_mul(cosine_2, near_0))));
-    const V _s1 = lanes_add(lanes_add(lanes_mul(along_0, _s0), lanes_mul(along_1, near_1)), lanes_mul(along_2, near_0));
-    const V _s2 = lanes_add(lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_1)), lanes_mul(climb_2, omega_0));
-    const V _s3 = lanes_sub(lanes_add(lanes_add(lanes_mul(along_0, sine_2), lanes_mul(along_1, sine_1)), lanes_mul(along_2, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_2), lanes_mul(cosine_1, turn_rate_1)), lanes_mul(cosine_2, turn_rate_0))));
-    const V _s4 = lanes_add(lanes_add(lanes_mul(along_0, cosine_2), lanes_mul(along_1, cosine_1)), lanes_mul(along_2, cosine_0));
-    const V _s5 = lanes_sub(lanes_sub(lanes_mul(_c0, sine_2), lanes_mul(_c1, lanes_add(lanes_mul(climb_1, climb_1), lanes_mul(lanes_mul(K(2.0), climb_0), climb_2)))), lanes_add(lanes_add(lanes_mul(omega_0, _s4), lanes_mul(omega_1, pressed_1)), lanes_mul(pressed_0, _s1)));
-    const V _s6 = lanes_div(lanes_mul(K(0.3333333333333333), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_2), _c0), lanes_add(lanes_add(lanes_mul(omega_0, _s3), lanes_mul(omega_1, tilted_1)), lanes_mul(tilted_0, _s1)))), _c1);
-    const V _s7 = lanes_mul(K(0.3333333333333333), lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_mul(around_0, sine_2), lanes_mul(around_1, sine_1)), lanes_mul(sine_0, _s2))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_2), lanes_mul(climb_1, turn_rate_1)), lanes_mul(climb_2, turn_rate_0)))));
-    return (LANES(court_ring_round_2_out)){ _s0, _s1, _s2, _s3, _s4, _s5, lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, sine_2), lanes_mul(climb_1, sine_1)), lanes_mul(climb_2, sine_0)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, cosine_2), lanes_mul(climb_1, cosine_1)), lanes_mul(climb_2, cosine_0))), lanes_neg(_s6), _s7, lanes_mul(_c2, _s2), lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(omega_0, sin_2), lanes_mul(omega_1, sin_1)), lanes_mul(sin_0, _s1)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, omega_1)), lanes_mul(cos_2, omega_0))) };
+    const V _s0 = lanes_mul(near_0, lanes_sub(along_2, lanes_mul(_c1, lanes_add(lanes_mul(cosine_1, omega_1), lanes_mul(cosine_2, omega_0)))));
+    const V _s1 = lanes_add(lanes_add(lanes_mul(climb_0, _s0), lanes_mul(climb_1, omega_1)), lanes_mul(climb_2, omega_0));
+    const V _s2 = lanes_neg(lanes_mul(lanes_mul(K(0.3333333333333333), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_2), _c0), lanes_add(lanes_add(lanes_mul(omega_0, tilted_2), lanes_mul(omega_1, tilted_1)), lanes_mul(tilted_0, _s0)))));
+    const V _s3 = lanes_mul(K(0.3333333333333333), lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_mul(around_0, sine_2), lanes_mul(around_1, sine_1)), lanes_mul(sine_0, _s1))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_2), lanes_mul(climb_1, turn_rate_1)), lanes_mul(climb_2, turn_rate_0)))));
+    const V _s4 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_mul(_c3, lanes_add(lanes_add(lanes_mul(around_0, cosine_2), lanes_mul(around_1, cosine_1)), lanes_mul(cosine_0, _s1))), lanes_mul(_c1, _s1)));
+    return (LANES(court_ring_round_2_out)){ _s0, _s1, lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, sine_2), lanes_mul(climb_1, sine_1)), lanes_mul(climb_2, sine_0)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, cosine_2), lanes_mul(climb_1, cosine_1)), lanes_mul(climb_2, cosine_0))), _s2, _s3, lanes_mul(_c2, _s1), _s4 };
 }
 
 /* The terms of order 4, from those before.
-   Routh's equations. 127 operations: 43 additions, 4 subtractions, 75 multiplications, 1 division, 4 negations. */
+   Routh's equations. 75 operations: 25 additions, 2 subtractions, 46 multiplications, 2 negations. */
 typedef struct {
-    V near_3;
     V omega_3;
     V around_3;
-    V tilted_3;
-    V pressed_3;
-    V force_3;
     V cosine_4;
     V sine_4;
     V climb_4;
     V along_4;
     V turn_rate_4;
-    V cos_4;
-    V sin_4;
+    V tilted_4;
 } LANES(court_ring_round_3_out);
 
 LANES_INLINE LANES(court_ring_round_3_out)
-LANES(court_ring_round_3)(V along_0, V along_1, V along_2, V along_3, V around_0, V around_1, V around_2, V climb_0, V climb_1, V climb_2, V climb_3, V cos_0, V cos_1, V cos_2, V cos_3, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V near_0, V near_1, V near_2, V omega_0, V omega_1, V omega_2, V pressed_0, V pressed_1, V pressed_2, V sin_0, V sin_1, V sin_2, V sin_3, V sine_0, V sine_1, V sine_2, V sine_3, V tilted_0, V tilted_1, V tilted_2, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V _c0, V _c1, V _c2)
+LANES(court_ring_round_3)(V along_3, V around_0, V around_1, V around_2, V climb_0, V climb_1, V climb_2, V climb_3, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V near_0, V omega_0, V omega_1, V omega_2, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_add(lanes_mul(cosine_1, near_2), lanes_mul(cosine_2, near_1)), lanes_mul(cosine_3, near_0))));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s0), lanes_mul(along_1, near_2)), lanes_mul(along_2, near_1)), lanes_mul(along_3, near_0));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_2)), lanes_mul(climb_2, omega_1)), lanes_mul(climb_3, omega_0));
-    const V _s3 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_3), lanes_mul(along_1, sine_2)), lanes_mul(along_2, sine_1)), lanes_mul(along_3, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_3), lanes_mul(cosine_1, turn_rate_2)), lanes_mul(cosine_2, turn_rate_1)), lanes_mul(cosine_3, turn_rate_0))));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_3), lanes_mul(along_1, cosine_2)), lanes_mul(along_2, cosine_1)), lanes_mul(along_3, cosine_0));
-    const V _s5 = lanes_sub(lanes_sub(lanes_mul(_c0, sine_3), lanes_mul(_c1, lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_3), lanes_mul(lanes_mul(K(2.0), climb_1), climb_2)))), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s4), lanes_mul(omega_1, pressed_2)), lanes_mul(omega_2, pressed_1)), lanes_mul(pressed_0, _s1)));
-    const V _s6 = lanes_neg(lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_3), lanes_mul(climb_1, sine_2)), lanes_mul(climb_2, sine_1)), lanes_mul(climb_3, sine_0))));
-    const V _s7 = lanes_mul(K(0.25), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_3), _c0), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s3), lanes_mul(omega_1, tilted_2)), lanes_mul(omega_2, tilted_1)), lanes_mul(tilted_0, _s1))));
-    const V _s8 = lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_3), lanes_mul(around_1, sine_2)), lanes_mul(around_2, sine_1)), lanes_mul(sine_0, _s2))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_3), lanes_mul(climb_1, turn_rate_2)), lanes_mul(climb_2, turn_rate_1)), lanes_mul(climb_3, turn_rate_0))));
-    const V _s9 = lanes_neg(lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_3), lanes_mul(omega_1, sin_2)), lanes_mul(omega_2, sin_1)), lanes_mul(sin_0, _s1))));
-    return (LANES(court_ring_round_3_out)){ _s0, _s1, _s2, _s3, _s4, _s5, _s6, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_3), lanes_mul(climb_1, cosine_2)), lanes_mul(climb_2, cosine_1)), lanes_mul(climb_3, cosine_0))), lanes_neg(lanes_div(_s7, _c1)), lanes_mul(K(0.25), _s8), lanes_mul(_c2, _s2), _s9, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, omega_2)), lanes_mul(cos_2, omega_1)), lanes_mul(cos_3, omega_0))) };
+    const V _s0 = lanes_mul(near_0, lanes_sub(along_3, lanes_mul(_c1, lanes_add(lanes_add(lanes_mul(cosine_1, omega_2), lanes_mul(cosine_2, omega_1)), lanes_mul(cosine_3, omega_0)))));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s0), lanes_mul(climb_1, omega_2)), lanes_mul(climb_2, omega_1)), lanes_mul(climb_3, omega_0));
+    const V _s2 = lanes_neg(lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_3), lanes_mul(climb_1, sine_2)), lanes_mul(climb_2, sine_1)), lanes_mul(climb_3, sine_0))));
+    const V _s3 = lanes_mul(lanes_mul(K(0.25), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_3), _c0), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_3), lanes_mul(omega_1, tilted_2)), lanes_mul(omega_2, tilted_1)), lanes_mul(tilted_0, _s0))));
+    const V _s4 = lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_3), lanes_mul(around_1, sine_2)), lanes_mul(around_2, sine_1)), lanes_mul(sine_0, _s1))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_3), lanes_mul(climb_1, turn_rate_2)), lanes_mul(climb_2, turn_rate_1)), lanes_mul(climb_3, turn_rate_0))));
+    const V _s5 = lanes_add(lanes_mul(_c3, lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_3), lanes_mul(around_1, cosine_2)), lanes_mul(around_2, cosine_1)), lanes_mul(cosine_0, _s1))), lanes_mul(_c1, _s1));
+    return (LANES(court_ring_round_3_out)){ _s0, _s1, _s2, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_3), lanes_mul(climb_1, cosine_2)), lanes_mul(climb_2, cosine_1)), lanes_mul(climb_3, cosine_0))), lanes_neg(_s3), lanes_mul(K(0.25), _s4), lanes_mul(_c2, _s1), lanes_mul(K(0.25), _s5) };
 }
 
 /* The terms of order 5, from those before.
-   Routh's equations. 157 operations: 58 additions, 4 subtractions, 90 multiplications, 1 division, 4 negations. */
+   Routh's equations. 91 operations: 33 additions, 2 subtractions, 54 multiplications, 2 negations. */
 typedef struct {
-    V near_4;
     V omega_4;
     V around_4;
-    V tilted_4;
-    V pressed_4;
-    V force_4;
     V cosine_5;
     V sine_5;
     V climb_5;
     V along_5;
     V turn_rate_5;
-    V cos_5;
-    V sin_5;
+    V tilted_5;
 } LANES(court_ring_round_4_out);
 
 LANES_INLINE LANES(court_ring_round_4_out)
-LANES(court_ring_round_4)(V along_0, V along_1, V along_2, V along_3, V along_4, V around_0, V around_1, V around_2, V around_3, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V near_0, V near_1, V near_2, V near_3, V omega_0, V omega_1, V omega_2, V omega_3, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V _c0, V _c1, V _c2)
+LANES(court_ring_round_4)(V along_4, V around_0, V around_1, V around_2, V around_3, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_3), lanes_mul(cosine_2, near_2)), lanes_mul(cosine_3, near_1)), lanes_mul(cosine_4, near_0))));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s0), lanes_mul(along_1, near_3)), lanes_mul(along_2, near_2)), lanes_mul(along_3, near_1)), lanes_mul(along_4, near_0));
+    const V _s0 = lanes_sub(along_4, lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_3), lanes_mul(cosine_2, omega_2)), lanes_mul(cosine_3, omega_1)), lanes_mul(cosine_4, omega_0))));
+    const V _s1 = lanes_mul(near_0, _s0);
     const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_3)), lanes_mul(climb_2, omega_2)), lanes_mul(climb_3, omega_1)), lanes_mul(climb_4, omega_0));
-    const V _s3 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_4), lanes_mul(cosine_1, turn_rate_3)), lanes_mul(cosine_2, turn_rate_2)), lanes_mul(cosine_3, turn_rate_1)), lanes_mul(cosine_4, turn_rate_0)));
-    const V _s4 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_4), lanes_mul(along_1, sine_3)), lanes_mul(along_2, sine_2)), lanes_mul(along_3, sine_1)), lanes_mul(along_4, sine_0)), _s3);
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_4), lanes_mul(along_1, cosine_3)), lanes_mul(along_2, cosine_2)), lanes_mul(along_3, cosine_1)), lanes_mul(along_4, cosine_0));
-    const V _s6 = lanes_sub(lanes_mul(_c0, sine_4), lanes_mul(_c1, lanes_add(lanes_add(lanes_mul(climb_2, climb_2), lanes_mul(lanes_mul(K(2.0), climb_0), climb_4)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_3))));
-    const V _s7 = lanes_sub(_s6, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s5), lanes_mul(omega_1, pressed_3)), lanes_mul(omega_2, pressed_2)), lanes_mul(omega_3, pressed_1)), lanes_mul(pressed_0, _s1)));
-    const V _s8 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_4), lanes_mul(climb_1, sine_3)), lanes_mul(climb_2, sine_2)), lanes_mul(climb_3, sine_1)), lanes_mul(climb_4, sine_0)));
-    const V _s9 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_4), lanes_mul(climb_1, cosine_3)), lanes_mul(climb_2, cosine_2)), lanes_mul(climb_3, cosine_1)), lanes_mul(climb_4, cosine_0)));
-    const V _s10 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_4), _c0), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s4), lanes_mul(omega_1, tilted_3)), lanes_mul(omega_2, tilted_2)), lanes_mul(omega_3, tilted_1)), lanes_mul(tilted_0, _s1)));
-    const V _s11 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_4), lanes_mul(around_1, sine_3)), lanes_mul(around_2, sine_2)), lanes_mul(around_3, sine_1)), lanes_mul(sine_0, _s2)));
-    const V _s12 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_4), lanes_mul(climb_1, turn_rate_3)), lanes_mul(climb_2, turn_rate_2)), lanes_mul(climb_3, turn_rate_1)), lanes_mul(climb_4, turn_rate_0)));
-    const V _s13 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_4), lanes_mul(omega_1, sin_3)), lanes_mul(omega_2, sin_2)), lanes_mul(omega_3, sin_1)), lanes_mul(sin_0, _s1)));
-    const V _s14 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, omega_3)), lanes_mul(cos_2, omega_2)), lanes_mul(cos_3, omega_1)), lanes_mul(cos_4, omega_0)));
-    return (LANES(court_ring_round_4_out)){ _s0, _s1, _s2, _s4, _s5, _s7, lanes_neg(_s8), _s9, lanes_neg(lanes_div(lanes_mul(K(0.2), _s10), _c1)), lanes_mul(K(0.2), lanes_sub(_s11, _s12)), lanes_mul(_c2, _s2), lanes_neg(_s13), _s14 };
+    const V _s3 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_4), lanes_mul(climb_1, sine_3)), lanes_mul(climb_2, sine_2)), lanes_mul(climb_3, sine_1)), lanes_mul(climb_4, sine_0)));
+    const V _s4 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_4), lanes_mul(climb_1, cosine_3)), lanes_mul(climb_2, cosine_2)), lanes_mul(climb_3, cosine_1)), lanes_mul(climb_4, cosine_0)));
+    const V _s5 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_4), _c0), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_4), lanes_mul(omega_1, tilted_3)), lanes_mul(omega_2, tilted_2)), lanes_mul(omega_3, tilted_1)), lanes_mul(tilted_0, _s1)));
+    const V _s6 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_4), lanes_mul(around_1, sine_3)), lanes_mul(around_2, sine_2)), lanes_mul(around_3, sine_1)), lanes_mul(sine_0, _s2)));
+    const V _s7 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_4), lanes_mul(climb_1, turn_rate_3)), lanes_mul(climb_2, turn_rate_2)), lanes_mul(climb_3, turn_rate_1)), lanes_mul(climb_4, turn_rate_0)));
+    const V _s8 = lanes_mul(_c3, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_4), lanes_mul(around_1, cosine_3)), lanes_mul(around_2, cosine_2)), lanes_mul(around_3, cosine_1)), lanes_mul(cosine_0, _s2)));
+    return (LANES(court_ring_round_4_out)){ _s1, _s2, lanes_neg(_s3), _s4, lanes_neg(lanes_mul(lanes_mul(K(0.2), per_reach), _s5)), lanes_mul(K(0.2), lanes_sub(_s6, _s7)), lanes_mul(_c2, _s2), lanes_mul(K(0.2), lanes_add(_s8, lanes_mul(_c1, _s2))) };
 }
 
 /* The terms of order 6, from those before.
-   Routh's equations. 186 operations: 72 additions, 4 subtractions, 105 multiplications, 1 division, 4 negations. */
+   Routh's equations. 107 operations: 41 additions, 2 subtractions, 62 multiplications, 2 negations. */
 typedef struct {
-    V near_5;
     V omega_5;
     V around_5;
-    V tilted_5;
-    V pressed_5;
-    V force_5;
     V cosine_6;
     V sine_6;
     V climb_6;
     V along_6;
     V turn_rate_6;
-    V cos_6;
-    V sin_6;
+    V tilted_6;
 } LANES(court_ring_round_5_out);
 
 LANES_INLINE LANES(court_ring_round_5_out)
-LANES(court_ring_round_5)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V around_0, V around_1, V around_2, V around_3, V around_4, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V near_0, V near_1, V near_2, V near_3, V near_4, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V _c0, V _c1, V _c2)
+LANES(court_ring_round_5)(V along_5, V around_0, V around_1, V around_2, V around_3, V around_4, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_4), lanes_mul(cosine_2, near_3)), lanes_mul(cosine_3, near_2)), lanes_mul(cosine_4, near_1)), lanes_mul(cosine_5, near_0)));
-    const V _s1 = lanes_neg(_s0);
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_4)), lanes_mul(along_2, near_3)), lanes_mul(along_3, near_2)), lanes_mul(along_4, near_1)), lanes_mul(along_5, near_0));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_4)), lanes_mul(climb_2, omega_3)), lanes_mul(climb_3, omega_2)), lanes_mul(climb_4, omega_1)), lanes_mul(climb_5, omega_0));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_5), lanes_mul(along_1, sine_4)), lanes_mul(along_2, sine_3)), lanes_mul(along_3, sine_2)), lanes_mul(along_4, sine_1)), lanes_mul(along_5, sine_0));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_5), lanes_mul(cosine_1, turn_rate_4)), lanes_mul(cosine_2, turn_rate_3)), lanes_mul(cosine_3, turn_rate_2)), lanes_mul(cosine_4, turn_rate_1)), lanes_mul(cosine_5, turn_rate_0));
-    const V _s6 = lanes_sub(_s4, lanes_mul(K(0.4), _s5));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_5), lanes_mul(along_1, cosine_4)), lanes_mul(along_2, cosine_3)), lanes_mul(along_3, cosine_2)), lanes_mul(along_4, cosine_1)), lanes_mul(along_5, cosine_0));
-    const V _s8 = lanes_sub(lanes_mul(_c0, sine_5), lanes_mul(_c1, lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_5), lanes_mul(lanes_mul(K(2.0), climb_1), climb_4)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_3))));
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s7), lanes_mul(omega_1, pressed_4)), lanes_mul(omega_2, pressed_3)), lanes_mul(omega_3, pressed_2)), lanes_mul(omega_4, pressed_1)), lanes_mul(pressed_0, _s2));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_5), lanes_mul(climb_1, sine_4)), lanes_mul(climb_2, sine_3)), lanes_mul(climb_3, sine_2)), lanes_mul(climb_4, sine_1)), lanes_mul(climb_5, sine_0));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_5), lanes_mul(climb_1, cosine_4)), lanes_mul(climb_2, cosine_3)), lanes_mul(climb_3, cosine_2)), lanes_mul(climb_4, cosine_1)), lanes_mul(climb_5, cosine_0));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s6), lanes_mul(omega_1, tilted_4)), lanes_mul(omega_2, tilted_3)), lanes_mul(omega_3, tilted_2)), lanes_mul(omega_4, tilted_1)), lanes_mul(tilted_0, _s2));
-    const V _s13 = lanes_neg(lanes_div(lanes_mul(K(0.16666666666666666), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_5), _c0), _s12)), _c1));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_5), lanes_mul(around_1, sine_4)), lanes_mul(around_2, sine_3)), lanes_mul(around_3, sine_2)), lanes_mul(around_4, sine_1)), lanes_mul(sine_0, _s3));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_5), lanes_mul(climb_1, turn_rate_4)), lanes_mul(climb_2, turn_rate_3)), lanes_mul(climb_3, turn_rate_2)), lanes_mul(climb_4, turn_rate_1)), lanes_mul(climb_5, turn_rate_0));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_5), lanes_mul(omega_1, sin_4)), lanes_mul(omega_2, sin_3)), lanes_mul(omega_3, sin_2)), lanes_mul(omega_4, sin_1)), lanes_mul(sin_0, _s2));
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s2), lanes_mul(cos_1, omega_4)), lanes_mul(cos_2, omega_3)), lanes_mul(cos_3, omega_2)), lanes_mul(cos_4, omega_1)), lanes_mul(cos_5, omega_0));
-    return (LANES(court_ring_round_5_out)){ _s1, _s2, _s3, _s6, _s7, lanes_sub(_s8, _s9), lanes_neg(lanes_mul(K(0.16666666666666666), _s10)), lanes_mul(K(0.16666666666666666), _s11), _s13, lanes_mul(K(0.16666666666666666), lanes_sub(lanes_mul(_c1, _s14), lanes_mul(K(0.4), _s15))), lanes_mul(_c2, _s3), lanes_neg(lanes_mul(K(0.16666666666666666), _s16)), lanes_mul(K(0.16666666666666666), _s17) };
+    const V _s0 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_4), lanes_mul(cosine_2, omega_3)), lanes_mul(cosine_3, omega_2)), lanes_mul(cosine_4, omega_1)), lanes_mul(cosine_5, omega_0)));
+    const V _s1 = lanes_mul(near_0, lanes_sub(along_5, _s0));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_4)), lanes_mul(climb_2, omega_3)), lanes_mul(climb_3, omega_2)), lanes_mul(climb_4, omega_1)), lanes_mul(climb_5, omega_0));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_5), lanes_mul(climb_1, sine_4)), lanes_mul(climb_2, sine_3)), lanes_mul(climb_3, sine_2)), lanes_mul(climb_4, sine_1)), lanes_mul(climb_5, sine_0));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_5), lanes_mul(climb_1, cosine_4)), lanes_mul(climb_2, cosine_3)), lanes_mul(climb_3, cosine_2)), lanes_mul(climb_4, cosine_1)), lanes_mul(climb_5, cosine_0));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_5), lanes_mul(omega_1, tilted_4)), lanes_mul(omega_2, tilted_3)), lanes_mul(omega_3, tilted_2)), lanes_mul(omega_4, tilted_1)), lanes_mul(tilted_0, _s1));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_5), lanes_mul(around_1, sine_4)), lanes_mul(around_2, sine_3)), lanes_mul(around_3, sine_2)), lanes_mul(around_4, sine_1)), lanes_mul(sine_0, _s2));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_5), lanes_mul(climb_1, turn_rate_4)), lanes_mul(climb_2, turn_rate_3)), lanes_mul(climb_3, turn_rate_2)), lanes_mul(climb_4, turn_rate_1)), lanes_mul(climb_5, turn_rate_0));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_5), lanes_mul(around_1, cosine_4)), lanes_mul(around_2, cosine_3)), lanes_mul(around_3, cosine_2)), lanes_mul(around_4, cosine_1)), lanes_mul(cosine_0, _s2));
+    return (LANES(court_ring_round_5_out)){ _s1, _s2, lanes_neg(lanes_mul(K(0.16666666666666666), _s3)), lanes_mul(K(0.16666666666666666), _s4), lanes_neg(lanes_mul(lanes_mul(K(0.16666666666666666), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_5), _c0), _s5))), lanes_mul(K(0.16666666666666666), lanes_sub(lanes_mul(_c1, _s6), lanes_mul(K(0.4), _s7))), lanes_mul(_c2, _s2), lanes_mul(K(0.16666666666666666), lanes_add(lanes_mul(_c3, _s8), lanes_mul(_c1, _s2))) };
 }
 
 /* The terms of order 7, from those before.
-   Routh's equations. 216 operations: 87 additions, 4 subtractions, 120 multiplications, 1 division, 4 negations. */
+   Routh's equations. 123 operations: 49 additions, 2 subtractions, 70 multiplications, 2 negations. */
 typedef struct {
-    V near_6;
     V omega_6;
     V around_6;
-    V tilted_6;
-    V pressed_6;
-    V force_6;
     V cosine_7;
     V sine_7;
     V climb_7;
     V along_7;
     V turn_rate_7;
-    V cos_7;
-    V sin_7;
+    V tilted_7;
 } LANES(court_ring_round_6_out);
 
 LANES_INLINE LANES(court_ring_round_6_out)
-LANES(court_ring_round_6)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V _c0, V _c1, V _c2)
+LANES(court_ring_round_6)(V along_6, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_5), lanes_mul(cosine_2, near_4)), lanes_mul(cosine_3, near_3)), lanes_mul(cosine_4, near_2)), lanes_mul(cosine_5, near_1)), lanes_mul(cosine_6, near_0));
-    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), _s0));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_5)), lanes_mul(along_2, near_4)), lanes_mul(along_3, near_3)), lanes_mul(along_4, near_2)), lanes_mul(along_5, near_1));
-    const V _s3 = lanes_add(_s2, lanes_mul(along_6, near_0));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_5)), lanes_mul(climb_2, omega_4)), lanes_mul(climb_3, omega_3)), lanes_mul(climb_4, omega_2)), lanes_mul(climb_5, omega_1));
-    const V _s5 = lanes_add(_s4, lanes_mul(climb_6, omega_0));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_6), lanes_mul(along_1, sine_5)), lanes_mul(along_2, sine_4)), lanes_mul(along_3, sine_3)), lanes_mul(along_4, sine_2)), lanes_mul(along_5, sine_1));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_6), lanes_mul(cosine_1, turn_rate_5)), lanes_mul(cosine_2, turn_rate_4)), lanes_mul(cosine_3, turn_rate_3)), lanes_mul(cosine_4, turn_rate_2)), lanes_mul(cosine_5, turn_rate_1));
-    const V _s8 = lanes_sub(lanes_add(_s6, lanes_mul(along_6, sine_0)), lanes_mul(K(0.4), lanes_add(_s7, lanes_mul(cosine_6, turn_rate_0))));
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_6), lanes_mul(along_1, cosine_5)), lanes_mul(along_2, cosine_4)), lanes_mul(along_3, cosine_3)), lanes_mul(along_4, cosine_2)), lanes_mul(along_5, cosine_1));
-    const V _s10 = lanes_add(_s9, lanes_mul(along_6, cosine_0));
-    const V _s11 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_mul(climb_3, climb_3), lanes_mul(lanes_mul(K(2.0), climb_0), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_5)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_4)));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s10), lanes_mul(omega_1, pressed_5)), lanes_mul(omega_2, pressed_4)), lanes_mul(omega_3, pressed_3)), lanes_mul(omega_4, pressed_2)), lanes_mul(omega_5, pressed_1));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_6), lanes_mul(climb_1, sine_5)), lanes_mul(climb_2, sine_4)), lanes_mul(climb_3, sine_3)), lanes_mul(climb_4, sine_2)), lanes_mul(climb_5, sine_1));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_6), lanes_mul(climb_1, cosine_5)), lanes_mul(climb_2, cosine_4)), lanes_mul(climb_3, cosine_3)), lanes_mul(climb_4, cosine_2)), lanes_mul(climb_5, cosine_1));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s8), lanes_mul(omega_1, tilted_5)), lanes_mul(omega_2, tilted_4)), lanes_mul(omega_3, tilted_3)), lanes_mul(omega_4, tilted_2)), lanes_mul(omega_5, tilted_1));
-    const V _s16 = lanes_neg(lanes_div(lanes_mul(K(0.14285714285714285), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_6), _c0), lanes_add(_s15, lanes_mul(tilted_0, _s3)))), _c1));
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_6), lanes_mul(around_1, sine_5)), lanes_mul(around_2, sine_4)), lanes_mul(around_3, sine_3)), lanes_mul(around_4, sine_2)), lanes_mul(around_5, sine_1));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_6), lanes_mul(climb_1, turn_rate_5)), lanes_mul(climb_2, turn_rate_4)), lanes_mul(climb_3, turn_rate_3)), lanes_mul(climb_4, turn_rate_2)), lanes_mul(climb_5, turn_rate_1));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_6), lanes_mul(omega_1, sin_5)), lanes_mul(omega_2, sin_4)), lanes_mul(omega_3, sin_3)), lanes_mul(omega_4, sin_2)), lanes_mul(omega_5, sin_1));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s3), lanes_mul(cos_1, omega_5)), lanes_mul(cos_2, omega_4)), lanes_mul(cos_3, omega_3)), lanes_mul(cos_4, omega_2)), lanes_mul(cos_5, omega_1));
-    return (LANES(court_ring_round_6_out)){ _s1, _s3, _s5, _s8, _s10, lanes_sub(lanes_sub(lanes_mul(_c0, sine_6), _s11), lanes_add(_s12, lanes_mul(pressed_0, _s3))), lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s13, lanes_mul(climb_6, sine_0)))), lanes_mul(K(0.14285714285714285), lanes_add(_s14, lanes_mul(climb_6, cosine_0))), _s16, lanes_mul(K(0.14285714285714285), lanes_sub(lanes_mul(_c1, lanes_add(_s17, lanes_mul(sine_0, _s5))), lanes_mul(K(0.4), lanes_add(_s18, lanes_mul(climb_6, turn_rate_0))))), lanes_mul(_c2, _s5), lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s19, lanes_mul(sin_0, _s3)))), lanes_mul(K(0.14285714285714285), lanes_add(_s20, lanes_mul(cos_6, omega_0))) };
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_5), lanes_mul(cosine_2, omega_4)), lanes_mul(cosine_3, omega_3)), lanes_mul(cosine_4, omega_2)), lanes_mul(cosine_5, omega_1)), lanes_mul(cosine_6, omega_0));
+    const V _s1 = lanes_mul(near_0, lanes_sub(along_6, lanes_mul(_c1, _s0)));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_5)), lanes_mul(climb_2, omega_4)), lanes_mul(climb_3, omega_3)), lanes_mul(climb_4, omega_2)), lanes_mul(climb_5, omega_1));
+    const V _s3 = lanes_add(_s2, lanes_mul(climb_6, omega_0));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_6), lanes_mul(climb_1, sine_5)), lanes_mul(climb_2, sine_4)), lanes_mul(climb_3, sine_3)), lanes_mul(climb_4, sine_2)), lanes_mul(climb_5, sine_1));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_6), lanes_mul(climb_1, cosine_5)), lanes_mul(climb_2, cosine_4)), lanes_mul(climb_3, cosine_3)), lanes_mul(climb_4, cosine_2)), lanes_mul(climb_5, cosine_1));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_6), lanes_mul(omega_1, tilted_5)), lanes_mul(omega_2, tilted_4)), lanes_mul(omega_3, tilted_3)), lanes_mul(omega_4, tilted_2)), lanes_mul(omega_5, tilted_1));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_6), lanes_mul(around_1, sine_5)), lanes_mul(around_2, sine_4)), lanes_mul(around_3, sine_3)), lanes_mul(around_4, sine_2)), lanes_mul(around_5, sine_1));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_6), lanes_mul(climb_1, turn_rate_5)), lanes_mul(climb_2, turn_rate_4)), lanes_mul(climb_3, turn_rate_3)), lanes_mul(climb_4, turn_rate_2)), lanes_mul(climb_5, turn_rate_1));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_6), lanes_mul(around_1, cosine_5)), lanes_mul(around_2, cosine_4)), lanes_mul(around_3, cosine_3)), lanes_mul(around_4, cosine_2)), lanes_mul(around_5, cosine_1));
+    return (LANES(court_ring_round_6_out)){ _s1, _s3, lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s4, lanes_mul(climb_6, sine_0)))), lanes_mul(K(0.14285714285714285), lanes_add(_s5, lanes_mul(climb_6, cosine_0))), lanes_neg(lanes_mul(lanes_mul(K(0.14285714285714285), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_6), _c0), lanes_add(_s6, lanes_mul(tilted_0, _s1))))), lanes_mul(K(0.14285714285714285), lanes_sub(lanes_mul(_c1, lanes_add(_s7, lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(_s8, lanes_mul(climb_6, turn_rate_0))))), lanes_mul(_c2, _s3), lanes_mul(K(0.14285714285714285), lanes_add(lanes_mul(_c3, lanes_add(_s9, lanes_mul(cosine_0, _s3))), lanes_mul(_c1, _s3))) };
 }
 
 /* The terms of order 8, from those before.
-   Routh's equations. 245 operations: 101 additions, 4 subtractions, 135 multiplications, 1 division, 4 negations. */
+   Routh's equations. 139 operations: 57 additions, 2 subtractions, 78 multiplications, 2 negations. */
 typedef struct {
-    V near_7;
     V omega_7;
     V around_7;
-    V tilted_7;
-    V pressed_7;
-    V force_7;
     V cosine_8;
     V sine_8;
     V climb_8;
     V along_8;
     V turn_rate_8;
-    V cos_8;
-    V sin_8;
+    V tilted_8;
 } LANES(court_ring_round_7_out);
 
 LANES_INLINE LANES(court_ring_round_7_out)
-LANES(court_ring_round_7)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V _c0, V _c1, V _c2)
+LANES(court_ring_round_7)(V along_7, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_6), lanes_mul(cosine_2, near_5)), lanes_mul(cosine_3, near_4)), lanes_mul(cosine_4, near_3)), lanes_mul(cosine_5, near_2)), lanes_mul(cosine_6, near_1));
-    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), lanes_add(_s0, lanes_mul(cosine_7, near_0))));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_6)), lanes_mul(along_2, near_5)), lanes_mul(along_3, near_4)), lanes_mul(along_4, near_3)), lanes_mul(along_5, near_2));
-    const V _s3 = lanes_add(lanes_add(_s2, lanes_mul(along_6, near_1)), lanes_mul(along_7, near_0));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_6)), lanes_mul(climb_2, omega_5)), lanes_mul(climb_3, omega_4)), lanes_mul(climb_4, omega_3)), lanes_mul(climb_5, omega_2));
-    const V _s5 = lanes_add(lanes_add(_s4, lanes_mul(climb_6, omega_1)), lanes_mul(climb_7, omega_0));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_7), lanes_mul(along_1, sine_6)), lanes_mul(along_2, sine_5)), lanes_mul(along_3, sine_4)), lanes_mul(along_4, sine_3)), lanes_mul(along_5, sine_2));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_7), lanes_mul(cosine_1, turn_rate_6)), lanes_mul(cosine_2, turn_rate_5)), lanes_mul(cosine_3, turn_rate_4)), lanes_mul(cosine_4, turn_rate_3)), lanes_mul(cosine_5, turn_rate_2));
-    const V _s8 = lanes_sub(lanes_add(lanes_add(_s6, lanes_mul(along_6, sine_1)), lanes_mul(along_7, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(_s7, lanes_mul(cosine_6, turn_rate_1)), lanes_mul(cosine_7, turn_rate_0))));
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_7), lanes_mul(along_1, cosine_6)), lanes_mul(along_2, cosine_5)), lanes_mul(along_3, cosine_4)), lanes_mul(along_4, cosine_3)), lanes_mul(along_5, cosine_2));
-    const V _s10 = lanes_add(lanes_add(_s9, lanes_mul(along_6, cosine_1)), lanes_mul(along_7, cosine_0));
-    const V _s11 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_7), lanes_mul(lanes_mul(K(2.0), climb_1), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_5)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_4)));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s10), lanes_mul(omega_1, pressed_6)), lanes_mul(omega_2, pressed_5)), lanes_mul(omega_3, pressed_4)), lanes_mul(omega_4, pressed_3)), lanes_mul(omega_5, pressed_2));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_7), lanes_mul(climb_1, sine_6)), lanes_mul(climb_2, sine_5)), lanes_mul(climb_3, sine_4)), lanes_mul(climb_4, sine_3)), lanes_mul(climb_5, sine_2));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_7), lanes_mul(climb_1, cosine_6)), lanes_mul(climb_2, cosine_5)), lanes_mul(climb_3, cosine_4)), lanes_mul(climb_4, cosine_3)), lanes_mul(climb_5, cosine_2));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s8), lanes_mul(omega_1, tilted_6)), lanes_mul(omega_2, tilted_5)), lanes_mul(omega_3, tilted_4)), lanes_mul(omega_4, tilted_3)), lanes_mul(omega_5, tilted_2));
-    const V _s16 = lanes_div(lanes_mul(K(0.125), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_7), _c0), lanes_add(lanes_add(_s15, lanes_mul(omega_6, tilted_1)), lanes_mul(tilted_0, _s3)))), _c1);
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_7), lanes_mul(around_1, sine_6)), lanes_mul(around_2, sine_5)), lanes_mul(around_3, sine_4)), lanes_mul(around_4, sine_3)), lanes_mul(around_5, sine_2));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_7), lanes_mul(climb_1, turn_rate_6)), lanes_mul(climb_2, turn_rate_5)), lanes_mul(climb_3, turn_rate_4)), lanes_mul(climb_4, turn_rate_3)), lanes_mul(climb_5, turn_rate_2));
-    const V _s19 = lanes_mul(K(0.125), lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(_s17, lanes_mul(around_6, sine_1)), lanes_mul(sine_0, _s5))), lanes_mul(K(0.4), lanes_add(lanes_add(_s18, lanes_mul(climb_6, turn_rate_1)), lanes_mul(climb_7, turn_rate_0)))));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_7), lanes_mul(omega_1, sin_6)), lanes_mul(omega_2, sin_5)), lanes_mul(omega_3, sin_4)), lanes_mul(omega_4, sin_3)), lanes_mul(omega_5, sin_2));
-    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s3), lanes_mul(cos_1, omega_6)), lanes_mul(cos_2, omega_5)), lanes_mul(cos_3, omega_4)), lanes_mul(cos_4, omega_3)), lanes_mul(cos_5, omega_2));
-    return (LANES(court_ring_round_7_out)){ _s1, _s3, _s5, _s8, _s10, lanes_sub(lanes_sub(lanes_mul(_c0, sine_7), _s11), lanes_add(lanes_add(_s12, lanes_mul(omega_6, pressed_1)), lanes_mul(pressed_0, _s3))), lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s13, lanes_mul(climb_6, sine_1)), lanes_mul(climb_7, sine_0)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s14, lanes_mul(climb_6, cosine_1)), lanes_mul(climb_7, cosine_0))), lanes_neg(_s16), _s19, lanes_mul(_c2, _s5), lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s20, lanes_mul(omega_6, sin_1)), lanes_mul(sin_0, _s3)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s21, lanes_mul(cos_6, omega_1)), lanes_mul(cos_7, omega_0))) };
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_6), lanes_mul(cosine_2, omega_5)), lanes_mul(cosine_3, omega_4)), lanes_mul(cosine_4, omega_3)), lanes_mul(cosine_5, omega_2)), lanes_mul(cosine_6, omega_1));
+    const V _s1 = lanes_mul(near_0, lanes_sub(along_7, lanes_mul(_c1, lanes_add(_s0, lanes_mul(cosine_7, omega_0)))));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_6)), lanes_mul(climb_2, omega_5)), lanes_mul(climb_3, omega_4)), lanes_mul(climb_4, omega_3)), lanes_mul(climb_5, omega_2));
+    const V _s3 = lanes_add(lanes_add(_s2, lanes_mul(climb_6, omega_1)), lanes_mul(climb_7, omega_0));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_7), lanes_mul(climb_1, sine_6)), lanes_mul(climb_2, sine_5)), lanes_mul(climb_3, sine_4)), lanes_mul(climb_4, sine_3)), lanes_mul(climb_5, sine_2));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_7), lanes_mul(climb_1, cosine_6)), lanes_mul(climb_2, cosine_5)), lanes_mul(climb_3, cosine_4)), lanes_mul(climb_4, cosine_3)), lanes_mul(climb_5, cosine_2));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_7), lanes_mul(omega_1, tilted_6)), lanes_mul(omega_2, tilted_5)), lanes_mul(omega_3, tilted_4)), lanes_mul(omega_4, tilted_3)), lanes_mul(omega_5, tilted_2));
+    const V _s7 = lanes_neg(lanes_mul(lanes_mul(K(0.125), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_7), _c0), lanes_add(lanes_add(_s6, lanes_mul(omega_6, tilted_1)), lanes_mul(tilted_0, _s1)))));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_7), lanes_mul(around_1, sine_6)), lanes_mul(around_2, sine_5)), lanes_mul(around_3, sine_4)), lanes_mul(around_4, sine_3)), lanes_mul(around_5, sine_2));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_7), lanes_mul(climb_1, turn_rate_6)), lanes_mul(climb_2, turn_rate_5)), lanes_mul(climb_3, turn_rate_4)), lanes_mul(climb_4, turn_rate_3)), lanes_mul(climb_5, turn_rate_2));
+    const V _s10 = lanes_mul(K(0.125), lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(_s8, lanes_mul(around_6, sine_1)), lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(lanes_add(_s9, lanes_mul(climb_6, turn_rate_1)), lanes_mul(climb_7, turn_rate_0)))));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_7), lanes_mul(around_1, cosine_6)), lanes_mul(around_2, cosine_5)), lanes_mul(around_3, cosine_4)), lanes_mul(around_4, cosine_3)), lanes_mul(around_5, cosine_2));
+    const V _s12 = lanes_mul(K(0.125), lanes_add(lanes_mul(_c3, lanes_add(lanes_add(_s11, lanes_mul(around_6, cosine_1)), lanes_mul(cosine_0, _s3))), lanes_mul(_c1, _s3)));
+    return (LANES(court_ring_round_7_out)){ _s1, _s3, lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s4, lanes_mul(climb_6, sine_1)), lanes_mul(climb_7, sine_0)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s5, lanes_mul(climb_6, cosine_1)), lanes_mul(climb_7, cosine_0))), _s7, _s10, lanes_mul(_c2, _s3), _s12 };
 }
 
 /* The terms of order 9, from those before.
-   Routh's equations. 275 operations: 116 additions, 4 subtractions, 150 multiplications, 1 division, 4 negations. */
+   Routh's equations. 155 operations: 65 additions, 2 subtractions, 86 multiplications, 2 negations. */
 typedef struct {
-    V near_8;
     V omega_8;
     V around_8;
-    V tilted_8;
-    V pressed_8;
-    V force_8;
     V cosine_9;
     V sine_9;
     V climb_9;
     V along_9;
     V turn_rate_9;
-    V cos_9;
-    V sin_9;
+    V tilted_9;
 } LANES(court_ring_round_8_out);
 
 LANES_INLINE LANES(court_ring_round_8_out)
-LANES(court_ring_round_8)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V _c0, V _c1, V _c2)
+LANES(court_ring_round_8)(V along_8, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_7), lanes_mul(cosine_2, near_6)), lanes_mul(cosine_3, near_5)), lanes_mul(cosine_4, near_4)), lanes_mul(cosine_5, near_3)), lanes_mul(cosine_6, near_2));
-    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_add(_s0, lanes_mul(cosine_7, near_1)), lanes_mul(cosine_8, near_0))));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_7)), lanes_mul(along_2, near_6)), lanes_mul(along_3, near_5)), lanes_mul(along_4, near_4)), lanes_mul(along_5, near_3));
-    const V _s3 = lanes_add(lanes_add(lanes_add(_s2, lanes_mul(along_6, near_2)), lanes_mul(along_7, near_1)), lanes_mul(along_8, near_0));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_7)), lanes_mul(climb_2, omega_6)), lanes_mul(climb_3, omega_5)), lanes_mul(climb_4, omega_4)), lanes_mul(climb_5, omega_3));
-    const V _s5 = lanes_add(lanes_add(lanes_add(_s4, lanes_mul(climb_6, omega_2)), lanes_mul(climb_7, omega_1)), lanes_mul(climb_8, omega_0));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_8), lanes_mul(along_1, sine_7)), lanes_mul(along_2, sine_6)), lanes_mul(along_3, sine_5)), lanes_mul(along_4, sine_4)), lanes_mul(along_5, sine_3));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_8), lanes_mul(cosine_1, turn_rate_7)), lanes_mul(cosine_2, turn_rate_6)), lanes_mul(cosine_3, turn_rate_5)), lanes_mul(cosine_4, turn_rate_4)), lanes_mul(cosine_5, turn_rate_3));
-    const V _s8 = lanes_sub(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(along_6, sine_2)), lanes_mul(along_7, sine_1)), lanes_mul(along_8, sine_0)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(_s7, lanes_mul(cosine_6, turn_rate_2)), lanes_mul(cosine_7, turn_rate_1)), lanes_mul(cosine_8, turn_rate_0))));
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_8), lanes_mul(along_1, cosine_7)), lanes_mul(along_2, cosine_6)), lanes_mul(along_3, cosine_5)), lanes_mul(along_4, cosine_4)), lanes_mul(along_5, cosine_3));
-    const V _s10 = lanes_add(lanes_add(lanes_add(_s9, lanes_mul(along_6, cosine_2)), lanes_mul(along_7, cosine_1)), lanes_mul(along_8, cosine_0));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_4, climb_4), lanes_mul(lanes_mul(K(2.0), climb_0), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_7)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_5));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s10), lanes_mul(omega_1, pressed_7)), lanes_mul(omega_2, pressed_6)), lanes_mul(omega_3, pressed_5)), lanes_mul(omega_4, pressed_4)), lanes_mul(omega_5, pressed_3));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_8), lanes_mul(climb_1, sine_7)), lanes_mul(climb_2, sine_6)), lanes_mul(climb_3, sine_5)), lanes_mul(climb_4, sine_4)), lanes_mul(climb_5, sine_3));
-    const V _s14 = lanes_neg(lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s13, lanes_mul(climb_6, sine_2)), lanes_mul(climb_7, sine_1)), lanes_mul(climb_8, sine_0))));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_8), lanes_mul(climb_1, cosine_7)), lanes_mul(climb_2, cosine_6)), lanes_mul(climb_3, cosine_5)), lanes_mul(climb_4, cosine_4)), lanes_mul(climb_5, cosine_3));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s8), lanes_mul(omega_1, tilted_7)), lanes_mul(omega_2, tilted_6)), lanes_mul(omega_3, tilted_5)), lanes_mul(omega_4, tilted_4)), lanes_mul(omega_5, tilted_3));
-    const V _s17 = lanes_mul(K(0.1111111111111111), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_8), _c0), lanes_add(lanes_add(lanes_add(_s16, lanes_mul(omega_6, tilted_2)), lanes_mul(omega_7, tilted_1)), lanes_mul(tilted_0, _s3))));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_8), lanes_mul(around_1, sine_7)), lanes_mul(around_2, sine_6)), lanes_mul(around_3, sine_5)), lanes_mul(around_4, sine_4)), lanes_mul(around_5, sine_3));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_8), lanes_mul(climb_1, turn_rate_7)), lanes_mul(climb_2, turn_rate_6)), lanes_mul(climb_3, turn_rate_5)), lanes_mul(climb_4, turn_rate_4)), lanes_mul(climb_5, turn_rate_3));
-    const V _s20 = lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_add(_s18, lanes_mul(around_6, sine_2)), lanes_mul(around_7, sine_1)), lanes_mul(sine_0, _s5))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(_s19, lanes_mul(climb_6, turn_rate_2)), lanes_mul(climb_7, turn_rate_1)), lanes_mul(climb_8, turn_rate_0))));
-    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_8), lanes_mul(omega_1, sin_7)), lanes_mul(omega_2, sin_6)), lanes_mul(omega_3, sin_5)), lanes_mul(omega_4, sin_4)), lanes_mul(omega_5, sin_3));
-    const V _s22 = lanes_neg(lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s21, lanes_mul(omega_6, sin_2)), lanes_mul(omega_7, sin_1)), lanes_mul(sin_0, _s3))));
-    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s3), lanes_mul(cos_1, omega_7)), lanes_mul(cos_2, omega_6)), lanes_mul(cos_3, omega_5)), lanes_mul(cos_4, omega_4)), lanes_mul(cos_5, omega_3));
-    return (LANES(court_ring_round_8_out)){ _s1, _s3, _s5, _s8, _s10, lanes_sub(lanes_sub(lanes_mul(_c0, sine_8), lanes_mul(_c1, _s11)), lanes_add(lanes_add(lanes_add(_s12, lanes_mul(omega_6, pressed_2)), lanes_mul(omega_7, pressed_1)), lanes_mul(pressed_0, _s3))), _s14, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s15, lanes_mul(climb_6, cosine_2)), lanes_mul(climb_7, cosine_1)), lanes_mul(climb_8, cosine_0))), lanes_neg(lanes_div(_s17, _c1)), lanes_mul(K(0.1111111111111111), _s20), lanes_mul(_c2, _s5), _s22, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s23, lanes_mul(cos_6, omega_2)), lanes_mul(cos_7, omega_1)), lanes_mul(cos_8, omega_0))) };
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_7), lanes_mul(cosine_2, omega_6)), lanes_mul(cosine_3, omega_5)), lanes_mul(cosine_4, omega_4)), lanes_mul(cosine_5, omega_3)), lanes_mul(cosine_6, omega_2));
+    const V _s1 = lanes_mul(near_0, lanes_sub(along_8, lanes_mul(_c1, lanes_add(lanes_add(_s0, lanes_mul(cosine_7, omega_1)), lanes_mul(cosine_8, omega_0)))));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_7)), lanes_mul(climb_2, omega_6)), lanes_mul(climb_3, omega_5)), lanes_mul(climb_4, omega_4)), lanes_mul(climb_5, omega_3));
+    const V _s3 = lanes_add(lanes_add(lanes_add(_s2, lanes_mul(climb_6, omega_2)), lanes_mul(climb_7, omega_1)), lanes_mul(climb_8, omega_0));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_8), lanes_mul(climb_1, sine_7)), lanes_mul(climb_2, sine_6)), lanes_mul(climb_3, sine_5)), lanes_mul(climb_4, sine_4)), lanes_mul(climb_5, sine_3));
+    const V _s5 = lanes_neg(lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s4, lanes_mul(climb_6, sine_2)), lanes_mul(climb_7, sine_1)), lanes_mul(climb_8, sine_0))));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_8), lanes_mul(climb_1, cosine_7)), lanes_mul(climb_2, cosine_6)), lanes_mul(climb_3, cosine_5)), lanes_mul(climb_4, cosine_4)), lanes_mul(climb_5, cosine_3));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_8), lanes_mul(omega_1, tilted_7)), lanes_mul(omega_2, tilted_6)), lanes_mul(omega_3, tilted_5)), lanes_mul(omega_4, tilted_4)), lanes_mul(omega_5, tilted_3));
+    const V _s8 = lanes_mul(lanes_mul(K(0.1111111111111111), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_8), _c0), lanes_add(lanes_add(lanes_add(_s7, lanes_mul(omega_6, tilted_2)), lanes_mul(omega_7, tilted_1)), lanes_mul(tilted_0, _s1))));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_8), lanes_mul(around_1, sine_7)), lanes_mul(around_2, sine_6)), lanes_mul(around_3, sine_5)), lanes_mul(around_4, sine_4)), lanes_mul(around_5, sine_3));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_8), lanes_mul(climb_1, turn_rate_7)), lanes_mul(climb_2, turn_rate_6)), lanes_mul(climb_3, turn_rate_5)), lanes_mul(climb_4, turn_rate_4)), lanes_mul(climb_5, turn_rate_3));
+    const V _s11 = lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_add(_s9, lanes_mul(around_6, sine_2)), lanes_mul(around_7, sine_1)), lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(_s10, lanes_mul(climb_6, turn_rate_2)), lanes_mul(climb_7, turn_rate_1)), lanes_mul(climb_8, turn_rate_0))));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_8), lanes_mul(around_1, cosine_7)), lanes_mul(around_2, cosine_6)), lanes_mul(around_3, cosine_5)), lanes_mul(around_4, cosine_4)), lanes_mul(around_5, cosine_3));
+    const V _s13 = lanes_add(lanes_mul(_c3, lanes_add(lanes_add(lanes_add(_s12, lanes_mul(around_6, cosine_2)), lanes_mul(around_7, cosine_1)), lanes_mul(cosine_0, _s3))), lanes_mul(_c1, _s3));
+    return (LANES(court_ring_round_8_out)){ _s1, _s3, _s5, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s6, lanes_mul(climb_6, cosine_2)), lanes_mul(climb_7, cosine_1)), lanes_mul(climb_8, cosine_0))), lanes_neg(_s8), lanes_mul(K(0.1111111111111111), _s11), lanes_mul(_c2, _s3), lanes_mul(K(0.1111111111111111), _s13) };
 }
 
 /* The terms of order 10, from those before.
-   Routh's equations. 304 operations: 130 additions, 4 subtractions, 165 multiplications, 1 division, 4 negations. */
+   Routh's equations. 171 operations: 73 additions, 2 subtractions, 94 multiplications, 2 negations. */
 typedef struct {
-    V near_9;
     V omega_9;
     V around_9;
-    V tilted_9;
-    V pressed_9;
-    V force_9;
     V cosine_10;
     V sine_10;
     V climb_10;
     V along_10;
     V turn_rate_10;
-    V cos_10;
-    V sin_10;
+    V tilted_10;
 } LANES(court_ring_round_9_out);
 
 LANES_INLINE LANES(court_ring_round_9_out)
-LANES(court_ring_round_9)(V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2)
+LANES(court_ring_round_9)(V along_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_8), lanes_mul(cosine_2, near_7)), lanes_mul(cosine_3, near_6)), lanes_mul(cosine_4, near_5)), lanes_mul(cosine_5, near_4)), lanes_mul(cosine_6, near_3));
-    const V _s1 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_7, near_2)), lanes_mul(cosine_8, near_1)), lanes_mul(cosine_9, near_0))));
-    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s1), lanes_mul(along_1, near_8)), lanes_mul(along_2, near_7)), lanes_mul(along_3, near_6)), lanes_mul(along_4, near_5)), lanes_mul(along_5, near_4));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(_s2, lanes_mul(along_6, near_3)), lanes_mul(along_7, near_2)), lanes_mul(along_8, near_1)), lanes_mul(along_9, near_0));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s3), lanes_mul(climb_1, omega_8)), lanes_mul(climb_2, omega_7)), lanes_mul(climb_3, omega_6)), lanes_mul(climb_4, omega_5)), lanes_mul(climb_5, omega_4));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(_s4, lanes_mul(climb_6, omega_3)), lanes_mul(climb_7, omega_2)), lanes_mul(climb_8, omega_1)), lanes_mul(climb_9, omega_0));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_9), lanes_mul(along_1, sine_8)), lanes_mul(along_2, sine_7)), lanes_mul(along_3, sine_6)), lanes_mul(along_4, sine_5)), lanes_mul(along_5, sine_4));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_9), lanes_mul(cosine_1, turn_rate_8)), lanes_mul(cosine_2, turn_rate_7)), lanes_mul(cosine_3, turn_rate_6)), lanes_mul(cosine_4, turn_rate_5)), lanes_mul(cosine_5, turn_rate_4));
-    const V _s8 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(cosine_6, turn_rate_3)), lanes_mul(cosine_7, turn_rate_2)), lanes_mul(cosine_8, turn_rate_1)), lanes_mul(cosine_9, turn_rate_0)));
-    const V _s9 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(along_6, sine_3)), lanes_mul(along_7, sine_2)), lanes_mul(along_8, sine_1)), lanes_mul(along_9, sine_0)), _s8);
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_9), lanes_mul(along_1, cosine_8)), lanes_mul(along_2, cosine_7)), lanes_mul(along_3, cosine_6)), lanes_mul(along_4, cosine_5)), lanes_mul(along_5, cosine_4));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(along_6, cosine_3)), lanes_mul(along_7, cosine_2)), lanes_mul(along_8, cosine_1)), lanes_mul(along_9, cosine_0));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_9), lanes_mul(lanes_mul(K(2.0), climb_1), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_7)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_6)), lanes_mul(lanes_mul(K(2.0), climb_4), climb_5));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s11), lanes_mul(omega_1, pressed_8)), lanes_mul(omega_2, pressed_7)), lanes_mul(omega_3, pressed_6)), lanes_mul(omega_4, pressed_5)), lanes_mul(omega_5, pressed_4));
-    const V _s14 = lanes_sub(lanes_sub(lanes_mul(_c0, sine_9), lanes_mul(_c1, _s12)), lanes_add(lanes_add(lanes_add(lanes_add(_s13, lanes_mul(omega_6, pressed_3)), lanes_mul(omega_7, pressed_2)), lanes_mul(omega_8, pressed_1)), lanes_mul(pressed_0, _s3)));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_9), lanes_mul(climb_1, sine_8)), lanes_mul(climb_2, sine_7)), lanes_mul(climb_3, sine_6)), lanes_mul(climb_4, sine_5)), lanes_mul(climb_5, sine_4));
-    const V _s16 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(climb_6, sine_3)), lanes_mul(climb_7, sine_2)), lanes_mul(climb_8, sine_1)), lanes_mul(climb_9, sine_0)));
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_9), lanes_mul(climb_1, cosine_8)), lanes_mul(climb_2, cosine_7)), lanes_mul(climb_3, cosine_6)), lanes_mul(climb_4, cosine_5)), lanes_mul(climb_5, cosine_4));
-    const V _s18 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s17, lanes_mul(climb_6, cosine_3)), lanes_mul(climb_7, cosine_2)), lanes_mul(climb_8, cosine_1)), lanes_mul(climb_9, cosine_0)));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s9), lanes_mul(omega_1, tilted_8)), lanes_mul(omega_2, tilted_7)), lanes_mul(omega_3, tilted_6)), lanes_mul(omega_4, tilted_5)), lanes_mul(omega_5, tilted_4));
-    const V _s20 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_9), _c0), lanes_add(lanes_add(lanes_add(lanes_add(_s19, lanes_mul(omega_6, tilted_3)), lanes_mul(omega_7, tilted_2)), lanes_mul(omega_8, tilted_1)), lanes_mul(tilted_0, _s3)));
-    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_9), lanes_mul(around_1, sine_8)), lanes_mul(around_2, sine_7)), lanes_mul(around_3, sine_6)), lanes_mul(around_4, sine_5)), lanes_mul(around_5, sine_4));
-    const V _s22 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(_s21, lanes_mul(around_6, sine_3)), lanes_mul(around_7, sine_2)), lanes_mul(around_8, sine_1)), lanes_mul(sine_0, _s5)));
-    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_9), lanes_mul(climb_1, turn_rate_8)), lanes_mul(climb_2, turn_rate_7)), lanes_mul(climb_3, turn_rate_6)), lanes_mul(climb_4, turn_rate_5)), lanes_mul(climb_5, turn_rate_4));
-    const V _s24 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(_s23, lanes_mul(climb_6, turn_rate_3)), lanes_mul(climb_7, turn_rate_2)), lanes_mul(climb_8, turn_rate_1)), lanes_mul(climb_9, turn_rate_0)));
-    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_9), lanes_mul(omega_1, sin_8)), lanes_mul(omega_2, sin_7)), lanes_mul(omega_3, sin_6)), lanes_mul(omega_4, sin_5)), lanes_mul(omega_5, sin_4));
-    const V _s26 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s25, lanes_mul(omega_6, sin_3)), lanes_mul(omega_7, sin_2)), lanes_mul(omega_8, sin_1)), lanes_mul(sin_0, _s3)));
-    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s3), lanes_mul(cos_1, omega_8)), lanes_mul(cos_2, omega_7)), lanes_mul(cos_3, omega_6)), lanes_mul(cos_4, omega_5)), lanes_mul(cos_5, omega_4));
-    const V _s28 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s27, lanes_mul(cos_6, omega_3)), lanes_mul(cos_7, omega_2)), lanes_mul(cos_8, omega_1)), lanes_mul(cos_9, omega_0)));
-    return (LANES(court_ring_round_9_out)){ _s1, _s3, _s5, _s9, _s11, _s14, lanes_neg(_s16), _s18, lanes_neg(lanes_div(lanes_mul(K(0.1), _s20), _c1)), lanes_mul(K(0.1), lanes_sub(_s22, _s24)), lanes_mul(_c2, _s5), lanes_neg(_s26), _s28 };
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_8), lanes_mul(cosine_2, omega_7)), lanes_mul(cosine_3, omega_6)), lanes_mul(cosine_4, omega_5)), lanes_mul(cosine_5, omega_4)), lanes_mul(cosine_6, omega_3));
+    const V _s1 = lanes_sub(along_9, lanes_mul(_c1, lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_7, omega_2)), lanes_mul(cosine_8, omega_1)), lanes_mul(cosine_9, omega_0))));
+    const V _s2 = lanes_mul(near_0, _s1);
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_8)), lanes_mul(climb_2, omega_7)), lanes_mul(climb_3, omega_6)), lanes_mul(climb_4, omega_5)), lanes_mul(climb_5, omega_4));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(climb_6, omega_3)), lanes_mul(climb_7, omega_2)), lanes_mul(climb_8, omega_1)), lanes_mul(climb_9, omega_0));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_9), lanes_mul(climb_1, sine_8)), lanes_mul(climb_2, sine_7)), lanes_mul(climb_3, sine_6)), lanes_mul(climb_4, sine_5)), lanes_mul(climb_5, sine_4));
+    const V _s6 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s5, lanes_mul(climb_6, sine_3)), lanes_mul(climb_7, sine_2)), lanes_mul(climb_8, sine_1)), lanes_mul(climb_9, sine_0)));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_9), lanes_mul(climb_1, cosine_8)), lanes_mul(climb_2, cosine_7)), lanes_mul(climb_3, cosine_6)), lanes_mul(climb_4, cosine_5)), lanes_mul(climb_5, cosine_4));
+    const V _s8 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(climb_6, cosine_3)), lanes_mul(climb_7, cosine_2)), lanes_mul(climb_8, cosine_1)), lanes_mul(climb_9, cosine_0)));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_9), lanes_mul(omega_1, tilted_8)), lanes_mul(omega_2, tilted_7)), lanes_mul(omega_3, tilted_6)), lanes_mul(omega_4, tilted_5)), lanes_mul(omega_5, tilted_4));
+    const V _s10 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_9), _c0), lanes_add(lanes_add(lanes_add(lanes_add(_s9, lanes_mul(omega_6, tilted_3)), lanes_mul(omega_7, tilted_2)), lanes_mul(omega_8, tilted_1)), lanes_mul(tilted_0, _s2)));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_9), lanes_mul(around_1, sine_8)), lanes_mul(around_2, sine_7)), lanes_mul(around_3, sine_6)), lanes_mul(around_4, sine_5)), lanes_mul(around_5, sine_4));
+    const V _s12 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(_s11, lanes_mul(around_6, sine_3)), lanes_mul(around_7, sine_2)), lanes_mul(around_8, sine_1)), lanes_mul(sine_0, _s4)));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_9), lanes_mul(climb_1, turn_rate_8)), lanes_mul(climb_2, turn_rate_7)), lanes_mul(climb_3, turn_rate_6)), lanes_mul(climb_4, turn_rate_5)), lanes_mul(climb_5, turn_rate_4));
+    const V _s14 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(_s13, lanes_mul(climb_6, turn_rate_3)), lanes_mul(climb_7, turn_rate_2)), lanes_mul(climb_8, turn_rate_1)), lanes_mul(climb_9, turn_rate_0)));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_9), lanes_mul(around_1, cosine_8)), lanes_mul(around_2, cosine_7)), lanes_mul(around_3, cosine_6)), lanes_mul(around_4, cosine_5)), lanes_mul(around_5, cosine_4));
+    const V _s16 = lanes_mul(_c3, lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(around_6, cosine_3)), lanes_mul(around_7, cosine_2)), lanes_mul(around_8, cosine_1)), lanes_mul(cosine_0, _s4)));
+    return (LANES(court_ring_round_9_out)){ _s2, _s4, lanes_neg(_s6), _s8, lanes_neg(lanes_mul(lanes_mul(K(0.1), per_reach), _s10)), lanes_mul(K(0.1), lanes_sub(_s12, _s14)), lanes_mul(_c2, _s4), lanes_mul(K(0.1), lanes_add(_s16, lanes_mul(_c1, _s4))) };
 }
 
 /* The terms of order 11, from those before.
-   Routh's equations. 334 operations: 145 additions, 4 subtractions, 180 multiplications, 1 division, 4 negations. */
+   Routh's equations. 187 operations: 81 additions, 2 subtractions, 102 multiplications, 2 negations. */
 typedef struct {
-    V near_10;
     V omega_10;
     V around_10;
-    V tilted_10;
-    V pressed_10;
-    V force_10;
     V cosine_11;
     V sine_11;
     V climb_11;
     V along_11;
     V turn_rate_11;
-    V cos_11;
-    V sin_11;
+    V tilted_11;
 } LANES(court_ring_round_10_out);
 
 LANES_INLINE LANES(court_ring_round_10_out)
-LANES(court_ring_round_10)(V along_0, V along_1, V along_10, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V climb_0, V climb_1, V climb_10, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V near_9, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V pressed_0, V pressed_1, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V pressed_9, V sin_0, V sin_1, V sin_10, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2)
+LANES(court_ring_round_10)(V along_10, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V climb_0, V climb_1, V climb_10, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cosine_0, V cosine_1, V cosine_10, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V per_reach, V sine_0, V sine_1, V sine_10, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_10, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_9), lanes_mul(cosine_10, near_0)), lanes_mul(cosine_2, near_8)), lanes_mul(cosine_3, near_7)), lanes_mul(cosine_4, near_6)), lanes_mul(cosine_5, near_5));
-    const V _s1 = lanes_mul(lanes_mul(near_0, _c1), lanes_add(lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_6, near_4)), lanes_mul(cosine_7, near_3)), lanes_mul(cosine_8, near_2)), lanes_mul(cosine_9, near_1)));
-    const V _s2 = lanes_neg(_s1);
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_9)), lanes_mul(along_10, near_0)), lanes_mul(along_2, near_8)), lanes_mul(along_3, near_7)), lanes_mul(along_4, near_6));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(along_5, near_5)), lanes_mul(along_6, near_4)), lanes_mul(along_7, near_3)), lanes_mul(along_8, near_2)), lanes_mul(along_9, near_1));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s4), lanes_mul(climb_1, omega_9)), lanes_mul(climb_10, omega_0)), lanes_mul(climb_2, omega_8)), lanes_mul(climb_3, omega_7)), lanes_mul(climb_4, omega_6));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s5, lanes_mul(climb_5, omega_5)), lanes_mul(climb_6, omega_4)), lanes_mul(climb_7, omega_3)), lanes_mul(climb_8, omega_2)), lanes_mul(climb_9, omega_1));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_10), lanes_mul(along_1, sine_9)), lanes_mul(along_10, sine_0)), lanes_mul(along_2, sine_8)), lanes_mul(along_3, sine_7)), lanes_mul(along_4, sine_6));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(along_5, sine_5)), lanes_mul(along_6, sine_4)), lanes_mul(along_7, sine_3)), lanes_mul(along_8, sine_2)), lanes_mul(along_9, sine_1));
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_10), lanes_mul(cosine_1, turn_rate_9)), lanes_mul(cosine_10, turn_rate_0)), lanes_mul(cosine_2, turn_rate_8)), lanes_mul(cosine_3, turn_rate_7)), lanes_mul(cosine_4, turn_rate_6));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s9, lanes_mul(cosine_5, turn_rate_5)), lanes_mul(cosine_6, turn_rate_4)), lanes_mul(cosine_7, turn_rate_3)), lanes_mul(cosine_8, turn_rate_2)), lanes_mul(cosine_9, turn_rate_1));
-    const V _s11 = lanes_sub(_s8, lanes_mul(K(0.4), _s10));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_10), lanes_mul(along_1, cosine_9)), lanes_mul(along_10, cosine_0)), lanes_mul(along_2, cosine_8)), lanes_mul(along_3, cosine_7)), lanes_mul(along_4, cosine_6));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s12, lanes_mul(along_5, cosine_5)), lanes_mul(along_6, cosine_4)), lanes_mul(along_7, cosine_3)), lanes_mul(along_8, cosine_2)), lanes_mul(along_9, cosine_1));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_5, climb_5), lanes_mul(lanes_mul(K(2.0), climb_0), climb_10)), lanes_mul(lanes_mul(K(2.0), climb_1), climb_9)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_7));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s13), lanes_mul(omega_1, pressed_9)), lanes_mul(omega_2, pressed_8)), lanes_mul(omega_3, pressed_7)), lanes_mul(omega_4, pressed_6)), lanes_mul(omega_5, pressed_5));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(omega_6, pressed_4)), lanes_mul(omega_7, pressed_3)), lanes_mul(omega_8, pressed_2)), lanes_mul(omega_9, pressed_1)), lanes_mul(pressed_0, _s4));
-    const V _s17 = lanes_sub(lanes_sub(lanes_mul(_c0, sine_10), lanes_mul(_c1, lanes_add(_s14, lanes_mul(lanes_mul(K(2.0), climb_4), climb_6)))), _s16);
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_10), lanes_mul(climb_1, sine_9)), lanes_mul(climb_10, sine_0)), lanes_mul(climb_2, sine_8)), lanes_mul(climb_3, sine_7)), lanes_mul(climb_4, sine_6));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s18, lanes_mul(climb_5, sine_5)), lanes_mul(climb_6, sine_4)), lanes_mul(climb_7, sine_3)), lanes_mul(climb_8, sine_2)), lanes_mul(climb_9, sine_1));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_10), lanes_mul(climb_1, cosine_9)), lanes_mul(climb_10, cosine_0)), lanes_mul(climb_2, cosine_8)), lanes_mul(climb_3, cosine_7)), lanes_mul(climb_4, cosine_6));
-    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s20, lanes_mul(climb_5, cosine_5)), lanes_mul(climb_6, cosine_4)), lanes_mul(climb_7, cosine_3)), lanes_mul(climb_8, cosine_2)), lanes_mul(climb_9, cosine_1));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s11), lanes_mul(omega_1, tilted_9)), lanes_mul(omega_2, tilted_8)), lanes_mul(omega_3, tilted_7)), lanes_mul(omega_4, tilted_6)), lanes_mul(omega_5, tilted_5));
-    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s22, lanes_mul(omega_6, tilted_4)), lanes_mul(omega_7, tilted_3)), lanes_mul(omega_8, tilted_2)), lanes_mul(omega_9, tilted_1)), lanes_mul(tilted_0, _s4));
-    const V _s24 = lanes_neg(lanes_div(lanes_mul(K(0.09090909090909091), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_10), _c0), _s23)), _c1));
-    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_10), lanes_mul(around_1, sine_9)), lanes_mul(around_2, sine_8)), lanes_mul(around_3, sine_7)), lanes_mul(around_4, sine_6)), lanes_mul(around_5, sine_5));
-    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s25, lanes_mul(around_6, sine_4)), lanes_mul(around_7, sine_3)), lanes_mul(around_8, sine_2)), lanes_mul(around_9, sine_1)), lanes_mul(sine_0, _s6));
-    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_10), lanes_mul(climb_1, turn_rate_9)), lanes_mul(climb_10, turn_rate_0)), lanes_mul(climb_2, turn_rate_8)), lanes_mul(climb_3, turn_rate_7)), lanes_mul(climb_4, turn_rate_6));
-    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s27, lanes_mul(climb_5, turn_rate_5)), lanes_mul(climb_6, turn_rate_4)), lanes_mul(climb_7, turn_rate_3)), lanes_mul(climb_8, turn_rate_2)), lanes_mul(climb_9, turn_rate_1));
-    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_10), lanes_mul(omega_1, sin_9)), lanes_mul(omega_2, sin_8)), lanes_mul(omega_3, sin_7)), lanes_mul(omega_4, sin_6)), lanes_mul(omega_5, sin_5));
-    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s29, lanes_mul(omega_6, sin_4)), lanes_mul(omega_7, sin_3)), lanes_mul(omega_8, sin_2)), lanes_mul(omega_9, sin_1)), lanes_mul(sin_0, _s4));
-    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, omega_9)), lanes_mul(cos_10, omega_0)), lanes_mul(cos_2, omega_8)), lanes_mul(cos_3, omega_7)), lanes_mul(cos_4, omega_6));
-    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s31, lanes_mul(cos_5, omega_5)), lanes_mul(cos_6, omega_4)), lanes_mul(cos_7, omega_3)), lanes_mul(cos_8, omega_2)), lanes_mul(cos_9, omega_1));
-    return (LANES(court_ring_round_10_out)){ _s2, _s4, _s6, _s11, _s13, _s17, lanes_neg(lanes_mul(K(0.09090909090909091), _s19)), lanes_mul(K(0.09090909090909091), _s21), _s24, lanes_mul(K(0.09090909090909091), lanes_sub(lanes_mul(_c1, _s26), lanes_mul(K(0.4), _s28))), lanes_mul(_c2, _s6), lanes_neg(lanes_mul(K(0.09090909090909091), _s30)), lanes_mul(K(0.09090909090909091), _s32) };
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_9), lanes_mul(cosine_10, omega_0)), lanes_mul(cosine_2, omega_8)), lanes_mul(cosine_3, omega_7)), lanes_mul(cosine_4, omega_6)), lanes_mul(cosine_5, omega_5));
+    const V _s1 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_6, omega_4)), lanes_mul(cosine_7, omega_3)), lanes_mul(cosine_8, omega_2)), lanes_mul(cosine_9, omega_1)));
+    const V _s2 = lanes_mul(near_0, lanes_sub(along_10, _s1));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_9)), lanes_mul(climb_10, omega_0)), lanes_mul(climb_2, omega_8)), lanes_mul(climb_3, omega_7)), lanes_mul(climb_4, omega_6));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(climb_5, omega_5)), lanes_mul(climb_6, omega_4)), lanes_mul(climb_7, omega_3)), lanes_mul(climb_8, omega_2)), lanes_mul(climb_9, omega_1));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_10), lanes_mul(climb_1, sine_9)), lanes_mul(climb_10, sine_0)), lanes_mul(climb_2, sine_8)), lanes_mul(climb_3, sine_7)), lanes_mul(climb_4, sine_6));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s5, lanes_mul(climb_5, sine_5)), lanes_mul(climb_6, sine_4)), lanes_mul(climb_7, sine_3)), lanes_mul(climb_8, sine_2)), lanes_mul(climb_9, sine_1));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_10), lanes_mul(climb_1, cosine_9)), lanes_mul(climb_10, cosine_0)), lanes_mul(climb_2, cosine_8)), lanes_mul(climb_3, cosine_7)), lanes_mul(climb_4, cosine_6));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(climb_5, cosine_5)), lanes_mul(climb_6, cosine_4)), lanes_mul(climb_7, cosine_3)), lanes_mul(climb_8, cosine_2)), lanes_mul(climb_9, cosine_1));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_10), lanes_mul(omega_1, tilted_9)), lanes_mul(omega_2, tilted_8)), lanes_mul(omega_3, tilted_7)), lanes_mul(omega_4, tilted_6)), lanes_mul(omega_5, tilted_5));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s9, lanes_mul(omega_6, tilted_4)), lanes_mul(omega_7, tilted_3)), lanes_mul(omega_8, tilted_2)), lanes_mul(omega_9, tilted_1)), lanes_mul(tilted_0, _s2));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_10), lanes_mul(around_1, sine_9)), lanes_mul(around_2, sine_8)), lanes_mul(around_3, sine_7)), lanes_mul(around_4, sine_6)), lanes_mul(around_5, sine_5));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s11, lanes_mul(around_6, sine_4)), lanes_mul(around_7, sine_3)), lanes_mul(around_8, sine_2)), lanes_mul(around_9, sine_1)), lanes_mul(sine_0, _s4));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_10), lanes_mul(climb_1, turn_rate_9)), lanes_mul(climb_10, turn_rate_0)), lanes_mul(climb_2, turn_rate_8)), lanes_mul(climb_3, turn_rate_7)), lanes_mul(climb_4, turn_rate_6));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s13, lanes_mul(climb_5, turn_rate_5)), lanes_mul(climb_6, turn_rate_4)), lanes_mul(climb_7, turn_rate_3)), lanes_mul(climb_8, turn_rate_2)), lanes_mul(climb_9, turn_rate_1));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_10), lanes_mul(around_1, cosine_9)), lanes_mul(around_2, cosine_8)), lanes_mul(around_3, cosine_7)), lanes_mul(around_4, cosine_6)), lanes_mul(around_5, cosine_5));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(around_6, cosine_4)), lanes_mul(around_7, cosine_3)), lanes_mul(around_8, cosine_2)), lanes_mul(around_9, cosine_1)), lanes_mul(cosine_0, _s4));
+    return (LANES(court_ring_round_10_out)){ _s2, _s4, lanes_neg(lanes_mul(K(0.09090909090909091), _s6)), lanes_mul(K(0.09090909090909091), _s8), lanes_neg(lanes_mul(lanes_mul(K(0.09090909090909091), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_10), _c0), _s10))), lanes_mul(K(0.09090909090909091), lanes_sub(lanes_mul(_c1, _s12), lanes_mul(K(0.4), _s14))), lanes_mul(_c2, _s4), lanes_mul(K(0.09090909090909091), lanes_add(lanes_mul(_c3, _s16), lanes_mul(_c1, _s4))) };
 }
 
 /* The terms of order 12, from those before.
-   Routh's equations. 363 operations: 159 additions, 4 subtractions, 195 multiplications, 1 division, 4 negations. */
+   Routh's equations. 203 operations: 89 additions, 2 subtractions, 110 multiplications, 2 negations. */
 typedef struct {
-    V near_11;
     V omega_11;
     V around_11;
-    V tilted_11;
-    V pressed_11;
-    V force_11;
     V cosine_12;
     V sine_12;
     V climb_12;
     V along_12;
     V turn_rate_12;
-    V cos_12;
-    V sin_12;
+    V tilted_12;
 } LANES(court_ring_round_11_out);
 
 LANES_INLINE LANES(court_ring_round_11_out)
-LANES(court_ring_round_11)(V along_0, V along_1, V along_10, V along_11, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V around_0, V around_1, V around_10, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V climb_0, V climb_1, V climb_10, V climb_11, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cos_1, V cos_10, V cos_11, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V cos_8, V cos_9, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V near_0, V near_1, V near_10, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V near_8, V near_9, V omega_0, V omega_1, V omega_10, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V pressed_0, V pressed_1, V pressed_10, V pressed_2, V pressed_3, V pressed_4, V pressed_5, V pressed_6, V pressed_7, V pressed_8, V pressed_9, V sin_0, V sin_1, V sin_10, V sin_11, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V sin_8, V sin_9, V sine_0, V sine_1, V sine_10, V sine_11, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_10, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2)
+LANES(court_ring_round_11)(V along_11, V around_0, V around_1, V around_10, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V climb_0, V climb_1, V climb_10, V climb_11, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V near_0, V omega_0, V omega_1, V omega_10, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V per_reach, V sine_0, V sine_1, V sine_10, V sine_11, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_10, V tilted_11, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, near_10), lanes_mul(cosine_10, near_1)), lanes_mul(cosine_11, near_0)), lanes_mul(cosine_2, near_9)), lanes_mul(cosine_3, near_8)), lanes_mul(cosine_4, near_7));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_5, near_6)), lanes_mul(cosine_6, near_5)), lanes_mul(cosine_7, near_4)), lanes_mul(cosine_8, near_3)), lanes_mul(cosine_9, near_2));
-    const V _s2 = lanes_neg(lanes_mul(lanes_mul(near_0, _c1), _s1));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, _s2), lanes_mul(along_1, near_10)), lanes_mul(along_10, near_1)), lanes_mul(along_11, near_0)), lanes_mul(along_2, near_9)), lanes_mul(along_3, near_8));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(along_4, near_7)), lanes_mul(along_5, near_6)), lanes_mul(along_6, near_5)), lanes_mul(along_7, near_4)), lanes_mul(along_8, near_3));
-    const V _s5 = lanes_add(_s4, lanes_mul(along_9, near_2));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s5), lanes_mul(climb_1, omega_10)), lanes_mul(climb_10, omega_1)), lanes_mul(climb_11, omega_0)), lanes_mul(climb_2, omega_9)), lanes_mul(climb_3, omega_8));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(climb_4, omega_7)), lanes_mul(climb_5, omega_6)), lanes_mul(climb_6, omega_5)), lanes_mul(climb_7, omega_4)), lanes_mul(climb_8, omega_3));
-    const V _s8 = lanes_add(_s7, lanes_mul(climb_9, omega_2));
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, sine_11), lanes_mul(along_1, sine_10)), lanes_mul(along_10, sine_1)), lanes_mul(along_11, sine_0)), lanes_mul(along_2, sine_9)), lanes_mul(along_3, sine_8));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s9, lanes_mul(along_4, sine_7)), lanes_mul(along_5, sine_6)), lanes_mul(along_6, sine_5)), lanes_mul(along_7, sine_4)), lanes_mul(along_8, sine_3));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, turn_rate_11), lanes_mul(cosine_1, turn_rate_10)), lanes_mul(cosine_10, turn_rate_1)), lanes_mul(cosine_11, turn_rate_0)), lanes_mul(cosine_2, turn_rate_9)), lanes_mul(cosine_3, turn_rate_8));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s11, lanes_mul(cosine_4, turn_rate_7)), lanes_mul(cosine_5, turn_rate_6)), lanes_mul(cosine_6, turn_rate_5)), lanes_mul(cosine_7, turn_rate_4)), lanes_mul(cosine_8, turn_rate_3));
-    const V _s13 = lanes_sub(lanes_add(_s10, lanes_mul(along_9, sine_2)), lanes_mul(K(0.4), lanes_add(_s12, lanes_mul(cosine_9, turn_rate_2))));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(along_0, cosine_11), lanes_mul(along_1, cosine_10)), lanes_mul(along_10, cosine_1)), lanes_mul(along_11, cosine_0)), lanes_mul(along_2, cosine_9)), lanes_mul(along_3, cosine_8));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s14, lanes_mul(along_4, cosine_7)), lanes_mul(along_5, cosine_6)), lanes_mul(along_6, cosine_5)), lanes_mul(along_7, cosine_4)), lanes_mul(along_8, cosine_3));
-    const V _s16 = lanes_add(_s15, lanes_mul(along_9, cosine_2));
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), climb_0), climb_11), lanes_mul(lanes_mul(K(2.0), climb_1), climb_10)), lanes_mul(lanes_mul(K(2.0), climb_2), climb_9)), lanes_mul(lanes_mul(K(2.0), climb_3), climb_8)), lanes_mul(lanes_mul(K(2.0), climb_4), climb_7));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s16), lanes_mul(omega_1, pressed_10)), lanes_mul(omega_10, pressed_1)), lanes_mul(omega_2, pressed_9)), lanes_mul(omega_3, pressed_8)), lanes_mul(omega_4, pressed_7));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s18, lanes_mul(omega_5, pressed_6)), lanes_mul(omega_6, pressed_5)), lanes_mul(omega_7, pressed_4)), lanes_mul(omega_8, pressed_3)), lanes_mul(omega_9, pressed_2));
-    const V _s20 = lanes_sub(lanes_sub(lanes_mul(_c0, sine_11), lanes_mul(_c1, lanes_add(_s17, lanes_mul(lanes_mul(K(2.0), climb_5), climb_6)))), lanes_add(_s19, lanes_mul(pressed_0, _s5)));
-    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_11), lanes_mul(climb_1, sine_10)), lanes_mul(climb_10, sine_1)), lanes_mul(climb_11, sine_0)), lanes_mul(climb_2, sine_9)), lanes_mul(climb_3, sine_8));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s21, lanes_mul(climb_4, sine_7)), lanes_mul(climb_5, sine_6)), lanes_mul(climb_6, sine_5)), lanes_mul(climb_7, sine_4)), lanes_mul(climb_8, sine_3));
-    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_11), lanes_mul(climb_1, cosine_10)), lanes_mul(climb_10, cosine_1)), lanes_mul(climb_11, cosine_0)), lanes_mul(climb_2, cosine_9)), lanes_mul(climb_3, cosine_8));
-    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s23, lanes_mul(climb_4, cosine_7)), lanes_mul(climb_5, cosine_6)), lanes_mul(climb_6, cosine_5)), lanes_mul(climb_7, cosine_4)), lanes_mul(climb_8, cosine_3));
-    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, _s13), lanes_mul(omega_1, tilted_10)), lanes_mul(omega_10, tilted_1)), lanes_mul(omega_2, tilted_9)), lanes_mul(omega_3, tilted_8)), lanes_mul(omega_4, tilted_7));
-    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s25, lanes_mul(omega_5, tilted_6)), lanes_mul(omega_6, tilted_5)), lanes_mul(omega_7, tilted_4)), lanes_mul(omega_8, tilted_3)), lanes_mul(omega_9, tilted_2));
-    const V _s27 = lanes_neg(lanes_div(lanes_mul(K(0.08333333333333333), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_11), _c0), lanes_add(_s26, lanes_mul(tilted_0, _s5)))), _c1));
-    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_11), lanes_mul(around_1, sine_10)), lanes_mul(around_10, sine_1)), lanes_mul(around_2, sine_9)), lanes_mul(around_3, sine_8)), lanes_mul(around_4, sine_7));
-    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s28, lanes_mul(around_5, sine_6)), lanes_mul(around_6, sine_5)), lanes_mul(around_7, sine_4)), lanes_mul(around_8, sine_3)), lanes_mul(around_9, sine_2));
-    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_11), lanes_mul(climb_1, turn_rate_10)), lanes_mul(climb_10, turn_rate_1)), lanes_mul(climb_11, turn_rate_0)), lanes_mul(climb_2, turn_rate_9)), lanes_mul(climb_3, turn_rate_8));
-    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s30, lanes_mul(climb_4, turn_rate_7)), lanes_mul(climb_5, turn_rate_6)), lanes_mul(climb_6, turn_rate_5)), lanes_mul(climb_7, turn_rate_4)), lanes_mul(climb_8, turn_rate_3));
-    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, sin_11), lanes_mul(omega_1, sin_10)), lanes_mul(omega_10, sin_1)), lanes_mul(omega_2, sin_9)), lanes_mul(omega_3, sin_8)), lanes_mul(omega_4, sin_7));
-    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s32, lanes_mul(omega_5, sin_6)), lanes_mul(omega_6, sin_5)), lanes_mul(omega_7, sin_4)), lanes_mul(omega_8, sin_3)), lanes_mul(omega_9, sin_2));
-    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s5), lanes_mul(cos_1, omega_10)), lanes_mul(cos_10, omega_1)), lanes_mul(cos_11, omega_0)), lanes_mul(cos_2, omega_9)), lanes_mul(cos_3, omega_8));
-    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s34, lanes_mul(cos_4, omega_7)), lanes_mul(cos_5, omega_6)), lanes_mul(cos_6, omega_5)), lanes_mul(cos_7, omega_4)), lanes_mul(cos_8, omega_3));
-    return (LANES(court_ring_round_11_out)){ _s2, _s5, _s8, _s13, _s16, _s20, lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s22, lanes_mul(climb_9, sine_2)))), lanes_mul(K(0.08333333333333333), lanes_add(_s24, lanes_mul(climb_9, cosine_2))), _s27, lanes_mul(K(0.08333333333333333), lanes_sub(lanes_mul(_c1, lanes_add(_s29, lanes_mul(sine_0, _s8))), lanes_mul(K(0.4), lanes_add(_s31, lanes_mul(climb_9, turn_rate_2))))), lanes_mul(_c2, _s8), lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s33, lanes_mul(sin_0, _s5)))), lanes_mul(K(0.08333333333333333), lanes_add(_s35, lanes_mul(cos_9, omega_2))) };
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_10), lanes_mul(cosine_10, omega_1)), lanes_mul(cosine_11, omega_0)), lanes_mul(cosine_2, omega_9)), lanes_mul(cosine_3, omega_8)), lanes_mul(cosine_4, omega_7));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_5, omega_6)), lanes_mul(cosine_6, omega_5)), lanes_mul(cosine_7, omega_4)), lanes_mul(cosine_8, omega_3)), lanes_mul(cosine_9, omega_2));
+    const V _s2 = lanes_mul(near_0, lanes_sub(along_11, lanes_mul(_c1, _s1)));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_10)), lanes_mul(climb_10, omega_1)), lanes_mul(climb_11, omega_0)), lanes_mul(climb_2, omega_9)), lanes_mul(climb_3, omega_8));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(climb_4, omega_7)), lanes_mul(climb_5, omega_6)), lanes_mul(climb_6, omega_5)), lanes_mul(climb_7, omega_4)), lanes_mul(climb_8, omega_3));
+    const V _s5 = lanes_add(_s4, lanes_mul(climb_9, omega_2));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_11), lanes_mul(climb_1, sine_10)), lanes_mul(climb_10, sine_1)), lanes_mul(climb_11, sine_0)), lanes_mul(climb_2, sine_9)), lanes_mul(climb_3, sine_8));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(climb_4, sine_7)), lanes_mul(climb_5, sine_6)), lanes_mul(climb_6, sine_5)), lanes_mul(climb_7, sine_4)), lanes_mul(climb_8, sine_3));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_11), lanes_mul(climb_1, cosine_10)), lanes_mul(climb_10, cosine_1)), lanes_mul(climb_11, cosine_0)), lanes_mul(climb_2, cosine_9)), lanes_mul(climb_3, cosine_8));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s8, lanes_mul(climb_4, cosine_7)), lanes_mul(climb_5, cosine_6)), lanes_mul(climb_6, cosine_5)), lanes_mul(climb_7, cosine_4)), lanes_mul(climb_8, cosine_3));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_11), lanes_mul(omega_1, tilted_10)), lanes_mul(omega_10, tilted_1)), lanes_mul(omega_2, tilted_9)), lanes_mul(omega_3, tilted_8)), lanes_mul(omega_4, tilted_7));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(omega_5, tilted_6)), lanes_mul(omega_6, tilted_5)), lanes_mul(omega_7, tilted_4)), lanes_mul(omega_8, tilted_3)), lanes_mul(omega_9, tilted_2));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_11), lanes_mul(around_1, sine_10)), lanes_mul(around_10, sine_1)), lanes_mul(around_2, sine_9)), lanes_mul(around_3, sine_8)), lanes_mul(around_4, sine_7));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s12, lanes_mul(around_5, sine_6)), lanes_mul(around_6, sine_5)), lanes_mul(around_7, sine_4)), lanes_mul(around_8, sine_3)), lanes_mul(around_9, sine_2));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_11), lanes_mul(climb_1, turn_rate_10)), lanes_mul(climb_10, turn_rate_1)), lanes_mul(climb_11, turn_rate_0)), lanes_mul(climb_2, turn_rate_9)), lanes_mul(climb_3, turn_rate_8));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s14, lanes_mul(climb_4, turn_rate_7)), lanes_mul(climb_5, turn_rate_6)), lanes_mul(climb_6, turn_rate_5)), lanes_mul(climb_7, turn_rate_4)), lanes_mul(climb_8, turn_rate_3));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_11), lanes_mul(around_1, cosine_10)), lanes_mul(around_10, cosine_1)), lanes_mul(around_2, cosine_9)), lanes_mul(around_3, cosine_8)), lanes_mul(around_4, cosine_7));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s16, lanes_mul(around_5, cosine_6)), lanes_mul(around_6, cosine_5)), lanes_mul(around_7, cosine_4)), lanes_mul(around_8, cosine_3)), lanes_mul(around_9, cosine_2));
+    return (LANES(court_ring_round_11_out)){ _s2, _s5, lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s7, lanes_mul(climb_9, sine_2)))), lanes_mul(K(0.08333333333333333), lanes_add(_s9, lanes_mul(climb_9, cosine_2))), lanes_neg(lanes_mul(lanes_mul(K(0.08333333333333333), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_11), _c0), lanes_add(_s11, lanes_mul(tilted_0, _s2))))), lanes_mul(K(0.08333333333333333), lanes_sub(lanes_mul(_c1, lanes_add(_s13, lanes_mul(sine_0, _s5))), lanes_mul(K(0.4), lanes_add(_s15, lanes_mul(climb_9, turn_rate_2))))), lanes_mul(_c2, _s5), lanes_mul(K(0.08333333333333333), lanes_add(lanes_mul(_c3, lanes_add(_s17, lanes_mul(cosine_0, _s5))), lanes_mul(_c1, _s5))) };
 }
 
 /* The first window that ends later than a time, if there is one, from then on.
@@ -4452,7 +4347,7 @@ LANES(court_backboard_beside)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _
 }
 
 /* The distance, its rate and its second derivative, of a ball that rolls on something else.
-   derivatives of Table 2's distance. 116 operations: 14 additions, 17 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections. */
+   derivatives of Table 2's distance. 114 operations: 15 additions, 16 subtractions, 33 multiplications, 1 division, 1 square root, 12 negations, 12 comparisons, 24 selections. */
 typedef struct {
     V gap;
     V nearing;
@@ -4472,24 +4367,26 @@ LANES(court_backboard_closing)(V nx, V ny, V nz, V rolled_x, V rolled_y, V rolle
     const V _s6 = lanes_sub(y, _c3);
     const V _s7 = lanes_neg(lanes_add(_c3, y));
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
-    const V _s9 = lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8));
-    const V _s10 = lanes_sqrt(_s9);
-    const M _s11 = lanes_less(_s0, K(0.0));
-    const M _s12 = lanes_less(_s1, K(0.0));
-    const V _s13 = lanes_sub(lanes_select(_s11, K(0.0), rolled_z), lanes_select(_s12, K(0.0), lanes_neg(rolled_z)));
-    const M _s14 = lanes_less(_s3, K(0.0));
-    const M _s15 = lanes_less(_s4, K(0.0));
-    const V _s16 = lanes_sub(lanes_select(_s14, K(0.0), rolled_x), lanes_select(_s15, K(0.0), lanes_neg(rolled_x)));
-    const M _s17 = lanes_less(_s6, K(0.0));
-    const M _s18 = lanes_less(_s7, K(0.0));
-    const V _s19 = lanes_sub(lanes_select(_s17, K(0.0), rolled_y), lanes_select(_s18, K(0.0), lanes_neg(rolled_y)));
-    const V _s20 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s13), _s2), lanes_mul(lanes_mul(K(2.0), _s16), _s5)), lanes_mul(lanes_mul(K(2.0), _s19), _s8));
-    const V _s21 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s11, K(0.0), thrust_z), lanes_select(_s12, K(0.0), lanes_neg(thrust_z)))), _s2), lanes_mul(K(2.0), lanes_mul(_s13, _s13)));
-    const V _s22 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s14, K(0.0), thrust_x), lanes_select(_s15, K(0.0), lanes_neg(thrust_x)))), _s5), lanes_mul(K(2.0), lanes_mul(_s16, _s16)));
-    const V _s23 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s17, K(0.0), thrust_y), lanes_select(_s18, K(0.0), lanes_neg(thrust_y)))), _s8), lanes_mul(K(2.0), lanes_mul(_s19, _s19)));
-    const V _s24 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s11, K(0.0), nz), lanes_select(_s12, K(0.0), lanes_neg(nz)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s14, K(0.0), nx), lanes_select(_s15, K(0.0), lanes_neg(nx)))), _s5));
-    const V _s25 = lanes_add(_s24, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s17, K(0.0), ny), lanes_select(_s18, K(0.0), lanes_neg(ny)))), _s8));
-    return (LANES(court_backboard_closing_out)){ lanes_sub(_s10, _c0), lanes_div(lanes_mul(K(0.5), _s20), _s10), lanes_sub(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_add(_s21, _s22), _s23)), _s10), lanes_div(lanes_mul(K(0.25), lanes_mul(_s20, _s20)), lanes_mul(_s10, _s9))), lanes_div(lanes_mul(K(0.5), _s25), _s10) };
+    const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
+    const M _s10 = lanes_less(_s0, K(0.0));
+    const M _s11 = lanes_less(_s1, K(0.0));
+    const V _s12 = lanes_sub(lanes_select(_s10, K(0.0), rolled_z), lanes_select(_s11, K(0.0), lanes_neg(rolled_z)));
+    const M _s13 = lanes_less(_s3, K(0.0));
+    const M _s14 = lanes_less(_s4, K(0.0));
+    const V _s15 = lanes_sub(lanes_select(_s13, K(0.0), rolled_x), lanes_select(_s14, K(0.0), lanes_neg(rolled_x)));
+    const M _s16 = lanes_less(_s6, K(0.0));
+    const M _s17 = lanes_less(_s7, K(0.0));
+    const V _s18 = lanes_sub(lanes_select(_s16, K(0.0), rolled_y), lanes_select(_s17, K(0.0), lanes_neg(rolled_y)));
+    const V _s19 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s12), _s2), lanes_mul(lanes_mul(K(2.0), _s15), _s5)), lanes_mul(lanes_mul(K(2.0), _s18), _s8));
+    const V _s20 = lanes_div(K(1.0), _s9);
+    const V _s21 = lanes_mul(lanes_mul(K(0.5), _s19), _s20);
+    const V _s22 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s10, K(0.0), thrust_z), lanes_select(_s11, K(0.0), lanes_neg(thrust_z))), _s2), lanes_mul(_s12, _s12)));
+    const V _s23 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s13, K(0.0), thrust_x), lanes_select(_s14, K(0.0), lanes_neg(thrust_x))), _s5), lanes_mul(_s15, _s15)));
+    const V _s24 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s16, K(0.0), thrust_y), lanes_select(_s17, K(0.0), lanes_neg(thrust_y))), _s8), lanes_mul(_s18, _s18)));
+    const V _s25 = lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_neg(lanes_mul(_s21, lanes_mul(_s20, _s20))), _s19), lanes_mul(lanes_add(lanes_add(_s22, _s23), _s24), _s20)));
+    const V _s26 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s10, K(0.0), nz), lanes_select(_s11, K(0.0), lanes_neg(nz)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s13, K(0.0), nx), lanes_select(_s14, K(0.0), lanes_neg(nx)))), _s5));
+    const V _s27 = lanes_add(_s26, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s16, K(0.0), ny), lanes_select(_s17, K(0.0), lanes_neg(ny)))), _s8));
+    return (LANES(court_backboard_closing_out)){ lanes_sub(_s9, _c0), _s21, _s25, lanes_mul(lanes_mul(K(0.5), _s27), _s20) };
 }
 
 /* The distance.
@@ -4554,7 +4451,7 @@ LANES(court_backboard_turning)(V rolled_x, V rolled_y, V rolled_z, V x, V y, V z
 }
 
 /* The second to the fourth derivative of the distance along a flight.
-   derivatives of Table 2's distance. 110 operations: 12 additions, 15 subtractions, 41 multiplications, 10 divisions, 1 square root, 5 negations, 12 comparisons, 14 selections. */
+   derivatives of Table 2's distance. 125 operations: 26 additions, 10 subtractions, 53 multiplications, 1 division, 1 square root, 8 negations, 12 comparisons, 14 selections. */
 typedef struct {
     V lift;
     V surge;
@@ -4568,28 +4465,36 @@ LANES(court_backboard_parting)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V 
     const M _s1 = lanes_less(_s0, K(0.0));
     const V _s2 = lanes_sub(_c0, z);
     const M _s3 = lanes_less(_s2, K(0.0));
-    const V _s4 = lanes_sub(lanes_select(_s1, K(0.0), _c5), lanes_select(_s3, K(0.0), _c4));
+    const V _s4 = lanes_sub(lanes_select(_s1, K(0.0), vz), lanes_select(_s3, K(0.0), lanes_neg(vz)));
     const V _s5 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s2, K(0.0)));
-    const V _s6 = lanes_sub(lanes_select(_s1, K(0.0), vz), lanes_select(_s3, K(0.0), lanes_neg(vz)));
-    const V _s7 = lanes_add(_c1, x);
-    const V _s8 = lanes_neg(lanes_add(_c6, x));
-    const V _s9 = lanes_sub(lanes_select(lanes_less(_s7, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s8, K(0.0)), K(0.0), lanes_neg(vx)));
+    const V _s6 = lanes_add(_c1, x);
+    const V _s7 = lanes_neg(lanes_add(_c5, x));
+    const V _s8 = lanes_sub(lanes_select(lanes_less(_s6, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s7, K(0.0)), K(0.0), lanes_neg(vx)));
+    const V _s9 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
     const V _s10 = lanes_sub(y, _c2);
     const V _s11 = lanes_neg(lanes_add(_c2, y));
     const V _s12 = lanes_sub(lanes_select(lanes_less(_s10, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s11, K(0.0)), K(0.0), lanes_neg(vy)));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s5), lanes_mul(K(2.0), lanes_mul(_s6, _s6))), lanes_mul(K(2.0), lanes_mul(_s9, _s9))), lanes_mul(K(2.0), lanes_mul(_s12, _s12)));
-    const V _s14 = lanes_sub(lanes_max(_s7, K(0.0)), lanes_max(_s8, K(0.0)));
-    const V _s15 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
-    const V _s16 = lanes_add(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s14, _s14)), lanes_mul(_s15, _s15));
-    const V _s17 = lanes_sqrt(_s16);
-    const V _s18 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s6), _s5), lanes_mul(lanes_mul(K(2.0), _s9), _s14)), lanes_mul(lanes_mul(K(2.0), _s12), _s15));
-    const V _s19 = lanes_mul(_s18, _s18);
-    const V _s20 = lanes_mul(_s17, _s16);
-    const V _s21 = lanes_mul(lanes_mul(K(6.0), _s4), _s6);
-    const V _s22 = lanes_mul(_s16, _s16);
-    const V _s23 = lanes_mul(_s17, _s22);
-    const V _s24 = lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.5), lanes_mul(K(6.0), lanes_mul(_s4, _s4))), _s17), lanes_div(lanes_mul(lanes_mul(K(2.25), _s19), _s13), _s23)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s19, _s19)), lanes_mul(_s20, _s22)));
-    return (LANES(court_backboard_parting_out)){ lanes_sub(lanes_div(lanes_mul(K(0.5), _s13), _s17), lanes_div(lanes_mul(K(0.25), _s19), _s20)), lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.5), _s21), _s17), lanes_div(lanes_mul(K(0.375), lanes_mul(_s18, _s19)), _s23)), lanes_div(lanes_mul(lanes_mul(K(0.75), _s18), _s13), _s20)), lanes_sub(lanes_sub(_s24, lanes_div(lanes_mul(K(0.75), lanes_mul(_s13, _s13)), _s20)), lanes_div(lanes_mul(_s21, _s18), _s20)) };
+    const V _s13 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
+    const V _s14 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s5), lanes_mul(lanes_mul(K(2.0), _s8), _s9)), lanes_mul(lanes_mul(K(2.0), _s12), _s13));
+    const V _s15 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s9, _s9)), lanes_mul(_s13, _s13))));
+    const V _s16 = lanes_mul(lanes_mul(K(0.5), _s14), _s15);
+    const V _s17 = lanes_mul(_s15, _s15);
+    const V _s18 = lanes_neg(lanes_mul(_s16, _s17));
+    const V _s19 = lanes_sub(lanes_select(_s1, K(0.0), _c6), lanes_select(_s3, K(0.0), _c4));
+    const V _s20 = lanes_add(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(_s19, _s5), lanes_mul(_s4, _s4))), lanes_mul(K(2.0), lanes_mul(_s8, _s8))), lanes_mul(K(2.0), lanes_mul(_s12, _s12)));
+    const V _s21 = lanes_mul(K(0.5), lanes_add(lanes_mul(_s18, _s14), lanes_mul(_s20, _s15)));
+    const V _s22 = lanes_mul(_s18, _s20);
+    const V _s23 = lanes_mul(K(2.0), _s18);
+    const V _s24 = lanes_neg(lanes_add(lanes_mul(_s21, _s17), lanes_mul(lanes_mul(_s23, _s16), _s15)));
+    const V _s25 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(2.0), _s19), _s4), lanes_mul(_s19, _s4)));
+    const V _s26 = lanes_mul(K(0.5), lanes_add(lanes_add(_s22, lanes_mul(_s14, _s24)), lanes_add(_s22, lanes_mul(_s25, _s15))));
+    const V _s27 = lanes_mul(_s18, _s25);
+    const V _s28 = lanes_mul(_s20, _s24);
+    const V _s29 = lanes_add(_s27, _s28);
+    const V _s30 = lanes_add(_s29, lanes_add(_s27, lanes_mul(_s15, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(_s19, _s19))))));
+    const V _s31 = lanes_add(lanes_add(lanes_mul(_s26, _s17), lanes_mul(lanes_mul(_s23, _s21), _s15)), lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(lanes_mul(_s18, _s18), _s16), lanes_mul(lanes_mul(_s18, _s21), _s15)), lanes_mul(lanes_mul(_s16, _s24), _s15))));
+    const V _s32 = lanes_mul(K(0.5), lanes_add(_s30, lanes_add(_s29, lanes_add(lanes_mul(_s14, lanes_neg(_s31)), _s28))));
+    return (LANES(court_backboard_parting_out)){ _s21, _s26, _s32 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
@@ -4677,7 +4582,7 @@ LANES(court_backboard_seam5)(V vz, V z, V _c0, V _c1)
 }
 
 /* A bound below the distance from all places at this height and distance from the axis.
-   Table 2. 42 operations: 4 additions, 6 subtractions, 14 multiplications, 2 divisions, 2 square roots, 2 negations, 6 comparisons, 6 selections. */
+   Table 2. 43 operations: 4 additions, 6 subtractions, 15 multiplications, 2 divisions, 2 square roots, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V gap;
     V nearing;
@@ -4693,7 +4598,7 @@ LANES(court_backboard_around)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _
     const V _s4 = lanes_sub(_c3, _s3);
     const V _s5 = lanes_max(K(0.0), _s4);
     const V _s6 = lanes_sqrt(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)));
-    const V _s7 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s3));
+    const V _s7 = lanes_neg(lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), lanes_div(K(1.0), _s3)));
     const V _s8 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), _s5), lanes_select(lanes_less(K(0.0), _s4), _s7, K(0.0))));
     return (LANES(court_backboard_around_out)){ lanes_sub(_s6, _c0), lanes_div(lanes_mul(K(0.5), _s8), _s6) };
 }
@@ -5003,7 +4908,7 @@ LANES(court_bridge_beside)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2,
 }
 
 /* The distance, its rate and its second derivative, of a ball that rolls on something else.
-   derivatives of Table 2's distance. 116 operations: 14 additions, 17 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections. */
+   derivatives of Table 2's distance. 114 operations: 15 additions, 16 subtractions, 33 multiplications, 1 division, 1 square root, 12 negations, 12 comparisons, 24 selections. */
 typedef struct {
     V gap;
     V nearing;
@@ -5023,24 +4928,26 @@ LANES(court_bridge_closing)(V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z
     const V _s6 = lanes_sub(z, _c4);
     const V _s7 = lanes_sub(_c5, z);
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
-    const V _s9 = lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8));
-    const V _s10 = lanes_sqrt(_s9);
-    const M _s11 = lanes_less(_s0, K(0.0));
-    const M _s12 = lanes_less(_s1, K(0.0));
-    const V _s13 = lanes_sub(lanes_select(_s11, K(0.0), rolled_x), lanes_select(_s12, K(0.0), lanes_neg(rolled_x)));
-    const M _s14 = lanes_less(_s3, K(0.0));
-    const M _s15 = lanes_less(_s4, K(0.0));
-    const V _s16 = lanes_sub(lanes_select(_s14, K(0.0), rolled_y), lanes_select(_s15, K(0.0), lanes_neg(rolled_y)));
-    const M _s17 = lanes_less(_s6, K(0.0));
-    const M _s18 = lanes_less(_s7, K(0.0));
-    const V _s19 = lanes_sub(lanes_select(_s17, K(0.0), rolled_z), lanes_select(_s18, K(0.0), lanes_neg(rolled_z)));
-    const V _s20 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s13), _s2), lanes_mul(lanes_mul(K(2.0), _s16), _s5)), lanes_mul(lanes_mul(K(2.0), _s19), _s8));
-    const V _s21 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s11, K(0.0), thrust_x), lanes_select(_s12, K(0.0), lanes_neg(thrust_x)))), _s2), lanes_mul(K(2.0), lanes_mul(_s13, _s13)));
-    const V _s22 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s14, K(0.0), thrust_y), lanes_select(_s15, K(0.0), lanes_neg(thrust_y)))), _s5), lanes_mul(K(2.0), lanes_mul(_s16, _s16)));
-    const V _s23 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s17, K(0.0), thrust_z), lanes_select(_s18, K(0.0), lanes_neg(thrust_z)))), _s8), lanes_mul(K(2.0), lanes_mul(_s19, _s19)));
-    const V _s24 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s11, K(0.0), nx), lanes_select(_s12, K(0.0), lanes_neg(nx)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s14, K(0.0), ny), lanes_select(_s15, K(0.0), lanes_neg(ny)))), _s5));
-    const V _s25 = lanes_add(_s24, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s17, K(0.0), nz), lanes_select(_s18, K(0.0), lanes_neg(nz)))), _s8));
-    return (LANES(court_bridge_closing_out)){ lanes_sub(_s10, _c0), lanes_div(lanes_mul(K(0.5), _s20), _s10), lanes_sub(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_add(_s21, _s22), _s23)), _s10), lanes_div(lanes_mul(K(0.25), lanes_mul(_s20, _s20)), lanes_mul(_s10, _s9))), lanes_div(lanes_mul(K(0.5), _s25), _s10) };
+    const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
+    const M _s10 = lanes_less(_s0, K(0.0));
+    const M _s11 = lanes_less(_s1, K(0.0));
+    const V _s12 = lanes_sub(lanes_select(_s10, K(0.0), rolled_x), lanes_select(_s11, K(0.0), lanes_neg(rolled_x)));
+    const M _s13 = lanes_less(_s3, K(0.0));
+    const M _s14 = lanes_less(_s4, K(0.0));
+    const V _s15 = lanes_sub(lanes_select(_s13, K(0.0), rolled_y), lanes_select(_s14, K(0.0), lanes_neg(rolled_y)));
+    const M _s16 = lanes_less(_s6, K(0.0));
+    const M _s17 = lanes_less(_s7, K(0.0));
+    const V _s18 = lanes_sub(lanes_select(_s16, K(0.0), rolled_z), lanes_select(_s17, K(0.0), lanes_neg(rolled_z)));
+    const V _s19 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s12), _s2), lanes_mul(lanes_mul(K(2.0), _s15), _s5)), lanes_mul(lanes_mul(K(2.0), _s18), _s8));
+    const V _s20 = lanes_div(K(1.0), _s9);
+    const V _s21 = lanes_mul(lanes_mul(K(0.5), _s19), _s20);
+    const V _s22 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s10, K(0.0), thrust_x), lanes_select(_s11, K(0.0), lanes_neg(thrust_x))), _s2), lanes_mul(_s12, _s12)));
+    const V _s23 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s13, K(0.0), thrust_y), lanes_select(_s14, K(0.0), lanes_neg(thrust_y))), _s5), lanes_mul(_s15, _s15)));
+    const V _s24 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s16, K(0.0), thrust_z), lanes_select(_s17, K(0.0), lanes_neg(thrust_z))), _s8), lanes_mul(_s18, _s18)));
+    const V _s25 = lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_neg(lanes_mul(_s21, lanes_mul(_s20, _s20))), _s19), lanes_mul(lanes_add(lanes_add(_s22, _s23), _s24), _s20)));
+    const V _s26 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s10, K(0.0), nx), lanes_select(_s11, K(0.0), lanes_neg(nx)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s13, K(0.0), ny), lanes_select(_s14, K(0.0), lanes_neg(ny)))), _s5));
+    const V _s27 = lanes_add(_s26, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s16, K(0.0), nz), lanes_select(_s17, K(0.0), lanes_neg(nz)))), _s8));
+    return (LANES(court_bridge_closing_out)){ lanes_sub(_s9, _c0), _s21, _s25, lanes_mul(lanes_mul(K(0.5), _s27), _s20) };
 }
 
 /* The distance.
@@ -5105,7 +5012,7 @@ LANES(court_bridge_turning)(V rolled_x, V rolled_y, V rolled_z, V x, V y, V z, V
 }
 
 /* The second to the fourth derivative of the distance along a flight.
-   derivatives of Table 2's distance. 110 operations: 12 additions, 15 subtractions, 41 multiplications, 10 divisions, 1 square root, 5 negations, 12 comparisons, 14 selections. */
+   derivatives of Table 2's distance. 125 operations: 26 additions, 10 subtractions, 53 multiplications, 1 division, 1 square root, 8 negations, 12 comparisons, 14 selections. */
 typedef struct {
     V lift;
     V surge;
@@ -5115,32 +5022,40 @@ typedef struct {
 LANES_INLINE LANES(court_bridge_parting_out)
 LANES(court_bridge_parting)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
-    const V _s0 = lanes_sub(z, _c4);
-    const M _s1 = lanes_less(_s0, K(0.0));
-    const V _s2 = lanes_sub(_c6, z);
-    const M _s3 = lanes_less(_s2, K(0.0));
-    const V _s4 = lanes_sub(lanes_select(_s1, K(0.0), _c5), lanes_select(_s3, K(0.0), _c2));
-    const V _s5 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s2, K(0.0)));
-    const V _s6 = lanes_sub(lanes_select(_s1, K(0.0), vz), lanes_select(_s3, K(0.0), lanes_neg(vz)));
-    const V _s7 = lanes_add(_c3, x);
-    const V _s8 = lanes_neg(lanes_add(_c0, x));
-    const V _s9 = lanes_sub(lanes_select(lanes_less(_s7, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s8, K(0.0)), K(0.0), lanes_neg(vx)));
-    const V _s10 = lanes_sub(y, _c1);
-    const V _s11 = lanes_neg(lanes_add(_c1, y));
-    const V _s12 = lanes_sub(lanes_select(lanes_less(_s10, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s11, K(0.0)), K(0.0), lanes_neg(vy)));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s5), lanes_mul(K(2.0), lanes_mul(_s6, _s6))), lanes_mul(K(2.0), lanes_mul(_s9, _s9))), lanes_mul(K(2.0), lanes_mul(_s12, _s12)));
-    const V _s14 = lanes_sub(lanes_max(_s7, K(0.0)), lanes_max(_s8, K(0.0)));
-    const V _s15 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
-    const V _s16 = lanes_add(lanes_add(lanes_mul(_s14, _s14), lanes_mul(_s15, _s15)), lanes_mul(_s5, _s5));
-    const V _s17 = lanes_sqrt(_s16);
-    const V _s18 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s9), _s14), lanes_mul(lanes_mul(K(2.0), _s12), _s15)), lanes_mul(lanes_mul(K(2.0), _s6), _s5));
-    const V _s19 = lanes_mul(_s18, _s18);
-    const V _s20 = lanes_mul(_s17, _s16);
-    const V _s21 = lanes_mul(lanes_mul(K(6.0), _s4), _s6);
-    const V _s22 = lanes_mul(_s16, _s16);
-    const V _s23 = lanes_mul(_s17, _s22);
-    const V _s24 = lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.5), lanes_mul(K(6.0), lanes_mul(_s4, _s4))), _s17), lanes_div(lanes_mul(lanes_mul(K(2.25), _s19), _s13), _s23)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s19, _s19)), lanes_mul(_s20, _s22)));
-    return (LANES(court_bridge_parting_out)){ lanes_sub(lanes_div(lanes_mul(K(0.5), _s13), _s17), lanes_div(lanes_mul(K(0.25), _s19), _s20)), lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.5), _s21), _s17), lanes_div(lanes_mul(K(0.375), lanes_mul(_s18, _s19)), _s23)), lanes_div(lanes_mul(lanes_mul(K(0.75), _s18), _s13), _s20)), lanes_sub(lanes_sub(_s24, lanes_div(lanes_mul(K(0.75), lanes_mul(_s13, _s13)), _s20)), lanes_div(lanes_mul(_s21, _s18), _s20)) };
+    const V _s0 = lanes_add(_c3, x);
+    const V _s1 = lanes_neg(lanes_add(_c0, x));
+    const V _s2 = lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vx)));
+    const V _s3 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s4 = lanes_sub(y, _c1);
+    const V _s5 = lanes_neg(lanes_add(_c1, y));
+    const V _s6 = lanes_sub(lanes_select(lanes_less(_s4, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s5, K(0.0)), K(0.0), lanes_neg(vy)));
+    const V _s7 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
+    const V _s8 = lanes_sub(z, _c4);
+    const M _s9 = lanes_less(_s8, K(0.0));
+    const V _s10 = lanes_sub(_c5, z);
+    const M _s11 = lanes_less(_s10, K(0.0));
+    const V _s12 = lanes_sub(lanes_select(_s9, K(0.0), vz), lanes_select(_s11, K(0.0), lanes_neg(vz)));
+    const V _s13 = lanes_sub(lanes_max(_s8, K(0.0)), lanes_max(_s10, K(0.0)));
+    const V _s14 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s2), _s3), lanes_mul(lanes_mul(K(2.0), _s6), _s7)), lanes_mul(lanes_mul(K(2.0), _s12), _s13));
+    const V _s15 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s7, _s7)), lanes_mul(_s13, _s13))));
+    const V _s16 = lanes_mul(lanes_mul(K(0.5), _s14), _s15);
+    const V _s17 = lanes_mul(_s15, _s15);
+    const V _s18 = lanes_neg(lanes_mul(_s16, _s17));
+    const V _s19 = lanes_sub(lanes_select(_s9, K(0.0), _c6), lanes_select(_s11, K(0.0), _c2));
+    const V _s20 = lanes_add(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(_s19, _s13), lanes_mul(_s12, _s12))), lanes_mul(K(2.0), lanes_mul(_s2, _s2))), lanes_mul(K(2.0), lanes_mul(_s6, _s6)));
+    const V _s21 = lanes_mul(K(0.5), lanes_add(lanes_mul(_s18, _s14), lanes_mul(_s20, _s15)));
+    const V _s22 = lanes_mul(_s18, _s20);
+    const V _s23 = lanes_mul(K(2.0), _s18);
+    const V _s24 = lanes_neg(lanes_add(lanes_mul(_s21, _s17), lanes_mul(lanes_mul(_s23, _s16), _s15)));
+    const V _s25 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(2.0), _s19), _s12), lanes_mul(_s19, _s12)));
+    const V _s26 = lanes_mul(K(0.5), lanes_add(lanes_add(_s22, lanes_mul(_s14, _s24)), lanes_add(_s22, lanes_mul(_s25, _s15))));
+    const V _s27 = lanes_mul(_s18, _s25);
+    const V _s28 = lanes_mul(_s20, _s24);
+    const V _s29 = lanes_add(_s27, _s28);
+    const V _s30 = lanes_add(_s29, lanes_add(_s27, lanes_mul(_s15, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(_s19, _s19))))));
+    const V _s31 = lanes_add(lanes_add(lanes_mul(_s26, _s17), lanes_mul(lanes_mul(_s23, _s21), _s15)), lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(lanes_mul(_s18, _s18), _s16), lanes_mul(lanes_mul(_s18, _s21), _s15)), lanes_mul(lanes_mul(_s16, _s24), _s15))));
+    const V _s32 = lanes_mul(K(0.5), lanes_add(_s30, lanes_add(_s29, lanes_add(lanes_mul(_s14, lanes_neg(_s31)), _s28))));
+    return (LANES(court_bridge_parting_out)){ _s21, _s26, _s32 };
 }
 
 /* How far the ball is from a seam of the surface, and how fast.
@@ -5228,7 +5143,7 @@ LANES(court_bridge_seam5)(V vz, V z, V _c0, V _c1)
 }
 
 /* A bound below the distance from all places at this height and distance from the axis.
-   Table 2. 42 operations: 4 additions, 6 subtractions, 14 multiplications, 2 divisions, 2 square roots, 2 negations, 6 comparisons, 6 selections. */
+   Table 2. 43 operations: 4 additions, 6 subtractions, 15 multiplications, 2 divisions, 2 square roots, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V gap;
     V nearing;
@@ -5244,7 +5159,7 @@ LANES(court_bridge_around)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2,
     const V _s4 = lanes_sub(_c3, _s3);
     const V _s5 = lanes_max(K(0.0), _s4);
     const V _s6 = lanes_sqrt(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)));
-    const V _s7 = lanes_neg(lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s3));
+    const V _s7 = lanes_neg(lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), lanes_div(K(1.0), _s3)));
     const V _s8 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), _s5), lanes_select(lanes_less(K(0.0), _s4), _s7, K(0.0))));
     return (LANES(court_bridge_around_out)){ lanes_sub(_s6, _c0), lanes_div(lanes_mul(K(0.5), _s8), _s6) };
 }

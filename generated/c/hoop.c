@@ -1,6 +1,6 @@
 /* hoop: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene hoop, derivation 683a817ba09f97be,
+   Generated from templates/c/scene.c.j2, scene hoop, derivation 83f26c5ee904c483,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -131,6 +131,26 @@ static size_t hoop_take(const hoop_job *job, size_t *end)
     return start;
 }
 
+/* Write numbers that nobody here reads again past the caches, where the processor can. */
+static void stream(double *to, const double *numbers, size_t count)
+{
+#if defined(__GNUC__) && defined(__x86_64__)
+    if ((uintptr_t)to % 16 == 0) {
+        for (; count > 1; to += 2, numbers += 2, count -= 2)
+            _mm_stream_pd(to, _mm_loadu_pd(numbers));
+    }
+#endif
+    memcpy(to, numbers, count * sizeof *numbers);
+}
+
+/* Have all threads see what went past the caches. */
+static void streamed(void)
+{
+#if defined(__GNUC__) && defined(__x86_64__)
+    _mm_sfence();
+#endif
+}
+
 /* Idle lanes for which the next shots are fetched. */
 #define LANES_SPARE (LANES_WIDTH < 4 ? 1 : LANES_WIDTH / 4)
 
@@ -233,6 +253,7 @@ int hoop_share(size_t shots, const double *states, const double *const *paramete
         if (!hoop_exact_w##width()) \
             return -2; \
         hoop_run_w##width(&job); \
+        streamed(); \
         return width;
     switch (width) {
 #if BUILT(1)

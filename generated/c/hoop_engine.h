@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 683a817ba09f97be,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 83f26c5ee904c483,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -15,8 +15,8 @@ typedef double LANES(hoop_column)[LANES_SHOTS + LANES_WIDTH];
 typedef float LANES(hoop_singles)[LANES_SHOTS + LANES_WIDTH];
 
 /* Have the states of the shots from one on fetched while others are worked on, and the places of
-   their results: else each store waits for its line. */
-LANES_INLINE void LANES(hoop_ahead)(const hoop_job *job, size_t shot)
+   their results, those apart that go past the caches: else each store waits for its line. */
+LANES_INLINE void LANES(hoop_ahead)(const hoop_job *job, size_t shot, int streams)
 {
 #ifdef __GNUC__
     const double *state = job->states + HOOP_STATE * shot;
@@ -38,7 +38,7 @@ LANES_INLINE void LANES(hoop_ahead)(const hoop_job *job, size_t shot)
     if (out->time)
         for (size_t byte = 0; byte < sizeof *out->time * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->time + sizeof *out->time * shot + byte, 1, 3);
-    if (out->state)
+    if (out->state && !streams)
         for (size_t byte = 0; byte < 9 * sizeof *out->state * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->state + 9 * sizeof *out->state * shot + byte, 1, 3);
     if (out->time_error)
@@ -51,7 +51,7 @@ LANES_INLINE void LANES(hoop_ahead)(const hoop_job *job, size_t shot)
         for (size_t byte = 0; byte < sizeof *out->uncertain * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->uncertain + sizeof *out->uncertain * shot + byte, 1, 3);
 #else
-    (void)job, (void)shot;
+    (void)job, (void)shot, (void)streams;
 #endif
 }
 
@@ -92,7 +92,7 @@ typedef struct {
     LANES(hoop_column) body;
     LANES(hoop_column) permitted;
     LANES(hoop_column) limited;
-    LANES(hoop_column) time_error;
+    LANES(hoop_singles) time_error;
     LANES(hoop_column) when;
     LANES(hoop_column) which;
     LANES(hoop_column) open_row;
@@ -335,18 +335,26 @@ LANES_INLINE void LANES(hoop_plain_finish_all)(const LANES(hoop_plain_lists) *li
         for (size_t k = 0; k < shots; k++) {
             out->time[start + k] = (double)lists->clock[k];
         }
-    if (out->state)
-        for (size_t k = 0; k < shots; k++) {
-            out->state[9 * (start + k) + 0] = (double)lists->x[k];
-            out->state[9 * (start + k) + 1] = (double)lists->y[k];
-            out->state[9 * (start + k) + 2] = (double)lists->z[k];
-            out->state[9 * (start + k) + 3] = (double)lists->vx[k];
-            out->state[9 * (start + k) + 4] = (double)lists->vy[k];
-            out->state[9 * (start + k) + 5] = (double)lists->vz[k];
-            out->state[9 * (start + k) + 6] = (double)lists->wx[k];
-            out->state[9 * (start + k) + 7] = (double)lists->wy[k];
-            out->state[9 * (start + k) + 8] = (double)lists->wz[k];
+    if (out->state) {
+        /* As many rows as there are lanes fill whole lines: they go past the caches. */
+        double rows[HOOP_STATE * LANES_WIDTH];
+        for (size_t k = 0; k < shots; k += LANES_WIDTH) {
+            const double *const columns[] = {
+                lists->x + k,
+                lists->y + k,
+                lists->z + k,
+                lists->vx + k,
+                lists->vy + k,
+                lists->vz + k,
+                lists->wx + k,
+                lists->wy + k,
+                lists->wz + k,
+            };
+            const size_t some = shots - k < LANES_WIDTH ? shots - k : LANES_WIDTH;
+            lanes_rows(rows, columns, HOOP_STATE);
+            stream(out->state + HOOP_STATE * (start + k), rows, HOOP_STATE * some);
         }
+    }
 }
 
 /* Write the results of the shot in a row. */
@@ -414,7 +422,6 @@ LANES_INLINE size_t LANES(hoop_plain_leave)(LANES(hoop_plain_lists) *lists, size
             lanes_pack(lists->count_0 + kept, going, lanes_load(lists->count_0 + i));
             lanes_pack(lists->count_1 + kept, going, lanes_load(lists->count_1 + i));
             lanes_pack(lists->count_2 + kept, going, lanes_load(lists->count_2 + i));
-            lanes_pack(lists->outcome + kept, going, lanes_load(lists->outcome + i));
             if (job->varying) {
                 lanes_pack(lists->p_ball_radius + kept, going, lanes_load(lists->p_ball_radius + i));
                 lanes_pack(lists->p_ring_radius + kept, going, lanes_load(lists->p_ring_radius + i));
@@ -909,6 +916,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
     size_t begun = 0, end = 0, shots = 0;
+    int streams = 0; /* whether the shots before ended all at once: then those to come will, too */
 
     if (job->shots == 0)
         return;
@@ -962,9 +970,9 @@ static void LANES(hoop_plain)(const hoop_job *job)
             M finite = _o2.finite;
             const LANES(hoop_aside_out) _o3 =
                 LANES(hoop_aside)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]));
-            M near = _o3.near;
+            M close = _o3.close;
             V valid = _o3.valid;
-            const M _m4 = lanes_both(rows, near);
+            const M _m4 = lanes_both(rows, close);
             if (lanes_any(_m4)) {
                 const LANES(hoop_valid_out) _o5 =
                     LANES(hoop_valid)(last, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[0]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[1]));
@@ -989,7 +997,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
         size_t open_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
-            LANES(hoop_ahead)(job, begun + i);
+            LANES(hoop_ahead)(job, begun + i, streams);
             if (LANES_SELDOM(varying))
                 LANES(hoop_plain_fix_f7)(lists, i);
             V last = lanes_load(lists->last + i);
@@ -1000,8 +1008,8 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
             const LANES(hoop_error_bounds_out) _o8 =
-                LANES(hoop_error_bounds)(K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0));
-            V time_error = _o8.time_error;
+                LANES(hoop_error_bounds)(KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0), KS(0.0));
+            S time_error = _o8.time_error;
             const LANES(hoop_scale_out) _o9 =
                 LANES(hoop_scale)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]));
             V extent = _o9.extent;
@@ -1022,8 +1030,9 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V time = _o13.time;
             V rate = _o13.rate;
             V bend = _o13.bend;
+            V apex = _o13.apex;
             const LANES(hoop_meeting_plane_out) _o14 =
-                LANES(hoop_meeting_plane)(bend, rate, time);
+                LANES(hoop_meeting_plane)(apex, bend, rate, time);
             M arrives = _o14.arrives;
             const LANES(hoop_timely_out) _o15 =
                 LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
@@ -1059,8 +1068,9 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 V time = _o24.time;
                 V rate = _o24.rate;
                 V bend = _o24.bend;
+                V apex = _o24.apex;
                 const LANES(hoop_meeting_plane_out) _o25 =
-                    LANES(hoop_meeting_plane)(bend, rate, time);
+                    LANES(hoop_meeting_plane)(apex, bend, rate, time);
                 M arrives = _o25.arrives;
                 const LANES(hoop_timely_out) _o26 =
                     LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
@@ -1093,8 +1103,9 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 time = _o33.time;
                 rate = _o33.rate;
                 bend = _o33.bend;
+                apex = _o33.apex;
                 const LANES(hoop_meeting_plane_out) _o34 =
-                    LANES(hoop_meeting_plane)(bend, rate, time);
+                    LANES(hoop_meeting_plane)(apex, bend, rate, time);
                 arrives = _o34.arrives;
                 const LANES(hoop_timely_out) _o35 =
                     LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
@@ -1131,7 +1142,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 LANES(hoop_opens)(clear);
             M open = _o43.open;
             lanes_store(lists->limited + i, lanes_select(limited, K(1.0), K(0.0)));
-            lanes_store(lists->time_error + i, time_error);
+            singles_store(lists->time_error + i, time_error);
             lanes_store(lists->when + i, when);
             lanes_store(lists->which + i, which);
             const M packed = lanes_both(rows, open);
@@ -1862,13 +1873,8 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 LANES(hoop_plain_fix_f88)(lists, i);
             V clock = lanes_load(lists->clock + i);
             V contacts = lanes_load(lists->contacts + i);
-            V count_0 = lanes_load(lists->count_0 + i);
-            V count_1 = lanes_load(lists->count_1 + i);
-            V count_2 = lanes_load(lists->count_2 + i);
-            V first = lanes_load(lists->first + i);
-            V last = lanes_load(lists->last + i);
             M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
-            V time_error = lanes_load(lists->time_error + i);
+            S time_error = singles_load(lists->time_error + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
             V vz = lanes_load(lists->vz + i);
@@ -1883,7 +1889,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const M _m89 = lanes_both(rows, limited);
             if (lanes_any(_m89)) {
                 const LANES(hoop_expiry_out) _o90 =
-                    LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
+                    LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), lanes_wide(time_error), time_limit, when, which);
                 V time = _o90.time;
                 M arrives = _o90.arrives;
                 const LANES(hoop_sooner_out) _o91 =
@@ -1956,6 +1962,11 @@ static void LANES(hoop_plain)(const hoop_job *job)
             M meeting = _o104.meeting;
             const M _m105 = lanes_both(rows, meeting);
             if (lanes_any(_m105)) {
+                V count_0 = lanes_load(lists->count_0 + i);
+                V count_1 = lanes_load(lists->count_1 + i);
+                V count_2 = lanes_load(lists->count_2 + i);
+                V first = lanes_load(lists->first + i);
+                V last = lanes_load(lists->last + i);
                 const LANES(hoop_end_normal_out) _o106 =
                     LANES(hoop_end_normal)();
                 V nx = _o106.nx;
@@ -2043,21 +2054,21 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     first = lanes_select(_m127, _o128.first, first);
                     last = lanes_select(_m127, _o128.last, last);
                 }
+                lanes_store(lists->count_0 + i, count_0);
+                lanes_store(lists->count_1 + i, count_1);
+                lanes_store(lists->count_2 + i, count_2);
+                lanes_store(lists->first + i, first);
+                lanes_store(lists->last + i, last);
+                lanes_store(lists->wx + i, wx);
+                lanes_store(lists->wy + i, wy);
+                lanes_store(lists->wz + i, wz);
             }
             lanes_store(lists->clock + i, clock);
             lanes_store(lists->contacts + i, contacts);
-            lanes_store(lists->count_0 + i, count_0);
-            lanes_store(lists->count_1 + i, count_1);
-            lanes_store(lists->count_2 + i, count_2);
-            lanes_store(lists->first + i, first);
-            lanes_store(lists->last + i, last);
             lanes_store(lists->outcome + i, outcome);
             lanes_store(lists->vx + i, vx);
             lanes_store(lists->vy + i, vy);
             lanes_store(lists->vz + i, vz);
-            lanes_store(lists->wx + i, wx);
-            lanes_store(lists->wy + i, wy);
-            lanes_store(lists->wz + i, wz);
             lanes_store(lists->x + i, x);
             lanes_store(lists->y + i, y);
             lanes_store(lists->z + i, z);
@@ -2100,8 +2111,10 @@ static void LANES(hoop_plain)(const hoop_job *job)
         if (following && !lanes_any(going)) {
             LANES(hoop_plain_finish_all)(lists, shots, job);
             shots = 0;
+            streams = 1;
             continue;
         }
+        streams = 0;
         shots = LANES(hoop_plain_leave)(lists, 0, shots, job);
     }
 }
@@ -2118,17 +2131,17 @@ typedef struct {
     LANES(hoop_column) wx; /* of the state */
     LANES(hoop_column) wy; /* of the state */
     LANES(hoop_column) wz; /* of the state */
-    LANES(hoop_column) dx; /* carried error of x */
-    LANES(hoop_column) dy; /* carried error of y */
-    LANES(hoop_column) dz; /* carried error of z */
-    LANES(hoop_column) dvx; /* carried error of vx */
-    LANES(hoop_column) dvy; /* carried error of vy */
-    LANES(hoop_column) dvz; /* carried error of vz */
-    LANES(hoop_column) dwx; /* carried error of wx */
-    LANES(hoop_column) dwy; /* carried error of wy */
-    LANES(hoop_column) dwz; /* carried error of wz */
+    LANES(hoop_singles) dx; /* carried error of x */
+    LANES(hoop_singles) dy; /* carried error of y */
+    LANES(hoop_singles) dz; /* carried error of z */
+    LANES(hoop_singles) dvx; /* carried error of vx */
+    LANES(hoop_singles) dvy; /* carried error of vy */
+    LANES(hoop_singles) dvz; /* carried error of vz */
+    LANES(hoop_singles) dwx; /* carried error of wx */
+    LANES(hoop_singles) dwy; /* carried error of wy */
+    LANES(hoop_singles) dwz; /* carried error of wz */
     LANES(hoop_column) clock; /* time of the last event, s since the release */
-    LANES(hoop_column) clock_error; /* what the contacts' times were off by, summed */
+    LANES(hoop_singles) clock_error; /* what the contacts' times were off by, summed */
     LANES(hoop_column) last; /* surface that was touched last, -1: none */
     LANES(hoop_column) first; /* body that was touched first, -1: none */
     LANES(hoop_column) contacts; /* how many contacts there were */
@@ -2136,10 +2149,10 @@ typedef struct {
     LANES(hoop_column) count_1; /* contacts with backboard */
     LANES(hoop_column) count_2; /* contacts with bridge */
     LANES(hoop_column) uncertain; /* 1: a decision lies within its rounding-error bound */
-    LANES(hoop_column) position_claim; /* bound on the error at the end */
-    LANES(hoop_column) velocity_claim; /* bound on the error at the end */
-    LANES(hoop_column) spin_claim; /* bound on the error at the end */
-    LANES(hoop_column) time_claim; /* bound on the error at the end */
+    LANES(hoop_singles) position_claim; /* bound on the error at the end */
+    LANES(hoop_singles) velocity_claim; /* bound on the error at the end */
+    LANES(hoop_singles) spin_claim; /* bound on the error at the end */
+    LANES(hoop_singles) time_claim; /* bound on the error at the end */
     LANES(hoop_column) outcome; /* how it ended, -1: in flight */
     LANES(hoop_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth;
     LANES(hoop_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
@@ -2149,10 +2162,10 @@ typedef struct {
     LANES(hoop_column) extent;
     LANES(hoop_column) late;
     LANES(hoop_column) limited;
-    LANES(hoop_column) position_error;
+    LANES(hoop_singles) position_error;
     LANES(hoop_column) speed;
-    LANES(hoop_column) time_error;
-    LANES(hoop_column) velocity_error;
+    LANES(hoop_singles) time_error;
+    LANES(hoop_singles) velocity_error;
     LANES(hoop_column) when;
     LANES(hoop_column) which;
     LANES(hoop_column) open_row;
@@ -2165,10 +2178,10 @@ typedef struct {
     LANES(hoop_column) open_p_ring_radius;
     LANES(hoop_column) open_p_wire_radius;
     LANES(hoop_column) open_pad;
-    LANES(hoop_column) open_position_error;
+    LANES(hoop_singles) open_position_error;
     LANES(hoop_column) open_speed;
     LANES(hoop_column) open_until;
-    LANES(hoop_column) open_velocity_error;
+    LANES(hoop_singles) open_velocity_error;
     LANES(hoop_column) open_vx;
     LANES(hoop_column) open_vy;
     LANES(hoop_column) open_vz;
@@ -2232,12 +2245,12 @@ typedef struct {
     LANES(hoop_column) open_searching_p_gravity;
     LANES(hoop_column) open_searching_p_ring_radius;
     LANES(hoop_column) open_searching_p_wire_radius;
-    LANES(hoop_column) open_searching_position_error;
+    LANES(hoop_singles) open_searching_position_error;
     LANES(hoop_column) open_searching_share;
     LANES(hoop_column) open_searching_speed;
     LANES(hoop_column) open_searching_t;
     LANES(hoop_column) open_searching_until;
-    LANES(hoop_column) open_searching_velocity_error;
+    LANES(hoop_singles) open_searching_velocity_error;
     LANES(hoop_column) open_searching_vx;
     LANES(hoop_column) open_searching_vy;
     LANES(hoop_column) open_searching_vz;
@@ -2270,7 +2283,7 @@ typedef struct {
     LANES(hoop_column) open_searching_searching_p_gravity;
     LANES(hoop_column) open_searching_searching_p_ring_radius;
     LANES(hoop_column) open_searching_searching_p_wire_radius;
-    LANES(hoop_column) open_searching_searching_position_error;
+    LANES(hoop_singles) open_searching_searching_position_error;
     LANES(hoop_column) open_searching_searching_rate_slack;
     LANES(hoop_column) open_searching_searching_rho_start;
     LANES(hoop_column) open_searching_searching_searching;
@@ -2280,7 +2293,7 @@ typedef struct {
     LANES(hoop_column) open_searching_searching_swing;
     LANES(hoop_column) open_searching_searching_t;
     LANES(hoop_column) open_searching_searching_tilt;
-    LANES(hoop_column) open_searching_searching_velocity_error;
+    LANES(hoop_singles) open_searching_searching_velocity_error;
     LANES(hoop_column) open_searching_searching_vx;
     LANES(hoop_column) open_searching_searching_vy;
     LANES(hoop_column) open_searching_searching_vz;
@@ -2308,8 +2321,8 @@ typedef struct {
     LANES(hoop_column) open_refining_y;
     LANES(hoop_column) open_refining_z;
     /* What kernels make of parameters alone. */
-    _Alignas(64) double fixed[57][LANES_WIDTH];
-    _Alignas(64) float fixed_single[26][LANES_WIDTH];
+    _Alignas(64) double fixed[55][LANES_WIDTH];
+    _Alignas(64) float fixed_single[33][LANES_WIDTH];
 } LANES(hoop_bounded_lists);
 
 /* Look at the parameters of a row of lanes. */
@@ -2368,27 +2381,27 @@ LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, si
     for (k = 0; k < shots; k++)
         lists->shot[row + k] = start + k;
     for (k = 0; k < shots; k += LANES_WIDTH) {
-        lanes_store(lists->dx + row + k, K(0.0));
-        lanes_store(lists->dy + row + k, K(0.0));
-        lanes_store(lists->dz + row + k, K(0.0));
-        lanes_store(lists->dvx + row + k, K(0.0));
-        lanes_store(lists->dvy + row + k, K(0.0));
-        lanes_store(lists->dvz + row + k, K(0.0));
-        lanes_store(lists->dwx + row + k, K(0.0));
-        lanes_store(lists->dwy + row + k, K(0.0));
-        lanes_store(lists->dwz + row + k, K(0.0));
+        singles_store(lists->dx + row + k, KS(0.0));
+        singles_store(lists->dy + row + k, KS(0.0));
+        singles_store(lists->dz + row + k, KS(0.0));
+        singles_store(lists->dvx + row + k, KS(0.0));
+        singles_store(lists->dvy + row + k, KS(0.0));
+        singles_store(lists->dvz + row + k, KS(0.0));
+        singles_store(lists->dwx + row + k, KS(0.0));
+        singles_store(lists->dwy + row + k, KS(0.0));
+        singles_store(lists->dwz + row + k, KS(0.0));
         lanes_store(lists->clock + row + k, K(0.0));
-        lanes_store(lists->clock_error + row + k, K(0.0));
+        singles_store(lists->clock_error + row + k, KS(0.0));
         lanes_store(lists->first + row + k, K(-1.0));
         lanes_store(lists->contacts + row + k, K(0.0));
         lanes_store(lists->count_0 + row + k, K(0.0));
         lanes_store(lists->count_1 + row + k, K(0.0));
         lanes_store(lists->count_2 + row + k, K(0.0));
         lanes_store(lists->uncertain + row + k, K(0.0));
-        lanes_store(lists->position_claim + row + k, K(0.0));
-        lanes_store(lists->velocity_claim + row + k, K(0.0));
-        lanes_store(lists->spin_claim + row + k, K(0.0));
-        lanes_store(lists->time_claim + row + k, K(0.0));
+        singles_store(lists->position_claim + row + k, KS(0.0));
+        singles_store(lists->velocity_claim + row + k, KS(0.0));
+        singles_store(lists->spin_claim + row + k, KS(0.0));
+        singles_store(lists->time_claim + row + k, KS(0.0));
         lanes_store(lists->outcome + row + k, K(-1.0));
         lanes_store(lists->last + row + k, K(-1.0));
     }
@@ -2426,18 +2439,26 @@ LANES_INLINE void LANES(hoop_bounded_finish_all)(const LANES(hoop_bounded_lists)
         for (size_t k = 0; k < shots; k++) {
             out->time[start + k] = (double)lists->clock[k];
         }
-    if (out->state)
-        for (size_t k = 0; k < shots; k++) {
-            out->state[9 * (start + k) + 0] = (double)lists->x[k];
-            out->state[9 * (start + k) + 1] = (double)lists->y[k];
-            out->state[9 * (start + k) + 2] = (double)lists->z[k];
-            out->state[9 * (start + k) + 3] = (double)lists->vx[k];
-            out->state[9 * (start + k) + 4] = (double)lists->vy[k];
-            out->state[9 * (start + k) + 5] = (double)lists->vz[k];
-            out->state[9 * (start + k) + 6] = (double)lists->wx[k];
-            out->state[9 * (start + k) + 7] = (double)lists->wy[k];
-            out->state[9 * (start + k) + 8] = (double)lists->wz[k];
+    if (out->state) {
+        /* As many rows as there are lanes fill whole lines: they go past the caches. */
+        double rows[HOOP_STATE * LANES_WIDTH];
+        for (size_t k = 0; k < shots; k += LANES_WIDTH) {
+            const double *const columns[] = {
+                lists->x + k,
+                lists->y + k,
+                lists->z + k,
+                lists->vx + k,
+                lists->vy + k,
+                lists->vz + k,
+                lists->wx + k,
+                lists->wy + k,
+                lists->wz + k,
+            };
+            const size_t some = shots - k < LANES_WIDTH ? shots - k : LANES_WIDTH;
+            lanes_rows(rows, columns, HOOP_STATE);
+            stream(out->state + HOOP_STATE * (start + k), rows, HOOP_STATE * some);
         }
+    }
     if (out->time_error)
         for (size_t k = 0; k < shots; k++) {
             out->time_error[start + k] = (double)lists->time_claim[k];
@@ -2523,17 +2544,17 @@ LANES_INLINE size_t LANES(hoop_bounded_leave)(LANES(hoop_bounded_lists) *lists, 
             lanes_pack(lists->wx + kept, going, lanes_load(lists->wx + i));
             lanes_pack(lists->wy + kept, going, lanes_load(lists->wy + i));
             lanes_pack(lists->wz + kept, going, lanes_load(lists->wz + i));
-            lanes_pack(lists->dx + kept, going, lanes_load(lists->dx + i));
-            lanes_pack(lists->dy + kept, going, lanes_load(lists->dy + i));
-            lanes_pack(lists->dz + kept, going, lanes_load(lists->dz + i));
-            lanes_pack(lists->dvx + kept, going, lanes_load(lists->dvx + i));
-            lanes_pack(lists->dvy + kept, going, lanes_load(lists->dvy + i));
-            lanes_pack(lists->dvz + kept, going, lanes_load(lists->dvz + i));
-            lanes_pack(lists->dwx + kept, going, lanes_load(lists->dwx + i));
-            lanes_pack(lists->dwy + kept, going, lanes_load(lists->dwy + i));
-            lanes_pack(lists->dwz + kept, going, lanes_load(lists->dwz + i));
+            singles_pack(lists->dx + kept, going, singles_load(lists->dx + i));
+            singles_pack(lists->dy + kept, going, singles_load(lists->dy + i));
+            singles_pack(lists->dz + kept, going, singles_load(lists->dz + i));
+            singles_pack(lists->dvx + kept, going, singles_load(lists->dvx + i));
+            singles_pack(lists->dvy + kept, going, singles_load(lists->dvy + i));
+            singles_pack(lists->dvz + kept, going, singles_load(lists->dvz + i));
+            singles_pack(lists->dwx + kept, going, singles_load(lists->dwx + i));
+            singles_pack(lists->dwy + kept, going, singles_load(lists->dwy + i));
+            singles_pack(lists->dwz + kept, going, singles_load(lists->dwz + i));
             lanes_pack(lists->clock + kept, going, lanes_load(lists->clock + i));
-            lanes_pack(lists->clock_error + kept, going, lanes_load(lists->clock_error + i));
+            singles_pack(lists->clock_error + kept, going, singles_load(lists->clock_error + i));
             lanes_pack(lists->last + kept, going, lanes_load(lists->last + i));
             lanes_pack(lists->first + kept, going, lanes_load(lists->first + i));
             lanes_pack(lists->contacts + kept, going, lanes_load(lists->contacts + i));
@@ -2541,11 +2562,6 @@ LANES_INLINE size_t LANES(hoop_bounded_leave)(LANES(hoop_bounded_lists) *lists, 
             lanes_pack(lists->count_1 + kept, going, lanes_load(lists->count_1 + i));
             lanes_pack(lists->count_2 + kept, going, lanes_load(lists->count_2 + i));
             lanes_pack(lists->uncertain + kept, going, lanes_load(lists->uncertain + i));
-            lanes_pack(lists->position_claim + kept, going, lanes_load(lists->position_claim + i));
-            lanes_pack(lists->velocity_claim + kept, going, lanes_load(lists->velocity_claim + i));
-            lanes_pack(lists->spin_claim + kept, going, lanes_load(lists->spin_claim + i));
-            lanes_pack(lists->time_claim + kept, going, lanes_load(lists->time_claim + i));
-            lanes_pack(lists->outcome + kept, going, lanes_load(lists->outcome + i));
             if (job->varying) {
                 lanes_pack(lists->p_ball_radius + kept, going, lanes_load(lists->p_ball_radius + i));
                 lanes_pack(lists->p_ring_radius + kept, going, lanes_load(lists->p_ring_radius + i));
@@ -2654,17 +2670,16 @@ static void LANES(hoop_bounded_fix)(LANES(hoop_bounded_lists) *lists)
         lanes_store(lists->fixed[49], _s16);
         lanes_store(lists->fixed[50], lanes_div(K(1.0), _s5));
         lanes_store(lists->fixed[51], lanes_div(K(1.0), lanes_min(_s20, _s5)));
-        lanes_store(lists->fixed[52], p_ball_radius);
-        lanes_store(lists->fixed[53], p_restitution);
-        lanes_store(lists->fixed[54], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[55], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[56], lanes_abs(K(0.0)));
+        lanes_store(lists->fixed[52], p_restitution);
+        lanes_store(lists->fixed[53], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[54], lanes_div(K(1.0), p_ball_radius));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
         const S _p_ring_radius = lanes_narrow(p_ring_radius);
         const S _p_wire_radius = lanes_narrow(p_wire_radius);
         const S _p_gravity = lanes_narrow(p_gravity);
+        const S _p_restitution = lanes_narrow(p_restitution);
         const S _s0 = singles_add(_p_ball_radius, _p_wire_radius);
         const S _s1 = singles_mul(KS(1.00006103515625), _s0);
         const S _s2 = singles_add(_p_ring_radius, _s1);
@@ -2674,6 +2689,7 @@ static void LANES(hoop_bounded_fix)(LANES(hoop_bounded_lists) *lists)
         const S _s6 = singles_div(_s0, _s5);
         const S _s7 = singles_max(KS(1.0), _s6);
         const S _s8 = singles_div(KS(1.0), _s5);
+        const S _s9 = singles_sub(singles_sub(_p_ring_radius, _p_ball_radius), _p_wire_radius);
         singles_store(lists->fixed_single[0], _p_gravity);
         singles_store(lists->fixed_single[1], _s1);
         singles_store(lists->fixed_single[2], singles_mul(KS(2.0), _p_gravity));
@@ -2700,6 +2716,13 @@ static void LANES(hoop_bounded_fix)(LANES(hoop_bounded_lists) *lists)
         singles_store(lists->fixed_single[23], singles_add(singles_mul(KS(0.0001220703125), _p_ball_radius), singles_mul(KS(0.0001220703125), _p_wire_radius)));
         singles_store(lists->fixed_single[24], singles_mul(KS(9.5367431640625e-07), _s2));
         singles_store(lists->fixed_single[25], singles_add(singles_mul(KS(0.000244140625), _p_ball_radius), singles_mul(KS(0.000244140625), _p_wire_radius)));
+        singles_store(lists->fixed_single[26], singles_div(KS(1.0), _s0));
+        singles_store(lists->fixed_single[27], singles_div(KS(1.0), singles_min(_s9, _s0)));
+        singles_store(lists->fixed_single[28], _p_ball_radius);
+        singles_store(lists->fixed_single[29], _p_restitution);
+        singles_store(lists->fixed_single[30], singles_mul(KS(0.4), _p_ball_radius));
+        singles_store(lists->fixed_single[31], singles_div(KS(1.0), _p_ball_radius));
+        singles_store(lists->fixed_single[32], singles_abs(KS(0.0)));
     }
 }
 
@@ -2814,7 +2837,7 @@ static void LANES(hoop_bounded_fix_f7)(LANES(hoop_bounded_lists) *lists, size_t 
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f66)(LANES(hoop_bounded_lists) *lists, size_t i)
+static void LANES(hoop_bounded_fix_f63)(LANES(hoop_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
@@ -2875,7 +2898,7 @@ static void LANES(hoop_bounded_fix_f66)(LANES(hoop_bounded_lists) *lists, size_t
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f80)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(hoop_bounded_fix_f77)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_leaping_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_leaping_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -2911,7 +2934,7 @@ static void LANES(hoop_bounded_fix_f80)(LANES(hoop_bounded_lists) *lists, size_t
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f83)(LANES(hoop_bounded_lists) *lists, size_t i)
+static void LANES(hoop_bounded_fix_f80)(LANES(hoop_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_searching_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_searching_p_gravity + i);
@@ -2950,7 +2973,7 @@ static void LANES(hoop_bounded_fix_f83)(LANES(hoop_bounded_lists) *lists, size_t
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f88)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(hoop_bounded_fix_f85)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_searching_searching_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_searching_searching_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -2987,7 +3010,7 @@ static void LANES(hoop_bounded_fix_f88)(LANES(hoop_bounded_lists) *lists, size_t
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f101)(LANES(hoop_bounded_lists) *lists, size_t i)
+static void LANES(hoop_bounded_fix_f98)(LANES(hoop_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
@@ -3006,7 +3029,7 @@ static void LANES(hoop_bounded_fix_f101)(LANES(hoop_bounded_lists) *lists, size_
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f110)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
+static void LANES(hoop_bounded_fix_f107)(LANES(hoop_bounded_lists) *lists, size_t taken, M idle)
 {
     const V p_ball_radius = lanes_expand(lists->open_refining_p_ball_radius + taken, idle, lanes_load(lists->turning_p_ball_radius));
     const V p_gravity = lanes_expand(lists->open_refining_p_gravity + taken, idle, lanes_load(lists->turning_p_gravity));
@@ -3029,7 +3052,7 @@ static void LANES(hoop_bounded_fix_f110)(LANES(hoop_bounded_lists) *lists, size_
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f113)(LANES(hoop_bounded_lists) *lists, size_t i)
+static void LANES(hoop_bounded_fix_f110)(LANES(hoop_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->open_p_ball_radius + i);
     const V p_gravity = lanes_load(lists->open_p_gravity + i);
@@ -3055,7 +3078,7 @@ static void LANES(hoop_bounded_fix_f113)(LANES(hoop_bounded_lists) *lists, size_
 #ifdef __GNUC__
 __attribute__((noinline))
 #endif
-static void LANES(hoop_bounded_fix_f121)(LANES(hoop_bounded_lists) *lists, size_t i)
+static void LANES(hoop_bounded_fix_f118)(LANES(hoop_bounded_lists) *lists, size_t i)
 {
     const V p_ball_radius = lanes_load(lists->p_ball_radius + i);
     const V p_board_bottom = lanes_load(lists->p_board_bottom + i);
@@ -3080,11 +3103,27 @@ static void LANES(hoop_bounded_fix_f121)(LANES(hoop_bounded_lists) *lists, size_
         lanes_store(lists->fixed[26], lanes_add(lanes_add(_s1, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
         lanes_store(lists->fixed[50], lanes_div(K(1.0), _s0));
         lanes_store(lists->fixed[51], lanes_div(K(1.0), lanes_min(_s2, _s0)));
-        lanes_store(lists->fixed[52], p_ball_radius);
-        lanes_store(lists->fixed[53], p_restitution);
-        lanes_store(lists->fixed[54], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[55], lanes_div(K(1.0), p_ball_radius));
-        lanes_store(lists->fixed[56], lanes_abs(K(0.0)));
+        lanes_store(lists->fixed[52], p_restitution);
+        lanes_store(lists->fixed[53], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[54], lanes_div(K(1.0), p_ball_radius));
+    }
+    {
+        const S _p_ball_radius = lanes_narrow(p_ball_radius);
+        const S _p_ring_radius = lanes_narrow(p_ring_radius);
+        const S _p_wire_radius = lanes_narrow(p_wire_radius);
+        const S _p_gravity = lanes_narrow(p_gravity);
+        const S _p_restitution = lanes_narrow(p_restitution);
+        const S _s0 = singles_add(_p_ball_radius, _p_wire_radius);
+        const S _s1 = singles_sub(singles_sub(_p_ring_radius, _p_ball_radius), _p_wire_radius);
+        singles_store(lists->fixed_single[0], _p_gravity);
+        singles_store(lists->fixed_single[19], _p_ring_radius);
+        singles_store(lists->fixed_single[26], singles_div(KS(1.0), _s0));
+        singles_store(lists->fixed_single[27], singles_div(KS(1.0), singles_min(_s1, _s0)));
+        singles_store(lists->fixed_single[28], _p_ball_radius);
+        singles_store(lists->fixed_single[29], _p_restitution);
+        singles_store(lists->fixed_single[30], singles_mul(KS(0.4), _p_ball_radius));
+        singles_store(lists->fixed_single[31], singles_div(KS(1.0), _p_ball_radius));
+        singles_store(lists->fixed_single[32], singles_abs(KS(0.0)));
     }
 }
 
@@ -3099,6 +3138,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
     size_t begun = 0, end = 0, shots = 0;
+    int streams = 0; /* whether the shots before ended all at once: then those to come will, too */
 
     if (job->shots == 0)
         return;
@@ -3152,10 +3192,10 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             M finite = _o2.finite;
             const LANES(hoop_aside_out) _o3 =
                 LANES(hoop_aside)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]));
-            M near = _o3.near;
+            M close = _o3.close;
             V valid = _o3.valid;
             V doubt = _o3.doubt;
-            const M _m4 = lanes_both(rows, near);
+            const M _m4 = lanes_both(rows, close);
             if (lanes_any(_m4)) {
                 const LANES(hoop_valid_out) _o5 =
                     LANES(hoop_valid)(last, x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[0]), lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[1]));
@@ -3183,19 +3223,19 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         size_t open_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
-            LANES(hoop_ahead)(job, begun + i);
+            LANES(hoop_ahead)(job, begun + i, streams);
             if (LANES_SELDOM(varying))
                 LANES(hoop_bounded_fix_f7)(lists, i);
-            V clock_error = lanes_load(lists->clock_error + i);
-            V dvx = lanes_load(lists->dvx + i);
-            V dvy = lanes_load(lists->dvy + i);
-            V dvz = lanes_load(lists->dvz + i);
-            V dwx = lanes_load(lists->dwx + i);
-            V dwy = lanes_load(lists->dwy + i);
-            V dwz = lanes_load(lists->dwz + i);
-            V dx = lanes_load(lists->dx + i);
-            V dy = lanes_load(lists->dy + i);
-            V dz = lanes_load(lists->dz + i);
+            S clock_error = singles_load(lists->clock_error + i);
+            S dvx = singles_load(lists->dvx + i);
+            S dvy = singles_load(lists->dvy + i);
+            S dvz = singles_load(lists->dvz + i);
+            S dwx = singles_load(lists->dwx + i);
+            S dwy = singles_load(lists->dwy + i);
+            S dwz = singles_load(lists->dwz + i);
+            S dx = singles_load(lists->dx + i);
+            S dy = singles_load(lists->dy + i);
+            S dz = singles_load(lists->dz + i);
             V last = lanes_load(lists->last + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
@@ -3205,16 +3245,16 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V z = lanes_load(lists->z + i);
             const LANES(hoop_error_bounds_out) _o8 =
                 LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            V position_error = _o8.position_error;
-            V velocity_error = _o8.velocity_error;
-            V time_error = _o8.time_error;
+            S position_error = _o8.position_error;
+            S velocity_error = _o8.velocity_error;
+            S time_error = _o8.time_error;
             const LANES(hoop_scale_out) _o9 =
                 LANES(hoop_scale)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[14]));
             V extent = _o9.extent;
             V speed = _o9.speed;
             V excess = _o9.excess;
             const LANES(hoop_opening_out) _o10 =
-                LANES(hoop_opening)(excess, position_error, velocity_error);
+                LANES(hoop_opening)(excess, lanes_wide(position_error), lanes_wide(velocity_error));
             V when = _o10.when;
             V which = _o10.which;
             V late = _o10.late;
@@ -3233,11 +3273,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V apex = _o13.apex;
             V height = _o13.height;
             const LANES(hoop_meeting_plane_out) _o14 =
-                LANES(hoop_meeting_plane)(bend, rate, time);
+                LANES(hoop_meeting_plane)(apex, bend, rate, time);
             M arrives = _o14.arrives;
             V ceiling = _o14.ceiling;
+            V nearest = _o14.nearest;
             const LANES(hoop_end_margin_out) _o15 =
-                LANES(hoop_end_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[21]));
+                LANES(hoop_end_margin)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[21]));
             V margin = _o15.margin;
             const LANES(hoop_crossing_out) _o16 =
                 LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
@@ -3246,188 +3287,181 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_timely_out) _o17 =
                 LANES(hoop_timely)(arrives, delay, late, time, when);
             M possible = _o17.possible;
-            const LANES(hoop_end_margin_out) _o18 =
-                LANES(hoop_end_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[21]));
-            margin = _o18.margin;
-            const LANES(hoop_grazed_out) _o19 =
+            const LANES(hoop_grazed_out) _o18 =
                 LANES(hoop_grazed)(apex, doubt, height, margin);
-            doubt = _o19.doubt;
-            const M _m20 = lanes_both(rows, possible);
+            doubt = _o18.doubt;
+            const M _m19 = lanes_both(rows, possible);
             {
-                const LANES(hoop_crossed_out) _o21 =
+                const LANES(hoop_crossed_out) _o20 =
                     LANES(hoop_crossed)(arrives, clearance, doubt, time);
-                doubt = lanes_select(_m20, _o21.doubt, doubt);
-                const LANES(hoop_tied_out) _o22 =
+                doubt = lanes_select(_m19, _o20.doubt, doubt);
+                const LANES(hoop_tied_out) _o21 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m20, _o22.doubt, doubt);
-                late = lanes_select(_m20, _o22.late, late);
-                const LANES(hoop_sooner_out) _o23 =
+                doubt = lanes_select(_m19, _o21.doubt, doubt);
+                late = lanes_select(_m19, _o21.late, late);
+                const LANES(hoop_sooner_out) _o22 =
                     LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-                when = lanes_select(_m20, _o23.when, when);
-                which = lanes_select(_m20, _o23.which, which);
+                when = lanes_select(_m19, _o22.when, when);
+                which = lanes_select(_m19, _o22.which, which);
             }
-            const LANES(hoop_released_out) _o24 =
+            const LANES(hoop_released_out) _o23 =
                 LANES(hoop_released)(last);
-            M released = _o24.released;
-            M reachable = _o24.reachable;
-            const M _m25 = lanes_both(rows, released);
-            if (lanes_any(_m25)) {
-                const LANES(hoop_horizon_out) _o26 =
+            M released = _o23.released;
+            M reachable = _o23.reachable;
+            const M _m24 = lanes_both(rows, released);
+            if (lanes_any(_m24)) {
+                const LANES(hoop_horizon_out) _o25 =
                     LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[14]));
-                V until = _o26.horizon;
-                V pad = _o26.pad;
-                const LANES(hoop_reachable_out) _o27 =
-                    LANES(hoop_reachable)(extent, until, late, pad, position_error, speed, velocity_error, vx, x, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[23]));
-                reachable = lanes_choose(_m25, _o27.reachable, reachable);
+                V until = _o25.horizon;
+                V pad = _o25.pad;
+                const LANES(hoop_reachable_out) _o26 =
+                    LANES(hoop_reachable)(extent, until, late, pad, lanes_wide(position_error), speed, lanes_wide(velocity_error), vx, x, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[23]));
+                reachable = lanes_choose(_m24, _o26.reachable, reachable);
             }
-            const M _m28 = lanes_both(rows, reachable);
-            if (lanes_any(_m28)) {
-                const LANES(hoop_left_out) _o29 =
+            const M _m27 = lanes_both(rows, reachable);
+            if (lanes_any(_m27)) {
+                const LANES(hoop_left_out) _o28 =
                     LANES(hoop_left)(K(1.0), last);
-                V leaving = _o29.leaving;
-                const LANES(hoop_backboard_arrival_out) _o30 =
+                V leaving = _o28.leaving;
+                const LANES(hoop_backboard_arrival_out) _o29 =
                     LANES(hoop_backboard_arrival)(leaving, x, vx, lanes_load(lists->fixed[3]));
-                V time = _o30.time;
-                V rate = _o30.rate;
-                V bend = _o30.bend;
-                V apex = _o30.apex;
-                V height = _o30.height;
-                const LANES(hoop_meeting_plane_out) _o31 =
-                    LANES(hoop_meeting_plane)(bend, rate, time);
-                M arrives = _o31.arrives;
-                V ceiling = _o31.ceiling;
-                const LANES(hoop_backboard_margin_out) _o32 =
-                    LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[24]));
-                V margin = _o32.margin;
-                const LANES(hoop_crossing_out) _o33 =
+                V time = _o29.time;
+                V rate = _o29.rate;
+                V bend = _o29.bend;
+                V apex = _o29.apex;
+                V height = _o29.height;
+                const LANES(hoop_meeting_plane_out) _o30 =
+                    LANES(hoop_meeting_plane)(apex, bend, rate, time);
+                M arrives = _o30.arrives;
+                V ceiling = _o30.ceiling;
+                V nearest = _o30.nearest;
+                const LANES(hoop_backboard_margin_out) _o31 =
+                    LANES(hoop_backboard_margin)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[24]));
+                V margin = _o31.margin;
+                const LANES(hoop_crossing_out) _o32 =
                     LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-                V clearance = _o33.clearance;
-                V delay = _o33.delay;
-                const LANES(hoop_timely_out) _o34 =
+                V clearance = _o32.clearance;
+                V delay = _o32.delay;
+                const LANES(hoop_timely_out) _o33 =
                     LANES(hoop_timely)(arrives, delay, late, time, when);
-                M possible = _o34.possible;
-                const LANES(hoop_backboard_margin_out) _o35 =
-                    LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[24]));
-                margin = _o35.margin;
-                const LANES(hoop_grazed_out) _o36 =
+                M possible = _o33.possible;
+                const LANES(hoop_grazed_out) _o34 =
                     LANES(hoop_grazed)(apex, doubt, height, margin);
-                doubt = lanes_select(_m28, _o36.doubt, doubt);
-                const M _m37 = lanes_both(_m28, possible);
-                if (lanes_any(_m37)) {
-                    const LANES(hoop_flight_out) _o38 =
+                doubt = lanes_select(_m27, _o34.doubt, doubt);
+                const M _m35 = lanes_both(_m27, possible);
+                if (lanes_any(_m35)) {
+                    const LANES(hoop_flight_out) _o36 =
                         LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]));
-                    V there_y = _o38.y;
-                    V there_z = _o38.z;
-                    const LANES(hoop_backboard_bounds_out) _o39 =
+                    V there_y = _o36.y;
+                    V there_z = _o36.z;
+                    const LANES(hoop_backboard_bounds_out) _o37 =
                         LANES(hoop_backboard_bounds)(there_y, there_z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]));
-                    V g0 = _o39.g0;
-                    V g1 = _o39.g1;
-                    V g2 = _o39.g2;
-                    V g3 = _o39.g3;
-                    const LANES(hoop_displacement_out) _o40 =
-                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[26]));
-                    V slack = _o40.margin;
-                    const LANES(hoop_backboard_edges_out) _o41 =
+                    V g0 = _o37.g0;
+                    V g1 = _o37.g1;
+                    V g2 = _o37.g2;
+                    V g3 = _o37.g3;
+                    const LANES(hoop_displacement_out) _o38 =
+                        LANES(hoop_displacement)(delay, time, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[26]));
+                    V slack = _o38.margin;
+                    const LANES(hoop_backboard_edges_out) _o39 =
                         LANES(hoop_backboard_edges)(clearance, g0, g1, g2, g3, slack);
-                    M unsure = _o41.unsure;
-                    const LANES(hoop_questioned_out) _o42 =
+                    M unsure = _o39.unsure;
+                    const LANES(hoop_questioned_out) _o40 =
                         LANES(hoop_questioned)(doubt, time, unsure);
-                    doubt = lanes_select(_m37, _o42.doubt, doubt);
-                    const LANES(hoop_backboard_within_out) _o43 =
+                    doubt = lanes_select(_m35, _o40.doubt, doubt);
+                    const LANES(hoop_backboard_within_out) _o41 =
                         LANES(hoop_backboard_within)(g0, g1, g2, g3);
-                    M arrives = _o43.arrives;
-                    const LANES(hoop_tied_out) _o44 =
+                    M arrives = _o41.arrives;
+                    const LANES(hoop_tied_out) _o42 =
                         LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                    doubt = lanes_select(_m37, _o44.doubt, doubt);
-                    late = lanes_select(_m37, _o44.late, late);
-                    const LANES(hoop_sooner_out) _o45 =
+                    doubt = lanes_select(_m35, _o42.doubt, doubt);
+                    late = lanes_select(_m35, _o42.late, late);
+                    const LANES(hoop_sooner_out) _o43 =
                         LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-                    when = lanes_select(_m37, _o45.when, when);
-                    which = lanes_select(_m37, _o45.which, which);
+                    when = lanes_select(_m35, _o43.when, when);
+                    which = lanes_select(_m35, _o43.which, which);
                 }
-                const LANES(hoop_left_out) _o46 =
+                const LANES(hoop_left_out) _o44 =
                     LANES(hoop_left)(K(2.0), last);
-                leaving = _o46.leaving;
-                const LANES(hoop_bridge_arrival_out) _o47 =
+                leaving = _o44.leaving;
+                const LANES(hoop_bridge_arrival_out) _o45 =
                     LANES(hoop_bridge_arrival)(leaving, z, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]), lanes_load(lists->fixed[20]));
-                time = _o47.time;
-                rate = _o47.rate;
-                bend = _o47.bend;
-                apex = _o47.apex;
-                height = _o47.height;
-                const LANES(hoop_meeting_plane_out) _o48 =
-                    LANES(hoop_meeting_plane)(bend, rate, time);
-                arrives = _o48.arrives;
-                ceiling = _o48.ceiling;
-                const LANES(hoop_bridge_margin_out) _o49 =
-                    LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[27]));
-                margin = _o49.margin;
-                const LANES(hoop_crossing_out) _o50 =
+                time = _o45.time;
+                rate = _o45.rate;
+                bend = _o45.bend;
+                apex = _o45.apex;
+                height = _o45.height;
+                const LANES(hoop_meeting_plane_out) _o46 =
+                    LANES(hoop_meeting_plane)(apex, bend, rate, time);
+                arrives = _o46.arrives;
+                ceiling = _o46.ceiling;
+                nearest = _o46.nearest;
+                const LANES(hoop_bridge_margin_out) _o47 =
+                    LANES(hoop_bridge_margin)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[27]));
+                margin = _o47.margin;
+                const LANES(hoop_crossing_out) _o48 =
                     LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-                clearance = _o50.clearance;
-                delay = _o50.delay;
-                const LANES(hoop_timely_out) _o51 =
+                clearance = _o48.clearance;
+                delay = _o48.delay;
+                const LANES(hoop_timely_out) _o49 =
                     LANES(hoop_timely)(arrives, delay, late, time, when);
-                possible = _o51.possible;
-                const LANES(hoop_bridge_margin_out) _o52 =
-                    LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[27]));
-                margin = _o52.margin;
-                const LANES(hoop_grazed_out) _o53 =
+                possible = _o49.possible;
+                const LANES(hoop_grazed_out) _o50 =
                     LANES(hoop_grazed)(apex, doubt, height, margin);
-                doubt = lanes_select(_m28, _o53.doubt, doubt);
-                const M _m54 = lanes_both(_m28, possible);
-                if (lanes_any(_m54)) {
-                    const LANES(hoop_flight_out) _o55 =
+                doubt = lanes_select(_m27, _o50.doubt, doubt);
+                const M _m51 = lanes_both(_m27, possible);
+                if (lanes_any(_m51)) {
+                    const LANES(hoop_flight_out) _o52 =
                         LANES(hoop_flight)(time, x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]));
-                    V there_x = _o55.x;
-                    V there_y = _o55.y;
-                    const LANES(hoop_bridge_bounds_out) _o56 =
+                    V there_x = _o52.x;
+                    V there_y = _o52.y;
+                    const LANES(hoop_bridge_bounds_out) _o53 =
                         LANES(hoop_bridge_bounds)(there_x, there_y, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[0]), lanes_load(lists->fixed[9]));
-                    V g0 = _o56.g0;
-                    V g1 = _o56.g1;
-                    V g2 = _o56.g2;
-                    V g3 = _o56.g3;
-                    V g4 = _o56.g4;
-                    const LANES(hoop_displacement_out) _o57 =
-                        LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[26]));
-                    V slack = _o57.margin;
-                    const LANES(hoop_bridge_edges_out) _o58 =
+                    V g0 = _o53.g0;
+                    V g1 = _o53.g1;
+                    V g2 = _o53.g2;
+                    V g3 = _o53.g3;
+                    V g4 = _o53.g4;
+                    const LANES(hoop_displacement_out) _o54 =
+                        LANES(hoop_displacement)(delay, time, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[26]));
+                    V slack = _o54.margin;
+                    const LANES(hoop_bridge_edges_out) _o55 =
                         LANES(hoop_bridge_edges)(clearance, g0, g1, g2, g3, g4, slack);
-                    M unsure = _o58.unsure;
-                    const LANES(hoop_questioned_out) _o59 =
+                    M unsure = _o55.unsure;
+                    const LANES(hoop_questioned_out) _o56 =
                         LANES(hoop_questioned)(doubt, time, unsure);
-                    doubt = lanes_select(_m54, _o59.doubt, doubt);
-                    const LANES(hoop_bridge_within_out) _o60 =
+                    doubt = lanes_select(_m51, _o56.doubt, doubt);
+                    const LANES(hoop_bridge_within_out) _o57 =
                         LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-                    M arrives = _o60.arrives;
-                    const LANES(hoop_tied_out) _o61 =
+                    M arrives = _o57.arrives;
+                    const LANES(hoop_tied_out) _o58 =
                         LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                    doubt = lanes_select(_m54, _o61.doubt, doubt);
-                    late = lanes_select(_m54, _o61.late, late);
-                    const LANES(hoop_sooner_out) _o62 =
+                    doubt = lanes_select(_m51, _o58.doubt, doubt);
+                    late = lanes_select(_m51, _o58.late, late);
+                    const LANES(hoop_sooner_out) _o59 =
                         LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-                    when = lanes_select(_m54, _o62.when, when);
-                    which = lanes_select(_m54, _o62.which, which);
+                    when = lanes_select(_m51, _o59.when, when);
+                    which = lanes_select(_m51, _o59.which, which);
                 }
             }
-            const LANES(hoop_horizon_out) _o63 =
+            const LANES(hoop_horizon_out) _o60 =
                 LANES(hoop_horizon)(when, speed, lanes_load(lists->fixed[14]));
-            V until = _o63.horizon;
-            V pad = _o63.pad;
-            const LANES(hoop_ring_clear_out) _o64 =
-                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]));
-            V clear = _o64.clear;
-            const LANES(hoop_opens_out) _o65 =
+            V until = _o60.horizon;
+            V pad = _o60.pad;
+            const LANES(hoop_ring_clear_out) _o61 =
+                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]));
+            V clear = _o61.clear;
+            const LANES(hoop_opens_out) _o62 =
                 LANES(hoop_opens)(clear);
-            M open = _o65.open;
+            M open = _o62.open;
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->extent + i, extent);
             lanes_store(lists->late + i, late);
             lanes_store(lists->limited + i, lanes_select(limited, K(1.0), K(0.0)));
-            lanes_store(lists->position_error + i, position_error);
+            singles_store(lists->position_error + i, position_error);
             lanes_store(lists->speed + i, speed);
-            lanes_store(lists->time_error + i, time_error);
-            lanes_store(lists->velocity_error + i, velocity_error);
+            singles_store(lists->time_error + i, time_error);
+            singles_store(lists->velocity_error + i, velocity_error);
             lanes_store(lists->when + i, when);
             lanes_store(lists->which + i, which);
             const M packed = lanes_both(rows, open);
@@ -3438,10 +3472,10 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_last + open_shots, packed, last);
                 lanes_pack(lists->open_late + open_shots, packed, late);
                 lanes_pack(lists->open_pad + open_shots, packed, pad);
-                lanes_pack(lists->open_position_error + open_shots, packed, position_error);
+                singles_pack(lists->open_position_error + open_shots, packed, position_error);
                 lanes_pack(lists->open_speed + open_shots, packed, speed);
                 lanes_pack(lists->open_until + open_shots, packed, until);
-                lanes_pack(lists->open_velocity_error + open_shots, packed, velocity_error);
+                singles_pack(lists->open_velocity_error + open_shots, packed, velocity_error);
                 lanes_pack(lists->open_vx + open_shots, packed, vx);
                 lanes_pack(lists->open_vy + open_shots, packed, vy);
                 lanes_pack(lists->open_vz + open_shots, packed, vz);
@@ -3464,109 +3498,109 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_bounded_fix_f66)(lists, i);
+                LANES(hoop_bounded_fix_f63)(lists, i);
             V doubt = lanes_load(lists->open_doubt + i);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
             V late = lanes_load(lists->open_late + i);
             V pad = lanes_load(lists->open_pad + i);
-            V position_error = lanes_load(lists->open_position_error + i);
+            S position_error = singles_load(lists->open_position_error + i);
             V speed = lanes_load(lists->open_speed + i);
             V until = lanes_load(lists->open_until + i);
-            V velocity_error = lanes_load(lists->open_velocity_error + i);
+            S velocity_error = singles_load(lists->open_velocity_error + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
             V vz = lanes_load(lists->open_vz + i);
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_beginning_out) _o67 =
+            const LANES(hoop_beginning_out) _o64 =
                 LANES(hoop_beginning)();
-            V share = _o67.share;
-            V arrival = _o67.arrival;
-            M certain = _o67.certain;
-            const LANES(hoop_left_out) _o68 =
+            V share = _o64.share;
+            V arrival = _o64.arrival;
+            M certain = _o64.certain;
+            const LANES(hoop_left_out) _o65 =
                 LANES(hoop_left)(K(0.0), last);
-            V leaving = _o68.leaving;
-            const LANES(hoop_ring_opened_out) _o69 =
+            V leaving = _o65.leaving;
+            const LANES(hoop_ring_opened_out) _o66 =
                 LANES(hoop_ring_opened)(lanes_narrow(until), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(extent), lanes_narrow(speed), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[2]), singles_load(lists->fixed_single[3]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[5]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[7]), singles_load(lists->fixed_single[8]), singles_load(lists->fixed_single[9]));
-            S onset = _o69.t;
-            S wide_end = _o69.end;
-            M searching = _o69.searching;
-            S wide_low1 = _o69.low1;
-            S wide_high1 = _o69.high1;
-            S wide_low2 = _o69.low2;
-            S wide_high2 = _o69.high2;
-            S lapsed = _o69.latest;
-            M sound = _o69.sound;
-            const LANES(hoop_opened_out) _o70 =
+            S onset = _o66.t;
+            S wide_end = _o66.end;
+            M searching = _o66.searching;
+            S wide_low1 = _o66.low1;
+            S wide_high1 = _o66.high1;
+            S wide_low2 = _o66.low2;
+            S wide_high2 = _o66.high2;
+            S lapsed = _o66.latest;
+            M sound = _o66.sound;
+            const LANES(hoop_opened_out) _o67 =
                 LANES(hoop_opened)(lanes_wide(lapsed), lanes_wide(onset));
-            V since = _o70.time;
-            V latest = _o70.latest;
-            const LANES(hoop_ring_started_out) _o71 =
+            V since = _o67.time;
+            V latest = _o67.latest;
+            const LANES(hoop_ring_started_out) _o68 =
                 LANES(hoop_ring_started)(x, y, z, vx, vy, vz, lanes_load(lists->fixed[5]));
-            V rho_start = _o71.rho_start;
-            V parting = _o71.parting;
-            V drift = _o71.drift;
-            const LANES(hoop_flight_out) _o72 =
+            V rho_start = _o68.rho_start;
+            V parting = _o68.parting;
+            V drift = _o68.drift;
+            const LANES(hoop_flight_out) _o69 =
                 LANES(hoop_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]));
-            V near_x = _o72.x;
-            V near_y = _o72.y;
-            V near_z = _o72.z;
-            V near_vz = _o72.vz;
-            const LANES(hoop_ring_grain_out) _o73 =
+            V near_x = _o69.x;
+            V near_y = _o69.y;
+            V near_z = _o69.z;
+            V near_vz = _o69.vz;
+            const LANES(hoop_ring_grain_out) _o70 =
                 LANES(hoop_ring_grain)(onset, wide_end, lanes_narrow(leaving), lapsed, lanes_narrow(near_x), lanes_narrow(near_y), lanes_narrow(near_z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(near_vz), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(parting), lanes_narrow(drift), wide_low1, wide_high1, wide_low2, wide_high2, singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[10]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[11]), singles_load(lists->fixed_single[12]), singles_load(lists->fixed_single[13]), singles_load(lists->fixed_single[14]), singles_load(lists->fixed_single[15]), singles_load(lists->fixed_single[4]), singles_load(lists->fixed_single[16]), singles_load(lists->fixed_single[17]), singles_load(lists->fixed_single[18]));
-            S short_share = _o73.share;
-            S short_t = _o73.t;
-            S short_end = _o73.end;
-            S short_x = _o73.x;
-            S short_y = _o73.y;
-            S short_z = _o73.z;
-            S short_vx = _o73.vx;
-            S short_vy = _o73.vy;
-            S short_vz = _o73.vz;
-            S short_steady = _o73.steady;
-            S short_swing = _o73.swing;
-            S short_rho_start = _o73.rho_start;
-            S short_ceiling = _o73.ceiling;
-            S short_flat = _o73.flat;
-            S short_tilt = _o73.tilt;
-            S short_jerk = _o73.jerk;
-            S short_grit = _o73.grit;
-            S short_parting = _o73.parting;
-            S short_drift = _o73.drift;
-            S short_rate_margin = _o73.rate_margin;
-            S short_low1 = _o73.low1;
-            S short_high1 = _o73.high1;
-            S short_low2 = _o73.low2;
-            S short_high2 = _o73.high2;
-            M fits = _o73.fits;
-            const LANES(hoop_coarse_out) _o74 =
+            S short_share = _o70.share;
+            S short_t = _o70.t;
+            S short_end = _o70.end;
+            S short_x = _o70.x;
+            S short_y = _o70.y;
+            S short_z = _o70.z;
+            S short_vx = _o70.vx;
+            S short_vy = _o70.vy;
+            S short_vz = _o70.vz;
+            S short_steady = _o70.steady;
+            S short_swing = _o70.swing;
+            S short_rho_start = _o70.rho_start;
+            S short_ceiling = _o70.ceiling;
+            S short_flat = _o70.flat;
+            S short_tilt = _o70.tilt;
+            S short_jerk = _o70.jerk;
+            S short_grit = _o70.grit;
+            S short_parting = _o70.parting;
+            S short_drift = _o70.drift;
+            S short_rate_margin = _o70.rate_margin;
+            S short_low1 = _o70.low1;
+            S short_high1 = _o70.high1;
+            S short_low2 = _o70.low2;
+            S short_high2 = _o70.high2;
+            M fits = _o70.fits;
+            const LANES(hoop_coarse_out) _o71 =
                 LANES(hoop_coarse)(lanes_wide(short_ceiling), fits, lanes_wide(short_flat), lanes_wide(short_rate_margin), searching, lanes_wide(short_share), sound);
-            M leaping = _o74.leaping;
-            searching = _o74.searching;
-            M served = _o74.served;
-            V ceiling = _o74.ceiling;
-            V flat = _o74.flat;
-            V tilt = _o74.tilt;
-            V allowing = _o74.allowing;
-            const LANES(hoop_allowance_out) _o75 =
-                LANES(hoop_allowance)(allowing, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]));
-            V excess = _o75.excess;
-            const LANES(hoop_ring_lost_out) _o76 =
-                LANES(hoop_ring_lost)(until, position_error, velocity_error, lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]));
-            V lost = _o76.lost;
-            const LANES(hoop_beyond_out) _o77 =
+            M leaping = _o71.leaping;
+            searching = _o71.searching;
+            M served = _o71.served;
+            V ceiling = _o71.ceiling;
+            V flat = _o71.flat;
+            V tilt = _o71.tilt;
+            V allowing = _o71.allowing;
+            const LANES(hoop_allowance_out) _o72 =
+                LANES(hoop_allowance)(allowing, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[15]));
+            V excess = _o72.excess;
+            const LANES(hoop_ring_lost_out) _o73 =
+                LANES(hoop_ring_lost)(until, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]));
+            V lost = _o73.lost;
+            const LANES(hoop_beyond_out) _o74 =
                 LANES(hoop_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o77.doubt;
-            const M _m78 = lanes_both(rows, leaping);
-            if (lanes_any(_m78)) {
-                const LANES(hoop_ring_leap_out) _o79 =
+            doubt = _o74.doubt;
+            const M _m75 = lanes_both(rows, leaping);
+            if (lanes_any(_m75)) {
+                const LANES(hoop_ring_leap_out) _o76 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
-                short_t = singles_select(singles_of(_m78), _o79.t, short_t);
-                short_end = singles_select(singles_of(_m78), _o79.end, short_end);
-                certain = lanes_choose(_m78, _o79.certain, certain);
-                leaping = lanes_choose(_m78, _o79.leaping, leaping);
+                short_t = singles_select(singles_of(_m75), _o76.t, short_t);
+                short_end = singles_select(singles_of(_m75), _o76.end, short_end);
+                certain = lanes_choose(_m75, _o76.certain, certain);
+                leaping = lanes_choose(_m75, _o76.leaping, leaping);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
@@ -3672,7 +3706,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     short_y = singles_expand(lists->open_leaping_short_y + taken, idle, short_y);
                     short_z = singles_expand(lists->open_leaping_short_z + taken, idle, short_z);
                     if (LANES_SELDOM(varying))
-                        LANES(hoop_bounded_fix_f80)(lists, taken, idle);
+                        LANES(hoop_bounded_fix_f77)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_leaping_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -3681,12 +3715,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M leaping = active;
-                const LANES(hoop_ring_leap_out) _o81 =
+                const LANES(hoop_ring_leap_out) _o78 =
                     LANES(hoop_ring_leap)(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_steady, short_swing, short_rho_start, short_flat, short_tilt, short_grit, short_jerk, short_parting, short_drift, short_low1, short_high1, short_low2, short_high2, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[20]), singles_load(lists->fixed_single[21]), singles_load(lists->fixed_single[22]), singles_load(lists->fixed_single[1]), singles_load(lists->fixed_single[23]), singles_load(lists->fixed_single[24]), singles_load(lists->fixed_single[6]), singles_load(lists->fixed_single[25]));
-                short_t = _o81.t;
-                short_end = _o81.end;
-                M certain = _o81.certain;
-                leaping = _o81.leaping;
+                short_t = _o78.t;
+                short_end = _o78.end;
+                M certain = _o78.certain;
+                leaping = _o78.leaping;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(leaping, lanes_less(turns, K(24.0)))));
                 if (lanes_any(ended)) {
@@ -3717,7 +3751,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V doubt = lanes_load(lists->open_doubt + i);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
-            V position_error = lanes_load(lists->open_position_error + i);
+            S position_error = singles_load(lists->open_position_error + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
             M served = lanes_less(K(0.0), lanes_load(lists->open_served + i));
             V share = lanes_load(lists->open_share + i);
@@ -3725,18 +3759,18 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V since = lanes_load(lists->open_since + i);
             V speed = lanes_load(lists->open_speed + i);
             V until = lanes_load(lists->open_until + i);
-            V velocity_error = lanes_load(lists->open_velocity_error + i);
+            S velocity_error = singles_load(lists->open_velocity_error + i);
             V vx = lanes_load(lists->open_vx + i);
             V vy = lanes_load(lists->open_vy + i);
             V vz = lanes_load(lists->open_vz + i);
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_leapt_out) _o82 =
+            const LANES(hoop_leapt_out) _o79 =
                 LANES(hoop_leapt)(arrival, certain, lanes_wide(short_t), searching, served, since);
-            arrival = _o82.arrival;
-            V t = _o82.t;
-            searching = _o82.searching;
+            arrival = _o79.arrival;
+            V t = _o79.t;
+            searching = _o79.searching;
             lanes_store(lists->open_arrival + i, arrival);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
@@ -3746,12 +3780,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_searching_doubt + open_searching_shots, packed, doubt);
                 lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
                 lanes_pack(lists->open_searching_last + open_searching_shots, packed, last);
-                lanes_pack(lists->open_searching_position_error + open_searching_shots, packed, position_error);
+                singles_pack(lists->open_searching_position_error + open_searching_shots, packed, position_error);
                 lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
                 lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
                 lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
                 lanes_pack(lists->open_searching_until + open_searching_shots, packed, until);
-                lanes_pack(lists->open_searching_velocity_error + open_searching_shots, packed, velocity_error);
+                singles_pack(lists->open_searching_velocity_error + open_searching_shots, packed, velocity_error);
                 lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
                 lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
                 lanes_pack(lists->open_searching_vz + open_searching_shots, packed, vz);
@@ -3772,51 +3806,51 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_searching_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_bounded_fix_f83)(lists, i);
+                LANES(hoop_bounded_fix_f80)(lists, i);
             V arrival = lanes_load(lists->open_searching_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_searching_certain + i));
             V doubt = lanes_load(lists->open_searching_doubt + i);
             V extent = lanes_load(lists->open_searching_extent + i);
             V last = lanes_load(lists->open_searching_last + i);
-            V position_error = lanes_load(lists->open_searching_position_error + i);
+            S position_error = singles_load(lists->open_searching_position_error + i);
             V share = lanes_load(lists->open_searching_share + i);
             V speed = lanes_load(lists->open_searching_speed + i);
             V t = lanes_load(lists->open_searching_t + i);
             V until = lanes_load(lists->open_searching_until + i);
-            V velocity_error = lanes_load(lists->open_searching_velocity_error + i);
+            S velocity_error = singles_load(lists->open_searching_velocity_error + i);
             V vx = lanes_load(lists->open_searching_vx + i);
             V vy = lanes_load(lists->open_searching_vy + i);
             V vz = lanes_load(lists->open_searching_vz + i);
             V x = lanes_load(lists->open_searching_x + i);
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
-            const LANES(hoop_ring_prepare_out) _o84 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, lanes_load(lists->fixed[36]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]));
-            V steady = _o84.steady;
-            V swing = _o84.swing;
-            V rho_start = _o84.rho_start;
-            V low0 = _o84.low0;
-            V high0 = _o84.high0;
-            V low1 = _o84.low1;
-            V high1 = _o84.high1;
-            V low2 = _o84.low2;
-            V high2 = _o84.high2;
-            V ceiling = _o84.ceiling;
-            V latest = _o84.latest;
-            const LANES(hoop_allowance_out) _o85 =
-                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]));
-            V position_level = _o85.position_level;
-            V velocity_level = _o85.velocity_level;
-            const LANES(hoop_ring_margins_out) _o86 =
+            const LANES(hoop_ring_prepare_out) _o81 =
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]));
+            V steady = _o81.steady;
+            V swing = _o81.swing;
+            V rho_start = _o81.rho_start;
+            V low0 = _o81.low0;
+            V high0 = _o81.high0;
+            V low1 = _o81.low1;
+            V high1 = _o81.high1;
+            V low2 = _o81.low2;
+            V high2 = _o81.high2;
+            V ceiling = _o81.ceiling;
+            V latest = _o81.latest;
+            const LANES(hoop_allowance_out) _o82 =
+                LANES(hoop_allowance)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[15]));
+            V position_level = _o82.position_level;
+            V velocity_level = _o82.velocity_level;
+            const LANES(hoop_ring_margins_out) _o83 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]));
-            V flat = _o86.margin;
-            V tilt = _o86.leaving_margin;
-            V rate_slack = _o86.rate_margin;
-            const LANES(hoop_ring_enter_out) _o87 =
+            V flat = _o83.margin;
+            V tilt = _o83.leaving_margin;
+            V rate_slack = _o83.rate_margin;
+            const LANES(hoop_ring_enter_out) _o84 =
                 LANES(hoop_ring_enter)(t, K(0.0), high0, high1, high2, low0, low1, low2, t);
-            t = _o87.t;
-            V end = _o87.end;
-            M searching = _o87.searching;
+            t = _o84.t;
+            V end = _o84.end;
+            M searching = _o84.searching;
             lanes_store(lists->open_searching_ceiling + i, ceiling);
             lanes_store(lists->open_searching_flat + i, flat);
             lanes_store(lists->open_searching_latest + i, latest);
@@ -3842,7 +3876,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_searching_searching_low0 + open_searching_searching_shots, packed, low0);
                 lanes_pack(lists->open_searching_searching_low1 + open_searching_searching_shots, packed, low1);
                 lanes_pack(lists->open_searching_searching_low2 + open_searching_searching_shots, packed, low2);
-                lanes_pack(lists->open_searching_searching_position_error + open_searching_searching_shots, packed, position_error);
+                singles_pack(lists->open_searching_searching_position_error + open_searching_searching_shots, packed, position_error);
                 lanes_pack(lists->open_searching_searching_rate_slack + open_searching_searching_shots, packed, rate_slack);
                 lanes_pack(lists->open_searching_searching_rho_start + open_searching_searching_shots, packed, rho_start);
                 lanes_pack(lists->open_searching_searching_share + open_searching_searching_shots, packed, share);
@@ -3851,7 +3885,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_pack(lists->open_searching_searching_swing + open_searching_searching_shots, packed, swing);
                 lanes_pack(lists->open_searching_searching_t + open_searching_searching_shots, packed, t);
                 lanes_pack(lists->open_searching_searching_tilt + open_searching_searching_shots, packed, tilt);
-                lanes_pack(lists->open_searching_searching_velocity_error + open_searching_searching_shots, packed, velocity_error);
+                singles_pack(lists->open_searching_searching_velocity_error + open_searching_searching_shots, packed, velocity_error);
                 lanes_pack(lists->open_searching_searching_vx + open_searching_searching_shots, packed, vx);
                 lanes_pack(lists->open_searching_searching_vy + open_searching_searching_shots, packed, vy);
                 lanes_pack(lists->open_searching_searching_vz + open_searching_searching_shots, packed, vz);
@@ -3886,7 +3920,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V low0 = K(0.0);
             V low1 = K(0.0);
             V low2 = K(0.0);
-            V position_error = K(0.0);
+            S position_error = KS(0.0);
             V rate_slack = K(0.0);
             V rho_start = K(0.0);
             V share = K(0.0);
@@ -3895,7 +3929,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V swing = K(0.0);
             V t = K(0.0);
             V tilt = K(0.0);
-            V velocity_error = K(0.0);
+            S velocity_error = KS(0.0);
             V vx = K(0.0);
             V vy = K(0.0);
             V vz = K(0.0);
@@ -3922,7 +3956,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     low0 = lanes_expand(lists->open_searching_searching_low0 + taken, idle, low0);
                     low1 = lanes_expand(lists->open_searching_searching_low1 + taken, idle, low1);
                     low2 = lanes_expand(lists->open_searching_searching_low2 + taken, idle, low2);
-                    position_error = lanes_expand(lists->open_searching_searching_position_error + taken, idle, position_error);
+                    position_error = singles_expand(lists->open_searching_searching_position_error + taken, idle, position_error);
                     rate_slack = lanes_expand(lists->open_searching_searching_rate_slack + taken, idle, rate_slack);
                     rho_start = lanes_expand(lists->open_searching_searching_rho_start + taken, idle, rho_start);
                     share = lanes_expand(lists->open_searching_searching_share + taken, idle, share);
@@ -3931,7 +3965,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     swing = lanes_expand(lists->open_searching_searching_swing + taken, idle, swing);
                     t = lanes_expand(lists->open_searching_searching_t + taken, idle, t);
                     tilt = lanes_expand(lists->open_searching_searching_tilt + taken, idle, tilt);
-                    velocity_error = lanes_expand(lists->open_searching_searching_velocity_error + taken, idle, velocity_error);
+                    velocity_error = singles_expand(lists->open_searching_searching_velocity_error + taken, idle, velocity_error);
                     vx = lanes_expand(lists->open_searching_searching_vx + taken, idle, vx);
                     vy = lanes_expand(lists->open_searching_searching_vy + taken, idle, vy);
                     vz = lanes_expand(lists->open_searching_searching_vz + taken, idle, vz);
@@ -3939,7 +3973,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     y = lanes_expand(lists->open_searching_searching_y + taken, idle, y);
                     z = lanes_expand(lists->open_searching_searching_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(hoop_bounded_fix_f88)(lists, taken, idle);
+                        LANES(hoop_bounded_fix_f85)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_searching_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -3948,56 +3982,56 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o89 =
+                const LANES(hoop_nearby_out) _o86 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o89.leaving;
-                V margin = _o89.margin;
-                const LANES(hoop_ring_advance_out) _o90 =
+                V leaving = _o86.leaving;
+                V margin = _o86.margin;
+                const LANES(hoop_ring_advance_out) _o87 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
-                V gap = _o90.gap;
-                V rate = _o90.rate;
-                V bend = _o90.bend;
-                V step = _o90.step;
-                V next = _o90.next;
-                V clearance = _o90.clearance;
-                const LANES(hoop_struck_out) _o91 =
+                V gap = _o87.gap;
+                V rate = _o87.rate;
+                V bend = _o87.bend;
+                V step = _o87.step;
+                V next = _o87.next;
+                V clearance = _o87.clearance;
+                const LANES(hoop_struck_out) _o88 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o91.hit;
-                M sure = _o91.sure;
-                M vague = _o91.vague;
-                const M _m92 = lanes_both(active, vague);
-                if (lanes_any(_m92)) {
-                    const LANES(hoop_finer_out) _o93 =
+                M hit = _o88.hit;
+                M sure = _o88.sure;
+                M vague = _o88.vague;
+                const M _m89 = lanes_both(active, vague);
+                if (lanes_any(_m89)) {
+                    const LANES(hoop_finer_out) _o90 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m92, _o93.share, share);
-                    const LANES(hoop_allowance_out) _o94 =
-                        LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]));
-                    V position_level = _o94.position_level;
-                    V velocity_level = _o94.velocity_level;
-                    V excess = _o94.excess;
-                    const LANES(hoop_ring_margins_out) _o95 =
+                    share = lanes_select(_m89, _o90.share, share);
+                    const LANES(hoop_allowance_out) _o91 =
+                        LANES(hoop_allowance)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[15]));
+                    V position_level = _o91.position_level;
+                    V velocity_level = _o91.velocity_level;
+                    V excess = _o91.excess;
+                    const LANES(hoop_ring_margins_out) _o92 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]));
-                    flat = lanes_select(_m92, _o95.margin, flat);
-                    tilt = lanes_select(_m92, _o95.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m92, _o95.rate_margin, rate_slack);
-                    const LANES(hoop_exceeded_out) _o96 =
+                    flat = lanes_select(_m89, _o92.margin, flat);
+                    tilt = lanes_select(_m89, _o92.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m89, _o92.rate_margin, rate_slack);
+                    const LANES(hoop_exceeded_out) _o93 =
                         LANES(hoop_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m92, _o96.doubt, doubt);
+                    doubt = lanes_select(_m89, _o93.doubt, doubt);
                 }
-                const LANES(hoop_advanced_out) _o97 =
+                const LANES(hoop_advanced_out) _o94 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, step, sure, t, vague);
-                arrival = _o97.arrival;
-                certain = _o97.certain;
-                M exhausted = _o97.exhausted;
-                searching = _o97.searching;
-                t = _o97.t;
-                const M _m98 = lanes_both(active, exhausted);
+                arrival = _o94.arrival;
+                certain = _o94.certain;
+                M exhausted = _o94.exhausted;
+                searching = _o94.searching;
+                t = _o94.t;
+                const M _m95 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o99 =
+                    const LANES(hoop_ring_enter_out) _o96 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m98, _o99.t, t);
-                    end = lanes_select(_m98, _o99.end, end);
-                    searching = lanes_choose(_m98, _o99.searching, searching);
+                    t = lanes_select(_m95, _o96.t, t);
+                    end = lanes_select(_m95, _o96.end, end);
+                    searching = lanes_choose(_m95, _o96.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -4039,9 +4073,9 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V doubt = lanes_load(lists->open_searching_doubt + i);
             M searching = lanes_less(K(0.0), lanes_load(lists->open_searching_searching + i));
             V t = lanes_load(lists->open_searching_t + i);
-            const LANES(hoop_questioned_out) _o100 =
+            const LANES(hoop_questioned_out) _o97 =
                 LANES(hoop_questioned)(doubt, t, searching);
-            doubt = _o100.doubt;
+            doubt = _o97.doubt;
             lanes_store(lists->open_searching_doubt + i, doubt);
         }
         for (size_t k = 0; k < open_searching_shots; k++) {
@@ -4061,7 +4095,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_bounded_fix_f101)(lists, i);
+                LANES(hoop_bounded_fix_f98)(lists, i);
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
@@ -4075,14 +4109,26 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o102 =
+            const LANES(hoop_found_out) _o99 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o102.arrives;
-            M refining = _o102.refining;
-            V rate = _o102.rate;
-            const LANES(hoop_nearby_out) _o103 =
+            M arrives = _o99.arrives;
+            M refining = _o99.refining;
+            V rate = _o99.rate;
+            const LANES(hoop_nearby_out) _o100 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o103.leaving;
+            V leaving = _o100.leaving;
+            const M _m101 = lanes_both(rows, refining);
+            if (lanes_any(_m101)) {
+                const LANES(hoop_ring_refine_out) _o102 =
+                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[11]));
+                V refined = _o102.time;
+                V gap = _o102.gap;
+                rate = lanes_select(_m101, _o102.rate, rate);
+                const LANES(hoop_polished_out) _o103 =
+                    LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
+                arrival = lanes_select(_m101, _o103.arrival, arrival);
+                refining = lanes_choose(_m101, _o103.refining, refining);
+            }
             const M _m104 = lanes_both(rows, refining);
             if (lanes_any(_m104)) {
                 const LANES(hoop_ring_refine_out) _o105 =
@@ -4094,18 +4140,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
                 arrival = lanes_select(_m104, _o106.arrival, arrival);
                 refining = lanes_choose(_m104, _o106.refining, refining);
-            }
-            const M _m107 = lanes_both(rows, refining);
-            if (lanes_any(_m107)) {
-                const LANES(hoop_ring_refine_out) _o108 =
-                    LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[11]));
-                V refined = _o108.time;
-                V gap = _o108.gap;
-                rate = lanes_select(_m107, _o108.rate, rate);
-                const LANES(hoop_polished_out) _o109 =
-                    LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = lanes_select(_m107, _o109.arrival, arrival);
-                refining = lanes_choose(_m107, _o109.refining, refining);
             }
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_arrives + i, lanes_select(arrives, K(1.0), K(0.0)));
@@ -4166,7 +4200,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     y = lanes_expand(lists->open_refining_y + taken, idle, y);
                     z = lanes_expand(lists->open_refining_z + taken, idle, z);
                     if (LANES_SELDOM(varying))
-                        LANES(hoop_bounded_fix_f110)(lists, taken, idle);
+                        LANES(hoop_bounded_fix_f107)(lists, taken, idle);
                     const size_t room = LANES_WIDTH - busy, left = open_refining_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
@@ -4175,15 +4209,15 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M refining = active;
-                const LANES(hoop_ring_refine_out) _o111 =
+                const LANES(hoop_ring_refine_out) _o108 =
                     LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[11]));
-                V refined = _o111.time;
-                V gap = _o111.gap;
-                V rate = _o111.rate;
-                const LANES(hoop_polished_out) _o112 =
+                V refined = _o108.time;
+                V gap = _o108.gap;
+                V rate = _o108.rate;
+                const LANES(hoop_polished_out) _o109 =
                     LANES(hoop_polished)(arrival, ceiling, certain, gap, rate, refined);
-                arrival = _o112.arrival;
-                refining = _o112.refining;
+                arrival = _o109.arrival;
+                refining = _o109.refining;
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 if (lanes_any(ended)) {
@@ -4207,7 +4241,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         }
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             if (LANES_SELDOM(varying))
-                LANES(hoop_bounded_fix_f113)(lists, i);
+                LANES(hoop_bounded_fix_f110)(lists, i);
             V arrival = lanes_load(lists->open_arrival + i);
             M arrives = lanes_less(K(0.0), lanes_load(lists->open_arrives + i));
             V ceiling = lanes_load(lists->open_ceiling + i);
@@ -4217,39 +4251,39 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V late = lanes_load(lists->open_late + i);
             V latest = lanes_load(lists->open_latest + i);
             V leaving = lanes_load(lists->open_leaving + i);
-            V position_error = lanes_load(lists->open_position_error + i);
+            S position_error = singles_load(lists->open_position_error + i);
             V rate = lanes_load(lists->open_rate + i);
             V speed = lanes_load(lists->open_speed + i);
-            V velocity_error = lanes_load(lists->open_velocity_error + i);
+            S velocity_error = singles_load(lists->open_velocity_error + i);
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
-            const LANES(hoop_ring_margins_out) _o114 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]));
-            V flat = _o114.margin;
-            V tilt = _o114.leaving_margin;
-            V rate_margin = _o114.rate_margin;
-            const LANES(hoop_own_margin_out) _o115 =
+            const LANES(hoop_ring_margins_out) _o111 =
+                LANES(hoop_ring_margins)(latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]));
+            V flat = _o111.margin;
+            V tilt = _o111.leaving_margin;
+            V rate_margin = _o111.rate_margin;
+            const LANES(hoop_own_margin_out) _o112 =
                 LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o115.margin;
-            const LANES(hoop_crossing_out) _o116 =
+            V margin = _o112.margin;
+            const LANES(hoop_crossing_out) _o113 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o116.clearance;
-            V delay = _o116.delay;
-            const LANES(hoop_landed_out) _o117 =
+            V clearance = _o113.clearance;
+            V delay = _o113.delay;
+            const LANES(hoop_landed_out) _o114 =
                 LANES(hoop_landed)(arrival);
-            V time = _o117.time;
-            const LANES(hoop_landed_surely_out) _o118 =
+            V time = _o114.time;
+            const LANES(hoop_landed_surely_out) _o115 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o118.delay;
-            doubt = _o118.doubt;
-            const LANES(hoop_tied_out) _o119 =
+            delay = _o115.delay;
+            doubt = _o115.doubt;
+            const LANES(hoop_tied_out) _o116 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = _o119.doubt;
-            late = _o119.late;
-            const LANES(hoop_sooner_out) _o120 =
+            doubt = _o116.doubt;
+            late = _o116.late;
+            const LANES(hoop_sooner_out) _o117 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o120.when;
-            which = _o120.which;
+            when = _o117.when;
+            which = _o117.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -4266,37 +4300,28 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             if (LANES_SELDOM(varying))
-                LANES(hoop_bounded_fix_f121)(lists, i);
+                LANES(hoop_bounded_fix_f118)(lists, i);
             V clock = lanes_load(lists->clock + i);
-            V clock_error = lanes_load(lists->clock_error + i);
+            S clock_error = singles_load(lists->clock_error + i);
             V contacts = lanes_load(lists->contacts + i);
-            V count_0 = lanes_load(lists->count_0 + i);
-            V count_1 = lanes_load(lists->count_1 + i);
-            V count_2 = lanes_load(lists->count_2 + i);
             V doubt = lanes_load(lists->doubt + i);
-            V dvx = lanes_load(lists->dvx + i);
-            V dvy = lanes_load(lists->dvy + i);
-            V dvz = lanes_load(lists->dvz + i);
-            V dwx = lanes_load(lists->dwx + i);
-            V dwy = lanes_load(lists->dwy + i);
-            V dwz = lanes_load(lists->dwz + i);
-            V dx = lanes_load(lists->dx + i);
-            V dy = lanes_load(lists->dy + i);
-            V dz = lanes_load(lists->dz + i);
+            S dvx = singles_load(lists->dvx + i);
+            S dvy = singles_load(lists->dvy + i);
+            S dvz = singles_load(lists->dvz + i);
+            S dwx = singles_load(lists->dwx + i);
+            S dwy = singles_load(lists->dwy + i);
+            S dwz = singles_load(lists->dwz + i);
+            S dx = singles_load(lists->dx + i);
+            S dy = singles_load(lists->dy + i);
+            S dz = singles_load(lists->dz + i);
             V extent = lanes_load(lists->extent + i);
-            V first = lanes_load(lists->first + i);
-            V last = lanes_load(lists->last + i);
             V late = lanes_load(lists->late + i);
             M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
-            V position_claim = lanes_load(lists->position_claim + i);
-            V position_error = lanes_load(lists->position_error + i);
+            S position_error = singles_load(lists->position_error + i);
             V speed = lanes_load(lists->speed + i);
-            V spin_claim = lanes_load(lists->spin_claim + i);
-            V time_claim = lanes_load(lists->time_claim + i);
-            V time_error = lanes_load(lists->time_error + i);
+            S time_error = singles_load(lists->time_error + i);
             V uncertain = lanes_load(lists->uncertain + i);
-            V velocity_claim = lanes_load(lists->velocity_claim + i);
-            V velocity_error = lanes_load(lists->velocity_error + i);
+            S velocity_error = singles_load(lists->velocity_error + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
             V vz = lanes_load(lists->vz + i);
@@ -4308,81 +4333,81 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const M _m122 = lanes_both(rows, limited);
-            if (lanes_any(_m122)) {
-                const LANES(hoop_expiry_out) _o123 =
-                    LANES(hoop_expiry)(clock, doubt, late, time_error, time_limit, when, which);
-                V time = _o123.time;
-                V delay = _o123.delay;
-                M arrives = _o123.arrives;
-                doubt = lanes_select(_m122, _o123.doubt, doubt);
-                const LANES(hoop_tied_out) _o124 =
+            const M _m119 = lanes_both(rows, limited);
+            if (lanes_any(_m119)) {
+                const LANES(hoop_expiry_out) _o120 =
+                    LANES(hoop_expiry)(clock, doubt, late, lanes_wide(time_error), time_limit, when, which);
+                V time = _o120.time;
+                V delay = _o120.delay;
+                M arrives = _o120.arrives;
+                doubt = lanes_select(_m119, _o120.doubt, doubt);
+                const LANES(hoop_tied_out) _o121 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m122, _o124.doubt, doubt);
-                late = lanes_select(_m122, _o124.late, late);
-                const LANES(hoop_sooner_out) _o125 =
+                doubt = lanes_select(_m119, _o121.doubt, doubt);
+                late = lanes_select(_m119, _o121.late, late);
+                const LANES(hoop_sooner_out) _o122 =
                     LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
-                when = lanes_select(_m122, _o125.when, when);
-                which = lanes_select(_m122, _o125.which, which);
+                when = lanes_select(_m119, _o122.when, when);
+                which = lanes_select(_m119, _o122.which, which);
             }
-            const LANES(hoop_departed_out) _o126 =
+            const LANES(hoop_departed_out) _o123 =
                 LANES(hoop_departed)(K(3.0), which);
-            M moves = _o126.moves;
-            M ends = _o126.ends;
-            M touches = _o126.touches;
-            V reached = _o126.reached;
-            M edge = _o126.edge;
-            const LANES(hoop_body_of_out) _o127 =
+            M moves = _o123.moves;
+            M ends = _o123.ends;
+            M touches = _o123.touches;
+            V reached = _o123.reached;
+            M edge = _o123.edge;
+            const LANES(hoop_body_of_out) _o124 =
                 LANES(hoop_body_of)(which);
-            V body = _o127.body;
-            const M _m128 = lanes_both(rows, moves);
+            V body = _o124.body;
+            const M _m125 = lanes_both(rows, moves);
             {
-                const LANES(hoop_flight_out) _o129 =
+                const LANES(hoop_flight_out) _o126 =
                     LANES(hoop_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]));
-                x = lanes_select(_m128, _o129.x, x);
-                y = lanes_select(_m128, _o129.y, y);
-                z = lanes_select(_m128, _o129.z, z);
-                vx = lanes_select(_m128, _o129.vx, vx);
-                vy = lanes_select(_m128, _o129.vy, vy);
-                vz = lanes_select(_m128, _o129.vz, vz);
-                const LANES(hoop_ticked_out) _o130 =
+                x = lanes_select(_m125, _o126.x, x);
+                y = lanes_select(_m125, _o126.y, y);
+                z = lanes_select(_m125, _o126.z, z);
+                vx = lanes_select(_m125, _o126.vx, vx);
+                vy = lanes_select(_m125, _o126.vy, vy);
+                vz = lanes_select(_m125, _o126.vz, vz);
+                const LANES(hoop_ticked_out) _o127 =
                     LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m128, _o130.clock, clock);
+                clock = lanes_select(_m125, _o127.clock, clock);
             }
-            const M _m131 = lanes_both(rows, limited);
-            if (lanes_any(_m131)) {
-                const LANES(hoop_expired_out) _o132 =
+            const M _m128 = lanes_both(rows, limited);
+            if (lanes_any(_m128)) {
+                const LANES(hoop_expired_out) _o129 =
                     LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
-                clock = lanes_select(_m131, _o132.clock, clock);
-                body = lanes_select(_m131, _o132.body, body);
-                reached = lanes_select(_m131, _o132.reached, reached);
-                ends = lanes_choose(_m131, _o132.ends, ends);
+                clock = lanes_select(_m128, _o129.clock, clock);
+                body = lanes_select(_m128, _o129.body, body);
+                reached = lanes_select(_m128, _o129.reached, reached);
+                ends = lanes_choose(_m128, _o129.ends, ends);
             }
-            const LANES(hoop_displacement_out) _o133 =
-                LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[26]));
-            V slack = _o133.margin;
-            const LANES(hoop_here_out) _o134 =
+            const LANES(hoop_displacement_out) _o130 =
+                LANES(hoop_displacement)(late, when, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[26]));
+            V slack = _o130.margin;
+            const LANES(hoop_here_out) _o131 =
                 LANES(hoop_here)(K(3.0), which);
-            M here = _o134.here;
-            const M _m135 = lanes_both(rows, here);
+            M here = _o131.here;
+            const M _m132 = lanes_both(rows, here);
             {
-                const LANES(hoop_end_bounds_out) _o136 =
+                const LANES(hoop_end_bounds_out) _o133 =
                     LANES(hoop_end_bounds)(x, y, lanes_load(lists->fixed[5]));
-                V g0 = _o136.g0;
-                const LANES(hoop_end_reached_out) _o137 =
+                V g0 = _o133.g0;
+                const LANES(hoop_end_reached_out) _o134 =
                     LANES(hoop_end_reached)(g0);
-                reached = lanes_select(_m135, _o137.reached, reached);
-                const LANES(hoop_end_edge_out) _o138 =
+                reached = lanes_select(_m132, _o134.reached, reached);
+                const LANES(hoop_end_edge_out) _o135 =
                     LANES(hoop_end_edge)(g0, slack);
-                edge = lanes_choose(_m135, _o138.edge, edge);
+                edge = lanes_choose(_m132, _o135.edge, edge);
             }
-            const LANES(hoop_doubted_out) _o139 =
+            const LANES(hoop_doubted_out) _o136 =
                 LANES(hoop_doubted)(doubt, edge, late, uncertain, when);
-            uncertain = _o139.uncertain;
-            const LANES(hoop_accounted_out) _o140 =
+            uncertain = _o136.uncertain;
+            const LANES(hoop_accounted_out) _o137 =
                 LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
-            contacts = _o140.contacts;
-            V outcome = _o140.outcome;
+            contacts = _o137.contacts;
+            V outcome = _o137.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -4395,235 +4420,244 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o141 =
+            const LANES(hoop_meeting_out) _o138 =
                 LANES(hoop_meeting)(claims, ends, touches);
-            M meeting = _o141.meeting;
-            const M _m142 = lanes_both(rows, meeting);
-            if (lanes_any(_m142)) {
-                const LANES(hoop_end_normal_out) _o143 =
+            M meeting = _o138.meeting;
+            const M _m139 = lanes_both(rows, meeting);
+            if (lanes_any(_m139)) {
+                V count_0 = lanes_load(lists->count_0 + i);
+                V count_1 = lanes_load(lists->count_1 + i);
+                V count_2 = lanes_load(lists->count_2 + i);
+                V first = lanes_load(lists->first + i);
+                V last = lanes_load(lists->last + i);
+                const LANES(hoop_end_normal_out) _o140 =
                     LANES(hoop_end_normal)();
-                V nx = _o143.nx;
-                V ny = _o143.ny;
-                V nz = _o143.nz;
-                const LANES(hoop_here_out) _o144 =
+                V nx = _o140.nx;
+                V ny = _o140.ny;
+                V nz = _o140.nz;
+                const LANES(hoop_here_out) _o141 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o144.here;
-                const M _m145 = lanes_both(_m142, here);
+                M here = _o141.here;
+                const M _m142 = lanes_both(_m139, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o146 =
+                    const LANES(hoop_ring_normal_out) _o143 =
                         LANES(hoop_ring_normal)(x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[50]));
-                    nx = lanes_select(_m145, _o146.nx, nx);
-                    ny = lanes_select(_m145, _o146.ny, ny);
-                    nz = lanes_select(_m145, _o146.nz, nz);
-                    const LANES(hoop_counted_out) _o147 =
+                    nx = lanes_select(_m142, _o143.nx, nx);
+                    ny = lanes_select(_m142, _o143.ny, ny);
+                    nz = lanes_select(_m142, _o143.nz, nz);
+                    const LANES(hoop_counted_out) _o144 =
                         LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m145, _o147.count, count_0);
+                    count_0 = lanes_select(_m142, _o144.count, count_0);
                 }
-                const LANES(hoop_here_out) _o148 =
+                const LANES(hoop_here_out) _o145 =
                     LANES(hoop_here)(K(1.0), which);
-                here = _o148.here;
-                const M _m149 = lanes_both(_m142, here);
+                here = _o145.here;
+                const M _m146 = lanes_both(_m139, here);
                 {
-                    const LANES(hoop_backboard_normal_out) _o150 =
+                    const LANES(hoop_backboard_normal_out) _o147 =
                         LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m149, _o150.nx, nx);
-                    ny = lanes_select(_m149, _o150.ny, ny);
-                    nz = lanes_select(_m149, _o150.nz, nz);
-                    const LANES(hoop_counted_out) _o151 =
+                    nx = lanes_select(_m146, _o147.nx, nx);
+                    ny = lanes_select(_m146, _o147.ny, ny);
+                    nz = lanes_select(_m146, _o147.nz, nz);
+                    const LANES(hoop_counted_out) _o148 =
                         LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m149, _o151.count, count_1);
+                    count_1 = lanes_select(_m146, _o148.count, count_1);
                 }
-                const LANES(hoop_here_out) _o152 =
+                const LANES(hoop_here_out) _o149 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o152.here;
-                const M _m153 = lanes_both(_m142, here);
+                here = _o149.here;
+                const M _m150 = lanes_both(_m139, here);
                 {
-                    const LANES(hoop_bridge_normal_out) _o154 =
+                    const LANES(hoop_bridge_normal_out) _o151 =
                         LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m153, _o154.nx, nx);
-                    ny = lanes_select(_m153, _o154.ny, ny);
-                    nz = lanes_select(_m153, _o154.nz, nz);
-                    const LANES(hoop_counted_out) _o155 =
+                    nx = lanes_select(_m150, _o151.nx, nx);
+                    ny = lanes_select(_m150, _o151.ny, ny);
+                    nz = lanes_select(_m150, _o151.nz, nz);
+                    const LANES(hoop_counted_out) _o152 =
                         LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m153, _o155.count, count_2);
+                    count_2 = lanes_select(_m150, _o152.count, count_2);
                 }
-                const LANES(hoop_elsewhere_out) _o156 =
+                const LANES(hoop_elsewhere_out) _o153 =
                     LANES(hoop_elsewhere)();
-                V curving = _o156.curving;
-                const LANES(hoop_again_out) _o157 =
+                V curving = _o153.curving;
+                const LANES(hoop_again_out) _o154 =
                     LANES(hoop_again)(K(0.0), last, which);
-                M again = _o157.again;
-                const M _m158 = lanes_both(_m142, again);
+                M again = _o154.again;
+                const M _m155 = lanes_both(_m139, again);
                 {
-                    const LANES(hoop_ring_curvature_out) _o159 =
+                    const LANES(hoop_ring_curvature_out) _o156 =
                         LANES(hoop_ring_curvature)(lanes_load(lists->fixed[51]));
+                    curving = lanes_select(_m155, _o156.curvature, curving);
+                }
+                const LANES(hoop_again_out) _o157 =
+                    LANES(hoop_again)(K(1.0), last, which);
+                again = _o157.again;
+                const M _m158 = lanes_both(_m139, again);
+                {
+                    const LANES(hoop_backboard_curvature_out) _o159 =
+                        LANES(hoop_backboard_curvature)();
                     curving = lanes_select(_m158, _o159.curvature, curving);
                 }
                 const LANES(hoop_again_out) _o160 =
-                    LANES(hoop_again)(K(1.0), last, which);
+                    LANES(hoop_again)(K(2.0), last, which);
                 again = _o160.again;
-                const M _m161 = lanes_both(_m142, again);
+                const M _m161 = lanes_both(_m139, again);
                 {
-                    const LANES(hoop_backboard_curvature_out) _o162 =
-                        LANES(hoop_backboard_curvature)();
+                    const LANES(hoop_bridge_curvature_out) _o162 =
+                        LANES(hoop_bridge_curvature)();
                     curving = lanes_select(_m161, _o162.curvature, curving);
                 }
-                const LANES(hoop_again_out) _o163 =
-                    LANES(hoop_again)(K(2.0), last, which);
-                again = _o163.again;
-                const M _m164 = lanes_both(_m142, again);
+                const LANES(hoop_carry_flight_out) _o163 =
+                    LANES(hoop_carry_flight)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), lanes_narrow(contacts), lanes_narrow(late), dx, dy, dz, dvx, dvy, dvz, lanes_narrow(curving), singles_load(lists->fixed_single[0]));
+                dx = singles_select(singles_of(_m139), _o163.dx, dx);
+                dy = singles_select(singles_of(_m139), _o163.dy, dy);
+                dz = singles_select(singles_of(_m139), _o163.dz, dz);
+                dvx = singles_select(singles_of(_m139), _o163.dvx, dvx);
+                dvy = singles_select(singles_of(_m139), _o163.dvy, dvy);
+                dvz = singles_select(singles_of(_m139), _o163.dvz, dvz);
+                S belated = _o163.delay;
+                S shift = _o163.shift;
+                const LANES(hoop_delayed_out) _o164 =
+                    LANES(hoop_delayed)(clock_error, belated);
+                clock_error = singles_select(singles_of(_m139), _o164.clock_error, clock_error);
+                const M _m165 = lanes_both(_m139, ends);
                 {
-                    const LANES(hoop_bridge_curvature_out) _o165 =
-                        LANES(hoop_bridge_curvature)();
-                    curving = lanes_select(_m164, _o165.curvature, curving);
-                }
-                const LANES(hoop_carry_flight_out) _o166 =
-                    LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, lanes_load(lists->fixed[15]));
-                dx = lanes_select(_m142, _o166.dx, dx);
-                dy = lanes_select(_m142, _o166.dy, dy);
-                dz = lanes_select(_m142, _o166.dz, dz);
-                dvx = lanes_select(_m142, _o166.dvx, dvx);
-                dvy = lanes_select(_m142, _o166.dvy, dvy);
-                dvz = lanes_select(_m142, _o166.dvz, dvz);
-                V delay = _o166.delay;
-                V shift = _o166.shift;
-                const LANES(hoop_delayed_out) _o167 =
-                    LANES(hoop_delayed)(clock_error, delay);
-                clock_error = lanes_select(_m142, _o167.clock_error, clock_error);
-                const M _m168 = lanes_both(_m142, ends);
-                {
-                    const LANES(hoop_floored_out) _o169 =
+                    const LANES(hoop_floored_out) _o166 =
                         LANES(hoop_floored)(dx, dy, dz, shift);
-                    dx = lanes_select(_m168, _o169.dx, dx);
-                    dy = lanes_select(_m168, _o169.dy, dy);
-                    dz = lanes_select(_m168, _o169.dz, dz);
+                    dx = singles_select(singles_of(_m165), _o166.dx, dx);
+                    dy = singles_select(singles_of(_m165), _o166.dy, dy);
+                    dz = singles_select(singles_of(_m165), _o166.dz, dz);
                 }
-                const LANES(hoop_unturned_out) _o170 =
+                const LANES(hoop_unturned_out) _o167 =
                     LANES(hoop_unturned)();
-                V dnx = _o170.dnx;
-                V dny = _o170.dny;
-                V dnz = _o170.dnz;
-                V turn = _o170.turn;
-                const LANES(hoop_here_out) _o171 =
+                S dnx = _o167.dnx;
+                S dny = _o167.dny;
+                S dnz = _o167.dnz;
+                S turn = _o167.turn;
+                const LANES(hoop_here_out) _o168 =
                     LANES(hoop_here)(K(0.0), which);
-                here = _o171.here;
-                const M _m172 = lanes_both(_m142, here);
-                if (lanes_any(_m172)) {
-                    const LANES(hoop_ring_carry_normal_out) _o173 =
-                        LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[51]));
-                    dnx = lanes_select(_m172, _o173.dnx, dnx);
-                    dny = lanes_select(_m172, _o173.dny, dny);
-                    dnz = lanes_select(_m172, _o173.dnz, dnz);
-                    turn = lanes_select(_m172, _o173.turn, turn);
+                here = _o168.here;
+                const M _m169 = lanes_both(_m139, here);
+                if (lanes_any(_m169)) {
+                    const LANES(hoop_ring_carry_normal_out) _o170 =
+                        LANES(hoop_ring_carry_normal)(lanes_narrow(x), lanes_narrow(y), dx, dy, dz, shift, singles_load(lists->fixed_single[19]), singles_load(lists->fixed_single[26]), singles_load(lists->fixed_single[27]));
+                    dnx = singles_select(singles_of(_m169), _o170.dnx, dnx);
+                    dny = singles_select(singles_of(_m169), _o170.dny, dny);
+                    dnz = singles_select(singles_of(_m169), _o170.dnz, dnz);
+                    turn = singles_select(singles_of(_m169), _o170.turn, turn);
                 }
-                const M _m174 = lanes_both(_m142, touches);
-                if (lanes_any(_m174)) {
-                    const LANES(hoop_carry_impact_out) _o175 =
-                        LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lanes_load(lists->fixed[52]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[54]), lanes_load(lists->fixed[55]));
-                    dvx = lanes_select(_m174, _o175.dvx, dvx);
-                    dvy = lanes_select(_m174, _o175.dvy, dvy);
-                    dvz = lanes_select(_m174, _o175.dvz, dvz);
-                    dwx = lanes_select(_m174, _o175.dwx, dwx);
-                    dwy = lanes_select(_m174, _o175.dwy, dwy);
-                    dwz = lanes_select(_m174, _o175.dwz, dwz);
-                    const LANES(hoop_impact_out) _o176 =
-                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, lanes_load(lists->fixed[53]), lanes_load(lists->fixed[54]), lanes_load(lists->fixed[55]));
-                    vx = lanes_select(_m174, _o176.vx, vx);
-                    vy = lanes_select(_m174, _o176.vy, vy);
-                    vz = lanes_select(_m174, _o176.vz, vz);
-                    wx = lanes_select(_m174, _o176.wx, wx);
-                    wy = lanes_select(_m174, _o176.wy, wy);
-                    wz = lanes_select(_m174, _o176.wz, wz);
+                const M _m171 = lanes_both(_m139, touches);
+                if (lanes_any(_m171)) {
+                    const LANES(hoop_carry_impact_out) _o172 =
+                        LANES(hoop_carry_impact)(lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(contacts), dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, singles_load(lists->fixed_single[28]), singles_load(lists->fixed_single[29]), singles_load(lists->fixed_single[30]), singles_load(lists->fixed_single[31]));
+                    dvx = singles_select(singles_of(_m171), _o172.dvx, dvx);
+                    dvy = singles_select(singles_of(_m171), _o172.dvy, dvy);
+                    dvz = singles_select(singles_of(_m171), _o172.dvz, dvz);
+                    dwx = singles_select(singles_of(_m171), _o172.dwx, dwx);
+                    dwy = singles_select(singles_of(_m171), _o172.dwy, dwy);
+                    dwz = singles_select(singles_of(_m171), _o172.dwz, dwz);
+                    const LANES(hoop_impact_out) _o173 =
+                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, lanes_load(lists->fixed[52]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[54]));
+                    vx = lanes_select(_m171, _o173.vx, vx);
+                    vy = lanes_select(_m171, _o173.vy, vy);
+                    vz = lanes_select(_m171, _o173.vz, vz);
+                    wx = lanes_select(_m171, _o173.wx, wx);
+                    wy = lanes_select(_m171, _o173.wy, wy);
+                    wz = lanes_select(_m171, _o173.wz, wz);
+                }
+                const LANES(hoop_here_out) _o174 =
+                    LANES(hoop_here)(K(1.0), which);
+                here = _o174.here;
+                const M _m175 = lanes_both(_m139, here);
+                {
+                    const LANES(hoop_backboard_place_out) _o176 =
+                        LANES(hoop_backboard_place)(y, z, lanes_load(lists->fixed[3]));
+                    x = lanes_select(_m175, _o176.x, x);
+                    y = lanes_select(_m175, _o176.y, y);
+                    z = lanes_select(_m175, _o176.z, z);
                 }
                 const LANES(hoop_here_out) _o177 =
-                    LANES(hoop_here)(K(1.0), which);
+                    LANES(hoop_here)(K(2.0), which);
                 here = _o177.here;
-                const M _m178 = lanes_both(_m142, here);
+                const M _m178 = lanes_both(_m139, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o179 =
-                        LANES(hoop_backboard_place)(y, z, lanes_load(lists->fixed[3]));
+                    const LANES(hoop_bridge_place_out) _o179 =
+                        LANES(hoop_bridge_place)(x, y, lanes_load(lists->fixed[10]));
                     x = lanes_select(_m178, _o179.x, x);
                     y = lanes_select(_m178, _o179.y, y);
                     z = lanes_select(_m178, _o179.z, z);
                 }
-                const LANES(hoop_here_out) _o180 =
-                    LANES(hoop_here)(K(2.0), which);
-                here = _o180.here;
-                const M _m181 = lanes_both(_m142, here);
+                const M _m180 = lanes_both(_m139, touches);
                 {
-                    const LANES(hoop_bridge_place_out) _o182 =
-                        LANES(hoop_bridge_place)(x, y, lanes_load(lists->fixed[10]));
-                    x = lanes_select(_m181, _o182.x, x);
-                    y = lanes_select(_m181, _o182.y, y);
-                    z = lanes_select(_m181, _o182.z, z);
-                }
-                const M _m183 = lanes_both(_m142, touches);
-                {
-                    const LANES(hoop_touched_out) _o184 =
+                    const LANES(hoop_touched_out) _o181 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m183, _o184.first, first);
-                    last = lanes_select(_m183, _o184.last, last);
+                    first = lanes_select(_m180, _o181.first, first);
+                    last = lanes_select(_m180, _o181.last, last);
                 }
+                lanes_store(lists->count_0 + i, count_0);
+                lanes_store(lists->count_1 + i, count_1);
+                lanes_store(lists->count_2 + i, count_2);
+                singles_store(lists->dwx + i, dwx);
+                singles_store(lists->dwy + i, dwy);
+                singles_store(lists->dwz + i, dwz);
+                lanes_store(lists->first + i, first);
+                lanes_store(lists->last + i, last);
+                lanes_store(lists->wx + i, wx);
+                lanes_store(lists->wy + i, wy);
+                lanes_store(lists->wz + i, wz);
             }
-            const M _m185 = lanes_both(rows, limited);
-            if (lanes_any(_m185)) {
-                const LANES(hoop_timed_out) _o186 =
+            const M _m182 = lanes_both(rows, limited);
+            if (lanes_any(_m182)) {
+                const LANES(hoop_timed_out) _o183 =
                     LANES(hoop_timed)(claims, K(4.0), which);
-                M timed = _o186.timed;
-                const M _m187 = lanes_both(_m185, timed);
-                if (lanes_any(_m187)) {
-                    const LANES(hoop_carry_time_out) _o188 =
-                        LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[56]));
-                    dx = lanes_select(_m187, _o188.dx, dx);
-                    dy = lanes_select(_m187, _o188.dy, dy);
-                    dz = lanes_select(_m187, _o188.dz, dz);
-                    dvx = lanes_select(_m187, _o188.dvx, dvx);
-                    dvy = lanes_select(_m187, _o188.dvy, dvy);
-                    dvz = lanes_select(_m187, _o188.dvz, dvz);
-                    clock_error = lanes_select(_m187, _o188.clock_error, clock_error);
+                M timed = _o183.timed;
+                const M _m184 = lanes_both(_m182, timed);
+                if (lanes_any(_m184)) {
+                    const LANES(hoop_carry_time_out) _o185 =
+                        LANES(hoop_carry_time)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(clock), clock_error, dx, dy, dz, dvx, dvy, dvz, singles_load(lists->fixed_single[0]), singles_load(lists->fixed_single[32]));
+                    dx = singles_select(singles_of(_m184), _o185.dx, dx);
+                    dy = singles_select(singles_of(_m184), _o185.dy, dy);
+                    dz = singles_select(singles_of(_m184), _o185.dz, dz);
+                    dvx = singles_select(singles_of(_m184), _o185.dvx, dvx);
+                    dvy = singles_select(singles_of(_m184), _o185.dvy, dvy);
+                    dvz = singles_select(singles_of(_m184), _o185.dvz, dvz);
+                    clock_error = singles_select(singles_of(_m184), _o185.clock_error, clock_error);
                 }
             }
-            const LANES(hoop_closing_out) _o189 =
-                LANES(hoop_closing)(claims, outcome);
-            M closed = _o189.closed;
-            const M _m190 = lanes_both(rows, closed);
-            {
-                const LANES(hoop_claimed_errors_out) _o191 =
+            const LANES(hoop_closing_out) _o186 =
+                LANES(hoop_closing)(lanes_narrow(claims), lanes_narrow(outcome));
+            M closed = _o186.closed;
+            S position_claim = _o186.position_claim;
+            S velocity_claim = _o186.velocity_claim;
+            S spin_claim = _o186.spin_claim;
+            S time_claim = _o186.time_claim;
+            const M _m187 = lanes_both(rows, closed);
+            if (lanes_any(_m187)) {
+                const LANES(hoop_claimed_errors_out) _o188 =
                     LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m190, _o191.position_error, position_claim);
-                velocity_claim = lanes_select(_m190, _o191.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m190, _o191.spin_error, spin_claim);
-                time_claim = lanes_select(_m190, _o191.time_error, time_claim);
+                position_claim = singles_select(singles_of(_m187), _o188.position_error, position_claim);
+                velocity_claim = singles_select(singles_of(_m187), _o188.velocity_error, velocity_claim);
+                spin_claim = singles_select(singles_of(_m187), _o188.spin_error, spin_claim);
+                time_claim = singles_select(singles_of(_m187), _o188.time_error, time_claim);
             }
             lanes_store(lists->clock + i, clock);
-            lanes_store(lists->clock_error + i, clock_error);
+            singles_store(lists->clock_error + i, clock_error);
             lanes_store(lists->contacts + i, contacts);
-            lanes_store(lists->count_0 + i, count_0);
-            lanes_store(lists->count_1 + i, count_1);
-            lanes_store(lists->count_2 + i, count_2);
-            lanes_store(lists->dvx + i, dvx);
-            lanes_store(lists->dvy + i, dvy);
-            lanes_store(lists->dvz + i, dvz);
-            lanes_store(lists->dwx + i, dwx);
-            lanes_store(lists->dwy + i, dwy);
-            lanes_store(lists->dwz + i, dwz);
-            lanes_store(lists->dx + i, dx);
-            lanes_store(lists->dy + i, dy);
-            lanes_store(lists->dz + i, dz);
-            lanes_store(lists->first + i, first);
-            lanes_store(lists->last + i, last);
+            singles_store(lists->dvx + i, dvx);
+            singles_store(lists->dvy + i, dvy);
+            singles_store(lists->dvz + i, dvz);
+            singles_store(lists->dx + i, dx);
+            singles_store(lists->dy + i, dy);
+            singles_store(lists->dz + i, dz);
             lanes_store(lists->outcome + i, outcome);
-            lanes_store(lists->position_claim + i, position_claim);
-            lanes_store(lists->spin_claim + i, spin_claim);
-            lanes_store(lists->time_claim + i, time_claim);
+            singles_store(lists->position_claim + i, position_claim);
+            singles_store(lists->spin_claim + i, spin_claim);
+            singles_store(lists->time_claim + i, time_claim);
             lanes_store(lists->uncertain + i, uncertain);
-            lanes_store(lists->velocity_claim + i, velocity_claim);
+            singles_store(lists->velocity_claim + i, velocity_claim);
             lanes_store(lists->vx + i, vx);
             lanes_store(lists->vy + i, vy);
             lanes_store(lists->vz + i, vz);
-            lanes_store(lists->wx + i, wx);
-            lanes_store(lists->wy + i, wy);
-            lanes_store(lists->wz + i, wz);
             lanes_store(lists->x + i, x);
             lanes_store(lists->y + i, y);
             lanes_store(lists->z + i, z);
@@ -4666,8 +4700,10 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         if (following && !lanes_any(going)) {
             LANES(hoop_bounded_finish_all)(lists, shots, job);
             shots = 0;
+            streams = 1;
             continue;
         }
+        streams = 0;
         shots = LANES(hoop_bounded_leave)(lists, 0, shots, job);
     }
 }
@@ -4708,6 +4744,7 @@ static void LANES(hoop_run)(const hoop_job *job)
 #undef lanes_store
 #undef lanes_gather
 #undef lanes_columns
+#undef lanes_rows
 #undef lanes_bits
 #undef lanes_of
 #undef lanes_many

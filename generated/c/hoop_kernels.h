@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 683a817ba09f97be,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 83f26c5ee904c483,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -115,149 +115,154 @@ LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections. */
+   derivative of Eq. 3 and of the contact time, with roundings. 125 operations: 27 additions, 1 subtraction, 33 multiplications, 2 divisions, 7 negations, 17 absolute values, 19 comparisons, 19 selections. */
 typedef struct {
-    V dx;
-    V dy;
-    V dz;
-    V dvx;
-    V dvy;
-    V dvz;
-    V delay;
-    V shift;
+    S dx;
+    S dy;
+    S dz;
+    S dvx;
+    S dvy;
+    S dvz;
+    S delay;
+    S shift;
 } LANES(hoop_carry_flight_out);
 
 LANES_INLINE LANES(hoop_carry_flight_out)
-LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V _c0)
+LANES(hoop_carry_flight)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S clock, S contacts, S late, S dx, S dy, S dz, S dvx, S dvy, S dvz, S curving, S _c0)
 {
-    const V _s0 = lanes_add(dx, lanes_mul(dvx, t));
-    const V _s1 = lanes_abs(vx);
-    const V _s2 = lanes_mul(K(2.0), t);
-    const V _s3 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s1), lanes_abs(x)));
-    const V _s4 = lanes_add(_s0, lanes_select(lanes_less(_s0, K(0.0)), lanes_neg(_s3), _s3));
-    const V _s5 = lanes_add(dy, lanes_mul(dvy, t));
-    const V _s6 = lanes_abs(vy);
-    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s6), lanes_abs(y)));
-    const V _s8 = lanes_add(_s5, lanes_select(lanes_less(_s5, K(0.0)), lanes_neg(_s7), _s7));
-    const V _s9 = lanes_add(dz, lanes_mul(dvz, t));
-    const V _s10 = lanes_abs(vz);
-    const V _s11 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(_c0, lanes_mul(t, t)), lanes_mul(_s2, _s10)), lanes_abs(z)));
-    const V _s12 = lanes_add(_s9, lanes_select(lanes_less(_s9, K(0.0)), lanes_neg(_s11), _s11));
-    const V _s13 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s14 = lanes_div(lanes_neg(lanes_add(lanes_add(lanes_mul(nx, _s4), lanes_mul(ny, _s8)), lanes_mul(nz, _s12))), _s13);
-    const V _s15 = lanes_add(lanes_mul(vx, _s14), _s4);
-    const V _s16 = lanes_max(_s1, _s6);
-    const V _s17 = lanes_max(_s16, _s10);
-    const V _s18 = lanes_abs(dx);
-    const V _s19 = lanes_abs(dy);
-    const V _s20 = lanes_max(_s18, _s19);
-    const V _s21 = lanes_abs(dz);
-    const V _s22 = lanes_max(_s20, _s21);
-    const V _s23 = lanes_mul(curving, lanes_mul(t, _s17));
-    const V _s24 = lanes_abs(dvx);
-    const V _s25 = lanes_abs(dvy);
-    const V _s26 = lanes_max(_s24, _s25);
-    const V _s27 = lanes_abs(dvz);
-    const V _s28 = lanes_max(_s3, _s7);
-    const V _s29 = lanes_add(lanes_mul(t, lanes_max(_s26, _s27)), lanes_max(_s28, _s11));
-    const V _s30 = lanes_add(lanes_mul(lanes_div(_s17, lanes_abs(_s13)), lanes_add(lanes_mul(_s22, lanes_min(_s23, K(1.0))), _s29)), lanes_add(_s29, _s22));
-    const V _s31 = lanes_div(_s30, lanes_add(K(8.0), lanes_mul(K(8.0), contacts)));
-    const V _s32 = lanes_neg(_s31);
-    const V _s33 = lanes_add(lanes_mul(vy, _s14), _s8);
-    const V _s34 = lanes_add(lanes_mul(vz, _s14), _s12);
-    const V _s35 = lanes_abs(_s14);
-    const V _s36 = lanes_mul(K(0.0625), late);
-    return (LANES(hoop_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(_s15), _s31), lanes_select(lanes_less(_s15, K(0.0)), _s32, _s31), _s15), lanes_select(lanes_less(lanes_abs(_s33), _s31), lanes_select(lanes_less(_s33, K(0.0)), _s32, _s31), _s33), lanes_select(lanes_less(lanes_abs(_s34), _s31), lanes_select(lanes_less(_s34, K(0.0)), _s32, _s31), _s34), dvx, dvy, lanes_sub(dvz, lanes_mul(_c0, _s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s35, _s36)), _s30 };
+    const S _s0 = singles_add(dx, singles_mul(dvx, t));
+    const S _s1 = singles_abs(vx);
+    const S _s2 = singles_mul(KS(2.0), t);
+    const S _s3 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s2, _s1), singles_abs(x))));
+    const S _s4 = singles_add(_s0, singles_select(singles_less(_s0, KS(0.0)), singles_neg(_s3), _s3));
+    const S _s5 = singles_add(dy, singles_mul(dvy, t));
+    const S _s6 = singles_abs(vy);
+    const S _s7 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s2, _s6), singles_abs(y))));
+    const S _s8 = singles_add(_s5, singles_select(singles_less(_s5, KS(0.0)), singles_neg(_s7), _s7));
+    const S _s9 = singles_add(dz, singles_mul(dvz, t));
+    const S _s10 = singles_abs(vz);
+    const S _s11 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_mul(_c0, singles_mul(t, t)), singles_mul(_s2, _s10)), singles_abs(z))));
+    const S _s12 = singles_add(_s9, singles_select(singles_less(_s9, KS(0.0)), singles_neg(_s11), _s11));
+    const S _s13 = singles_div(KS(1.0), singles_add(singles_add(singles_mul(nx, vx), singles_mul(ny, vy)), singles_mul(nz, vz)));
+    const S _s14 = singles_mul(singles_neg(singles_add(singles_add(singles_mul(nx, _s4), singles_mul(ny, _s8)), singles_mul(nz, _s12))), _s13);
+    const S _s15 = singles_add(singles_mul(vx, _s14), _s4);
+    const S _s16 = singles_abs(_s15);
+    const S _s17 = singles_max(_s1, _s6);
+    const S _s18 = singles_max(_s17, _s10);
+    const S _s19 = singles_abs(dx);
+    const S _s20 = singles_abs(dy);
+    const S _s21 = singles_max(_s19, _s20);
+    const S _s22 = singles_abs(dz);
+    const S _s23 = singles_max(_s21, _s22);
+    const S _s24 = singles_mul(curving, singles_mul(t, _s18));
+    const S _s25 = singles_abs(dvx);
+    const S _s26 = singles_abs(dvy);
+    const S _s27 = singles_max(_s25, _s26);
+    const S _s28 = singles_abs(dvz);
+    const S _s29 = singles_max(_s3, _s7);
+    const S _s30 = singles_add(singles_mul(t, singles_max(_s27, _s28)), singles_max(_s29, _s11));
+    const S _s31 = singles_add(singles_mul(singles_mul(singles_abs(_s13), _s18), singles_add(singles_mul(_s23, singles_min(_s24, KS(1.0))), _s30)), singles_add(_s30, _s23));
+    const S _s32 = singles_mul(_s31, singles_div(KS(1.0), singles_add(KS(8.0), singles_mul(KS(8.0), contacts))));
+    const S _s33 = singles_max(_s16, _s32);
+    const S _s34 = singles_add(singles_mul(vy, _s14), _s8);
+    const S _s35 = singles_abs(_s34);
+    const S _s36 = singles_max(_s35, _s32);
+    const S _s37 = singles_add(singles_mul(vz, _s14), _s12);
+    const S _s38 = singles_abs(_s37);
+    const S _s39 = singles_max(_s38, _s32);
+    const S _s40 = singles_abs(_s14);
+    const S _s41 = singles_mul(KS(0.0625), late);
+    return (LANES(hoop_carry_flight_out)){ singles_select(singles_less(_s15, KS(0.0)), singles_neg(_s33), _s33), singles_select(singles_less(_s34, KS(0.0)), singles_neg(_s36), _s36), singles_select(singles_less(_s37, KS(0.0)), singles_neg(_s39), _s39), dvx, dvy, singles_sub(dvz, singles_mul(_c0, _s14)), singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(clock, t)), singles_max(_s40, _s41)), _s31 };
 }
 
 /* Errors of a state at the time limit, from those at the start of the flight.
-   derivative of Eq. 3, with roundings. 61 operations: 17 additions, 18 multiplications, 1 negation, 13 absolute values, 6 comparisons, 6 selections. */
+   derivative of Eq. 3, with roundings. 64 operations: 20 additions, 18 multiplications, 1 negation, 13 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    V dx;
-    V dy;
-    V dz;
-    V dvx;
-    V dvy;
-    V dvz;
-    V clock_error;
+    S dx;
+    S dy;
+    S dz;
+    S dvx;
+    S dvy;
+    S dvz;
+    S clock_error;
 } LANES(hoop_carry_time_out);
 
 LANES_INLINE LANES(hoop_carry_time_out)
-LANES(hoop_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V _c0, V _c1)
+LANES(hoop_carry_time)(S t, S x, S y, S z, S vx, S vy, S vz, S clock, S clock_error, S dx, S dy, S dz, S dvx, S dvy, S dvz, S _c0, S _c1)
 {
-    const V _s0 = lanes_abs(vx);
-    const V _s1 = lanes_add(clock_error, lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)));
-    const V _s2 = lanes_abs(dvx);
-    const V _s3 = lanes_abs(dvy);
-    const V _s4 = lanes_max(_s2, _s3);
-    const V _s5 = lanes_abs(dvz);
-    const V _s6 = lanes_mul(K(2.0), t);
-    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s0), lanes_abs(x)));
-    const V _s8 = lanes_abs(vy);
-    const V _s9 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s8), lanes_abs(y)));
-    const V _s10 = lanes_max(_s7, _s9);
-    const V _s11 = lanes_abs(vz);
-    const V _s12 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(_c0, lanes_mul(t, t)), lanes_mul(_s6, _s11)), lanes_abs(z)));
-    const V _s13 = lanes_abs(dx);
-    const V _s14 = lanes_abs(dy);
-    const V _s15 = lanes_max(_s13, _s14);
-    const V _s16 = lanes_abs(dz);
-    const V _s17 = lanes_add(lanes_add(lanes_mul(t, lanes_max(_s4, _s5)), lanes_max(_s10, _s12)), lanes_max(_s15, _s16));
-    return (LANES(hoop_carry_time_out)){ lanes_add(lanes_mul(_s0, _s1), _s17), lanes_add(lanes_mul(_s8, _s1), _s17), lanes_add(lanes_mul(_s11, _s1), _s17), lanes_add(lanes_add(_c1, _s2), lanes_mul(K(2.220446049250313e-16), _s0)), lanes_add(lanes_add(_c1, _s3), lanes_mul(K(2.220446049250313e-16), _s8)), lanes_add(lanes_add(_s5, lanes_mul(K(2.220446049250313e-16), _s11)), lanes_abs(lanes_neg(lanes_mul(_c0, _s1)))), K(0.0) };
+    const S _s0 = singles_abs(vx);
+    const S _s1 = singles_add(clock_error, singles_mul(KS(4.440892098500626e-16), singles_add(clock, t)));
+    const S _s2 = singles_abs(dvx);
+    const S _s3 = singles_abs(dvy);
+    const S _s4 = singles_max(_s2, _s3);
+    const S _s5 = singles_abs(dvz);
+    const S _s6 = singles_mul(KS(2.0), t);
+    const S _s7 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s0), singles_abs(x))));
+    const S _s8 = singles_abs(vy);
+    const S _s9 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s8), singles_abs(y))));
+    const S _s10 = singles_max(_s7, _s9);
+    const S _s11 = singles_abs(vz);
+    const S _s12 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_mul(_c0, singles_mul(t, t)), singles_mul(_s6, _s11)), singles_abs(z))));
+    const S _s13 = singles_abs(dx);
+    const S _s14 = singles_abs(dy);
+    const S _s15 = singles_max(_s13, _s14);
+    const S _s16 = singles_abs(dz);
+    const S _s17 = singles_add(singles_add(singles_mul(t, singles_max(_s4, _s5)), singles_max(_s10, _s12)), singles_max(_s15, _s16));
+    return (LANES(hoop_carry_time_out)){ singles_add(singles_mul(_s0, _s1), _s17), singles_add(singles_mul(_s8, _s1), _s17), singles_add(singles_mul(_s11, _s1), _s17), singles_add(singles_add(_c1, _s2), singles_mul(KS(2.220446049250313e-16), _s0)), singles_add(singles_add(_c1, _s3), singles_mul(KS(2.220446049250313e-16), _s8)), singles_add(singles_add(_s5, singles_mul(KS(2.220446049250313e-16), _s11)), singles_abs(singles_neg(singles_mul(_c0, _s1)))), KS(0.0) };
 }
 
 /* Bounds on the errors of a state and its time that decisions allow for.
    the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    V position_error;
-    V velocity_error;
-    V spin_error;
-    V time_error;
+    S position_error;
+    S velocity_error;
+    S spin_error;
+    S time_error;
 } LANES(hoop_error_bounds_out);
 
 LANES_INLINE LANES(hoop_error_bounds_out)
-LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
+LANES(hoop_error_bounds)(S clock_error, S dx, S dy, S dz, S dvx, S dvy, S dvz, S dwx, S dwy, S dwz)
 {
-    const V _s0 = lanes_abs(dx);
-    const V _s1 = lanes_abs(dy);
-    const V _s2 = lanes_max(_s0, _s1);
-    const V _s3 = lanes_abs(dz);
-    const V _s4 = lanes_abs(dvx);
-    const V _s5 = lanes_abs(dvy);
-    const V _s6 = lanes_max(_s4, _s5);
-    const V _s7 = lanes_abs(dvz);
-    const V _s8 = lanes_abs(dwx);
-    const V _s9 = lanes_abs(dwy);
-    const V _s10 = lanes_max(_s8, _s9);
-    const V _s11 = lanes_abs(dwz);
-    return (LANES(hoop_error_bounds_out)){ lanes_mul(K(16.0), lanes_max(_s2, _s3)), lanes_mul(K(16.0), lanes_max(_s6, _s7)), lanes_mul(K(16.0), lanes_max(_s10, _s11)), lanes_mul(K(16.0), clock_error) };
+    const S _s0 = singles_abs(dx);
+    const S _s1 = singles_abs(dy);
+    const S _s2 = singles_max(_s0, _s1);
+    const S _s3 = singles_abs(dz);
+    const S _s4 = singles_abs(dvx);
+    const S _s5 = singles_abs(dvy);
+    const S _s6 = singles_max(_s4, _s5);
+    const S _s7 = singles_abs(dvz);
+    const S _s8 = singles_abs(dwx);
+    const S _s9 = singles_abs(dwy);
+    const S _s10 = singles_max(_s8, _s9);
+    const S _s11 = singles_abs(dwz);
+    return (LANES(hoop_error_bounds_out)){ singles_mul(KS(16.0), singles_max(_s2, _s3)), singles_mul(KS(16.0), singles_max(_s6, _s7)), singles_mul(KS(16.0), singles_max(_s10, _s11)), singles_mul(KS(16.0), clock_error) };
 }
 
 /* Bounds on the errors of a state and its time that a shot claims.
    the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    V position_error;
-    V velocity_error;
-    V spin_error;
-    V time_error;
+    S position_error;
+    S velocity_error;
+    S spin_error;
+    S time_error;
 } LANES(hoop_claimed_errors_out);
 
 LANES_INLINE LANES(hoop_claimed_errors_out)
-LANES(hoop_claimed_errors)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
+LANES(hoop_claimed_errors)(S clock_error, S dx, S dy, S dz, S dvx, S dvy, S dvz, S dwx, S dwy, S dwz)
 {
-    const V _s0 = lanes_abs(dx);
-    const V _s1 = lanes_abs(dy);
-    const V _s2 = lanes_max(_s0, _s1);
-    const V _s3 = lanes_abs(dz);
-    const V _s4 = lanes_abs(dvx);
-    const V _s5 = lanes_abs(dvy);
-    const V _s6 = lanes_max(_s4, _s5);
-    const V _s7 = lanes_abs(dvz);
-    const V _s8 = lanes_abs(dwx);
-    const V _s9 = lanes_abs(dwy);
-    const V _s10 = lanes_max(_s8, _s9);
-    const V _s11 = lanes_abs(dwz);
-    return (LANES(hoop_claimed_errors_out)){ lanes_mul(K(64.0), lanes_max(_s2, _s3)), lanes_mul(K(64.0), lanes_max(_s6, _s7)), lanes_mul(K(64.0), lanes_max(_s10, _s11)), lanes_mul(K(64.0), clock_error) };
+    const S _s0 = singles_abs(dx);
+    const S _s1 = singles_abs(dy);
+    const S _s2 = singles_max(_s0, _s1);
+    const S _s3 = singles_abs(dz);
+    const S _s4 = singles_abs(dvx);
+    const S _s5 = singles_abs(dvy);
+    const S _s6 = singles_max(_s4, _s5);
+    const S _s7 = singles_abs(dvz);
+    const S _s8 = singles_abs(dwx);
+    const S _s9 = singles_abs(dwy);
+    const S _s10 = singles_max(_s8, _s9);
+    const S _s11 = singles_abs(dwz);
+    return (LANES(hoop_claimed_errors_out)){ singles_mul(KS(64.0), singles_max(_s2, _s3)), singles_mul(KS(64.0), singles_max(_s6, _s7)), singles_mul(KS(64.0), singles_max(_s10, _s11)), singles_mul(KS(64.0), clock_error) };
 }
 
 /* 1 where finite parameters are allowed.
@@ -338,7 +343,7 @@ LANES(hoop_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c
 /* Where a start may overlap a surface, or be in doubt; and what is said elsewhere.
    Table 2. 23 operations: 4 additions, 3 subtractions, 2 multiplications, 1 negation, 3 absolute values, 5 comparisons, 2 conjunctions, 2 disjunctions, 1 complement. */
 typedef struct {
-    M near;
+    M close;
     V valid;
     V doubt;
 } LANES(hoop_aside_out);
@@ -378,18 +383,19 @@ LANES(hoop_released)(V last)
     return (LANES(hoop_released_out)){ _s0, lanes_not(_s0) };
 }
 
-/* Whether a plane's only arrival is one, and the size of the bend there.
-   Table 1. 12 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction. */
+/* Whether a plane's only arrival is one, the bend's size; when the ball is nearest.
+   Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection. */
 typedef struct {
     M arrives;
     V ceiling;
+    V nearest;
 } LANES(hoop_meeting_plane_out);
 
 LANES_INLINE LANES(hoop_meeting_plane_out)
-LANES(hoop_meeting_plane)(V bend, V rate, V time)
+LANES(hoop_meeting_plane)(V apex, V bend, V rate, V time)
 {
     const M _s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
-    return (LANES(hoop_meeting_plane_out)){ _s0, lanes_abs(bend) };
+    return (LANES(hoop_meeting_plane_out)){ _s0, lanes_abs(bend), lanes_select(_s0, time, apex) };
 }
 
 /* Whether an arrival may be the earliest, as far as their delays are bounded.
@@ -823,47 +829,6 @@ LANES(hoop_again)(V index, V last, V which)
     return (LANES(hoop_again_out)){ lanes_both(lanes_equal(which, index), lanes_equal(last, which)) };
 }
 
-/* The error of the event's time.
-   Table 1. 1 operation: 1 addition. */
-typedef struct {
-    V clock_error;
-} LANES(hoop_delayed_out);
-
-LANES_INLINE LANES(hoop_delayed_out)
-LANES(hoop_delayed)(V clock_error, V delay)
-{
-    return (LANES(hoop_delayed_out)){ lanes_add(clock_error, delay) };
-}
-
-/* Errors of the position at the end, not below what one flight can make.
-   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
-typedef struct {
-    V dx;
-    V dy;
-    V dz;
-} LANES(hoop_floored_out);
-
-LANES_INLINE LANES(hoop_floored_out)
-LANES(hoop_floored)(V dx, V dy, V dz, V shift)
-{
-    return (LANES(hoop_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
-}
-
-/* A normal without error.
-   Table 1. No operations. */
-typedef struct {
-    V dnx;
-    V dny;
-    V dnz;
-    V turn;
-} LANES(hoop_unturned_out);
-
-LANES_INLINE LANES(hoop_unturned_out)
-LANES(hoop_unturned)(void)
-{
-    return (LANES(hoop_unturned_out)){ K(0.0), K(0.0), K(0.0), K(0.0) };
-}
-
 /* The surfaces that were touched first and last.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
@@ -887,18 +852,6 @@ LANES_INLINE LANES(hoop_timed_out)
 LANES(hoop_timed)(V claims, V index, V which)
 {
     return (LANES(hoop_timed_out)){ lanes_both(lanes_equal(which, index), lanes_less(K(0.0), claims)) };
-}
-
-/* Where a shot has ended whose errors are asked for.
-   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
-typedef struct {
-    M closed;
-} LANES(hoop_closing_out);
-
-LANES_INLINE LANES(hoop_closing_out)
-LANES(hoop_closing)(V claims, V outcome)
-{
-    return (LANES(hoop_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)) };
 }
 
 /* The body that the event is on.
@@ -992,6 +945,63 @@ LANES(hoop_accounted)(V contacts, V most_contacts, V reached, M touches)
     return (LANES(hoop_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), reached) };
 }
 
+/* The error of the event's time.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    S clock_error;
+} LANES(hoop_delayed_out);
+
+LANES_INLINE LANES(hoop_delayed_out)
+LANES(hoop_delayed)(S clock_error, S delay)
+{
+    return (LANES(hoop_delayed_out)){ singles_add(clock_error, delay) };
+}
+
+/* Where a shot has ended whose errors are asked for; no other one claims any.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+typedef struct {
+    M closed;
+    S position_claim;
+    S velocity_claim;
+    S spin_claim;
+    S time_claim;
+} LANES(hoop_closing_out);
+
+LANES_INLINE LANES(hoop_closing_out)
+LANES(hoop_closing)(S claims, S outcome)
+{
+    return (LANES(hoop_closing_out)){ singles_truth(singles_both(singles_less(KS(0.0), claims), singles_at_most(KS(0.0), outcome))), KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
+}
+
+/* Errors of the position at the end, not below what one flight can make.
+   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
+typedef struct {
+    S dx;
+    S dy;
+    S dz;
+} LANES(hoop_floored_out);
+
+LANES_INLINE LANES(hoop_floored_out)
+LANES(hoop_floored)(S dx, S dy, S dz, S shift)
+{
+    return (LANES(hoop_floored_out)){ singles_select(singles_less(singles_abs(dx), shift), shift, dx), singles_select(singles_less(singles_abs(dy), shift), shift, dy), singles_select(singles_less(singles_abs(dz), shift), shift, dz) };
+}
+
+/* A normal without error.
+   Table 1. No operations. */
+typedef struct {
+    S dnx;
+    S dny;
+    S dnz;
+    S turn;
+} LANES(hoop_unturned_out);
+
+LANES_INLINE LANES(hoop_unturned_out)
+LANES(hoop_unturned)(void)
+{
+    return (LANES(hoop_unturned_out)){ KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
+}
+
 /* Where a flight that begins and ends like that may come to a plate.
    Table 1. 31 operations: 6 additions, 2 subtractions, 9 multiplications, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
 typedef struct {
@@ -1035,62 +1045,65 @@ LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V _c0, 
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
-   derivative of the frame-free Eq. 17, with roundings. 241 operations: 46 additions, 30 subtractions, 96 multiplications, 3 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 220 operations: 56 additions, 18 subtractions, 89 multiplications, 1 division, 6 negations, 18 absolute values, 16 comparisons, 16 selections. */
 typedef struct {
-    V dvx;
-    V dvy;
-    V dvz;
-    V dwx;
-    V dwy;
-    V dwz;
+    S dvx;
+    S dvy;
+    S dvz;
+    S dwx;
+    S dwy;
+    S dwz;
 } LANES(hoop_carry_impact_out);
 
 LANES_INLINE LANES(hoop_carry_impact_out)
-LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V _c0, V _c1, V _c2, V _c3)
+LANES(hoop_carry_impact)(S vx, S vy, S vz, S wx, S wy, S wz, S nx, S ny, S nz, S contacts, S dvx, S dvy, S dvz, S dwx, S dwy, S dwz, S dnx, S dny, S dnz, S turn, S _c0, S _c1, S _c2, S _c3)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
-    const V _s2 = lanes_add(lanes_mul(_c2, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s0)), lanes_mul(nx, _s1))));
-    const V _s3 = lanes_sub(lanes_sub(_s2, lanes_mul(lanes_mul(dnx, _c1), _s0)), lanes_mul(lanes_mul(nx, _c1), _s1));
-    const V _s4 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
-    const V _s5 = lanes_add(_s4, lanes_abs(vz));
-    const V _s6 = lanes_mul(K(2.220446049250313e-16), _s5);
-    const V _s7 = lanes_neg(_s6);
-    const V _s8 = lanes_add(_s3, lanes_select(lanes_less(_s3, K(0.0)), _s7, _s6));
-    const V _s9 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
-    const V _s10 = lanes_abs(dwx);
-    const V _s11 = lanes_abs(dwy);
-    const V _s12 = lanes_max(_s10, _s11);
-    const V _s13 = lanes_abs(dwz);
-    const V _s14 = lanes_abs(dvx);
-    const V _s15 = lanes_abs(dvy);
-    const V _s16 = lanes_max(_s14, _s15);
-    const V _s17 = lanes_abs(dvz);
-    const V _s18 = lanes_add(lanes_add(lanes_mul(_c0, lanes_max(_s12, _s13)), lanes_mul(turn, _s5)), lanes_max(_s16, _s17));
-    const V _s19 = lanes_div(_s18, _s9);
-    const V _s20 = lanes_neg(_s19);
-    const V _s21 = lanes_add(lanes_mul(_c2, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1))));
-    const V _s22 = lanes_sub(lanes_sub(_s21, lanes_mul(lanes_mul(dny, _c1), _s0)), lanes_mul(lanes_mul(ny, _c1), _s1));
-    const V _s23 = lanes_add(_s22, lanes_select(lanes_less(_s22, K(0.0)), _s7, _s6));
-    const V _s24 = lanes_add(lanes_mul(_c2, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1))));
-    const V _s25 = lanes_sub(lanes_sub(_s24, lanes_mul(lanes_mul(dnz, _c1), _s0)), lanes_mul(lanes_mul(nz, _c1), _s1));
-    const V _s26 = lanes_add(_s25, lanes_select(lanes_less(_s25, K(0.0)), _s7, _s6));
-    const V _s27 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, wx), lanes_mul(dny, wy)), lanes_mul(dnz, wz)), lanes_mul(dwx, nx)), lanes_mul(dwy, ny)), lanes_mul(dwz, nz));
-    const V _s29 = lanes_add(lanes_mul(_c2, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s0))));
-    const V _s30 = lanes_add(lanes_mul(_c2, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s0))));
-    const V _s31 = lanes_add(lanes_add(lanes_mul(dnx, _s27), lanes_mul(nx, _s28)), lanes_mul(_c3, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s29), lanes_mul(ny, _s24)), lanes_mul(dnz, _s30)), lanes_mul(nz, _s21))));
-    const V _s32 = lanes_div(_s6, _c0);
-    const V _s33 = lanes_neg(_s32);
-    const V _s34 = lanes_add(_s31, lanes_select(lanes_less(_s31, K(0.0)), _s33, _s32));
-    const V _s35 = lanes_div(_s18, lanes_mul(_c0, _s9));
-    const V _s36 = lanes_neg(_s35);
-    const V _s37 = lanes_add(lanes_mul(_c2, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s0))));
-    const V _s38 = lanes_add(lanes_add(lanes_mul(dny, _s27), lanes_mul(ny, _s28)), lanes_mul(_c3, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s37), lanes_mul(nz, _s2)), lanes_mul(dnx, _s29)), lanes_mul(nx, _s24))));
-    const V _s39 = lanes_add(_s38, lanes_select(lanes_less(_s38, K(0.0)), _s33, _s32));
-    const V _s40 = lanes_add(lanes_add(lanes_mul(dnz, _s27), lanes_mul(nz, _s28)), lanes_mul(_c3, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s30), lanes_mul(nx, _s21)), lanes_mul(dny, _s37)), lanes_mul(ny, _s2))));
-    const V _s41 = lanes_add(_s40, lanes_select(lanes_less(_s40, K(0.0)), _s33, _s32));
-    return (LANES(hoop_carry_impact_out)){ lanes_select(lanes_less(lanes_abs(_s8), _s19), lanes_select(lanes_less(_s8, K(0.0)), _s20, _s19), _s8), lanes_select(lanes_less(lanes_abs(_s23), _s19), lanes_select(lanes_less(_s23, K(0.0)), _s20, _s19), _s23), lanes_select(lanes_less(lanes_abs(_s26), _s19), lanes_select(lanes_less(_s26, K(0.0)), _s20, _s19), _s26), lanes_select(lanes_less(lanes_abs(_s34), _s35), lanes_select(lanes_less(_s34, K(0.0)), _s36, _s35), _s34), lanes_select(lanes_less(lanes_abs(_s39), _s35), lanes_select(lanes_less(_s39, K(0.0)), _s36, _s35), _s39), lanes_select(lanes_less(lanes_abs(_s41), _s35), lanes_select(lanes_less(_s41, K(0.0)), _s36, _s35), _s41) };
+    const S _s0 = singles_add(singles_add(singles_mul(nx, vx), singles_mul(ny, vy)), singles_mul(nz, vz));
+    const S _s1 = singles_add(singles_add(singles_add(singles_mul(dnx, vx), singles_mul(dvx, nx)), singles_add(singles_mul(dny, vy), singles_mul(dvy, ny))), singles_add(singles_mul(dnz, vz), singles_mul(dvz, nz)));
+    const S _s2 = singles_add(singles_mul(dnx, _s0), singles_mul(nx, _s1));
+    const S _s3 = singles_add(singles_mul(_c2, singles_sub(singles_add(singles_mul(dnz, wy), singles_mul(dwy, nz)), singles_add(singles_mul(dny, wz), singles_mul(dwz, ny)))), singles_mul(KS(0.6), singles_sub(dvx, _s2)));
+    const S _s4 = singles_sub(_s3, singles_mul(_c1, _s2));
+    const S _s5 = singles_add(singles_add(singles_mul(_c0, singles_add(singles_add(singles_abs(wx), singles_abs(wy)), singles_abs(wz))), singles_abs(vx)), singles_abs(vy));
+    const S _s6 = singles_add(_s5, singles_abs(vz));
+    const S _s7 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(2.220446049250313e-16), _s6));
+    const S _s8 = singles_add(singles_abs(_s4), _s7);
+    const S _s9 = singles_abs(dwx);
+    const S _s10 = singles_abs(dwy);
+    const S _s11 = singles_max(_s9, _s10);
+    const S _s12 = singles_abs(dwz);
+    const S _s13 = singles_abs(dvx);
+    const S _s14 = singles_abs(dvy);
+    const S _s15 = singles_max(_s13, _s14);
+    const S _s16 = singles_abs(dvz);
+    const S _s17 = singles_mul(singles_add(singles_add(singles_mul(_c0, singles_max(_s11, _s12)), singles_mul(turn, _s6)), singles_max(_s15, _s16)), singles_div(KS(1.0), singles_add(KS(8.0), singles_mul(KS(8.0), contacts))));
+    const S _s18 = singles_max(_s8, _s17);
+    const S _s19 = singles_add(singles_mul(dny, _s0), singles_mul(ny, _s1));
+    const S _s20 = singles_add(singles_mul(_c2, singles_sub(singles_add(singles_mul(dnx, wz), singles_mul(dwz, nx)), singles_add(singles_mul(dnz, wx), singles_mul(dwx, nz)))), singles_mul(KS(0.6), singles_sub(dvy, _s19)));
+    const S _s21 = singles_sub(_s20, singles_mul(_c1, _s19));
+    const S _s22 = singles_add(singles_abs(_s21), _s7);
+    const S _s23 = singles_max(_s22, _s17);
+    const S _s24 = singles_add(singles_mul(dnz, _s0), singles_mul(nz, _s1));
+    const S _s25 = singles_add(singles_mul(_c2, singles_sub(singles_add(singles_mul(dny, wx), singles_mul(dwx, ny)), singles_add(singles_mul(dnx, wy), singles_mul(dwy, nx)))), singles_mul(KS(0.6), singles_sub(dvz, _s24)));
+    const S _s26 = singles_sub(_s25, singles_mul(_c1, _s24));
+    const S _s27 = singles_add(singles_abs(_s26), _s7);
+    const S _s28 = singles_max(_s27, _s17);
+    const S _s29 = singles_add(singles_mul(_c2, singles_sub(singles_mul(ny, wx), singles_mul(nx, wy))), singles_mul(KS(0.6), singles_sub(vz, singles_mul(nz, _s0))));
+    const S _s30 = singles_add(singles_mul(_c2, singles_sub(singles_mul(nx, wz), singles_mul(nz, wx))), singles_mul(KS(0.6), singles_sub(vy, singles_mul(ny, _s0))));
+    const S _s31 = singles_add(singles_add(singles_mul(nx, wx), singles_mul(ny, wy)), singles_mul(nz, wz));
+    const S _s32 = singles_add(singles_add(singles_add(singles_mul(dnx, wx), singles_mul(dwx, nx)), singles_add(singles_mul(dny, wy), singles_mul(dwy, ny))), singles_add(singles_mul(dnz, wz), singles_mul(dwz, nz)));
+    const S _s33 = singles_add(singles_mul(_c3, singles_sub(singles_add(singles_mul(dny, _s29), singles_mul(ny, _s25)), singles_add(singles_mul(dnz, _s30), singles_mul(nz, _s20)))), singles_add(singles_mul(dnx, _s31), singles_mul(nx, _s32)));
+    const S _s34 = singles_mul(_c3, _s7);
+    const S _s35 = singles_add(singles_abs(_s33), _s34);
+    const S _s36 = singles_mul(_c3, _s17);
+    const S _s37 = singles_max(_s35, _s36);
+    const S _s38 = singles_add(singles_mul(_c2, singles_sub(singles_mul(nz, wy), singles_mul(ny, wz))), singles_mul(KS(0.6), singles_sub(vx, singles_mul(nx, _s0))));
+    const S _s39 = singles_add(singles_mul(_c3, singles_sub(singles_add(singles_mul(dnz, _s38), singles_mul(nz, _s3)), singles_add(singles_mul(dnx, _s29), singles_mul(nx, _s25)))), singles_add(singles_mul(dny, _s31), singles_mul(ny, _s32)));
+    const S _s40 = singles_add(singles_abs(_s39), _s34);
+    const S _s41 = singles_max(_s40, _s36);
+    const S _s42 = singles_add(singles_mul(_c3, singles_sub(singles_add(singles_mul(dnx, _s30), singles_mul(nx, _s20)), singles_add(singles_mul(dny, _s38), singles_mul(ny, _s3)))), singles_add(singles_mul(dnz, _s31), singles_mul(nz, _s32)));
+    const S _s43 = singles_add(singles_abs(_s42), _s34);
+    const S _s44 = singles_max(_s43, _s36);
+    return (LANES(hoop_carry_impact_out)){ singles_select(singles_less(_s4, KS(0.0)), singles_neg(_s18), _s18), singles_select(singles_less(_s21, KS(0.0)), singles_neg(_s23), _s23), singles_select(singles_less(_s26, KS(0.0)), singles_neg(_s28), _s28), singles_select(singles_less(_s33, KS(0.0)), singles_neg(_s37), _s37), singles_select(singles_less(_s39, KS(0.0)), singles_neg(_s41), _s41), singles_select(singles_less(_s42, KS(0.0)), singles_neg(_s44), _s44) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1122,24 +1135,24 @@ LANES(hoop_ring_curvature)(V _c0)
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 31 operations: 5 additions, 1 subtraction, 21 multiplications, 2 divisions, 1 square root, 1 negation. */
+   derivative of Table 2's normal. 27 operations: 5 additions, 1 subtraction, 18 multiplications, 1 division, 1 square root, 1 negation. */
 typedef struct {
-    V dnx;
-    V dny;
-    V dnz;
-    V turn;
+    S dnx;
+    S dny;
+    S dnz;
+    S turn;
 } LANES(hoop_ring_carry_normal_out);
 
 LANES_INLINE LANES(hoop_ring_carry_normal_out)
-LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V _c0, V _c1, V _c2)
+LANES(hoop_ring_carry_normal)(S x, S y, S dx, S dy, S dz, S shift, S _c0, S _c1, S _c2)
 {
-    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s1 = lanes_sub(_s0, _c0);
-    const V _s2 = lanes_div(K(1.0), _s0);
-    const V _s3 = lanes_mul(lanes_mul(_c1, _s1), _s2);
-    const V _s4 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s0);
-    const V _s5 = lanes_add(lanes_mul(lanes_mul(_s4, _c1), _s2), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s4, lanes_mul(_s2, _s2))), _c1), _s1));
-    return (LANES(hoop_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s3), lanes_mul(x, _s5)), lanes_add(lanes_mul(dy, _s3), lanes_mul(y, _s5)), lanes_mul(dz, _c1), lanes_mul(shift, _c2) };
+    const S _s0 = singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y)));
+    const S _s1 = singles_sub(_s0, _c0);
+    const S _s2 = singles_div(KS(1.0), _s0);
+    const S _s3 = singles_mul(singles_mul(_c1, _s1), _s2);
+    const S _s4 = singles_mul(singles_add(singles_mul(dx, x), singles_mul(dy, y)), _s2);
+    const S _s5 = singles_mul(_c1, singles_add(singles_mul(_s4, _s2), singles_mul(singles_neg(singles_mul(_s4, singles_mul(_s2, _s2))), _s1)));
+    return (LANES(hoop_ring_carry_normal_out)){ singles_add(singles_mul(dx, _s3), singles_mul(x, _s5)), singles_add(singles_mul(dy, _s3), singles_mul(y, _s5)), singles_mul(dz, _c1), singles_mul(shift, _c2) };
 }
 
 /* Positive if there certainly is no contact before the horizon.

@@ -1,6 +1,6 @@
 /* Values of LANES_WIDTH shots abreast, and what is done to them.
 
-   Generated from templates/c/lanes.h.j2, scene hoop, derivation 683a817ba09f97be,
+   Generated from templates/c/lanes.h.j2, scene hoop, derivation 83f26c5ee904c483,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. Above one lane a value is a struct of two native
@@ -87,6 +87,7 @@ static const uint8_t EXPANDED[16][8] = {
 #define lanes_store LANES(store)
 #define lanes_gather LANES(gather)
 #define lanes_columns LANES(columns)
+#define lanes_rows LANES(rows)
 #define lanes_bits LANES(bits)
 #define lanes_of LANES(of)
 #define lanes_many LANES(many)
@@ -160,6 +161,11 @@ LANES_INLINE void lanes_columns(double *const *to, const double *rows, int count
 {
     for (int column = 0; column < count; column++)
         *to[column] = rows[column];
+}
+LANES_INLINE void lanes_rows(double *rows, const double *const *from, int count)
+{
+    for (int column = 0; column < count; column++)
+        rows[column] = *from[column];
 }
 LANES_INLINE unsigned lanes_bits(M m) { return (unsigned)m; }
 LANES_INLINE M lanes_of(unsigned bits) { return (M)bits; }
@@ -507,6 +513,24 @@ LANES_INLINE void lanes_columns(double *const *to, const double *rows, int count
             const N rest = n_gather(rows + column, count);
             memcpy(to[column] + NATIVE * half, &rest, sizeof rest);
         }
+    }
+}
+/* The other way: columns into rows. */
+LANES_INLINE void lanes_rows(double *rows, const double *const *from, int count)
+{
+    for (int half = 0; half < 2; half++, rows += NATIVE * count) {
+        int column = 0;
+        for (; column + NATIVE <= count; column += NATIVE) {
+            N square[NATIVE];
+            for (int k = 0; k < NATIVE; k++)
+                memcpy(&square[k], from[column + k] + NATIVE * half, sizeof(N));
+            n_square(square);
+            for (int k = 0; k < NATIVE; k++)
+                memcpy(rows + k * count + column, &square[k], sizeof(N));
+        }
+        for (; column < count; column++)
+            for (int k = 0; k < NATIVE; k++)
+                rows[k * count + column] = from[column][NATIVE * half + k];
     }
 }
 LANES_INLINE int lanes_any(M m) { return n_bits(n_either(m.lo, m.hi)) != 0; }

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation fdb99a920399295a,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation afd6566da598ff1c,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -156,6 +156,7 @@ class Field(NamedTuple):
     name: str
     start: float | None
     bounds: bool
+    dtype: str = "float64"
 
 
 class Result(NamedTuple):
@@ -259,7 +260,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "halved": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "late", "pad", "p_gravity",),
     "untaken": (),
     "left": ("index", "last",),
-    "meeting_plane": ("bend", "rate", "time",),
+    "meeting_plane": ("apex", "bend", "rate", "time",),
     "timely": ("arrives", "delay", "late", "time", "when",),
     "grazed": ("apex", "doubt", "height", "margin",),
     "questioned": ("doubt", "time", "unsure",),
@@ -293,12 +294,8 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "counted": ("count",),
     "elsewhere": (),
     "again": ("index", "last", "which",),
-    "delayed": ("clock_error", "delay",),
-    "floored": ("dx", "dy", "dz", "shift",),
-    "unturned": (),
     "touched": ("body", "first", "which",),
     "timed": ("claims", "index", "which",),
-    "closing": ("claims", "outcome",),
     "undecided": ("uncertain", "unsure",),
     "body_of": ("which",),
     "admitted": ("doubt", "finite", "permitted", "valid",),
@@ -306,6 +303,10 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "departed": ("index", "which",),
     "expired": ("body", "clock", "ends", "index", "reached", "time_limit", "which",),
     "accounted": ("contacts", "most_contacts", "reached", "touches",),
+    "delayed": ("clock_error", "delay",),
+    "closing": ("claims", "outcome",),
+    "floored": ("dx", "dy", "dz", "shift",),
+    "unturned": (),
     "circles": ("held", "index", "rolling",),
     "leaps": ("stride",),
     "cleared": ("berth", "gap", "leap", "nearing",),
@@ -347,7 +348,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "parted": ("doubt", "p_gravity", "lift", "per_reach", "position_error", "snap", "spare", "surge", "velocity_error", "vx", "vy", "vz",),
     "apart": ("p_ball_radius", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz",),
     "neighbour": ("apart", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
-    "compared": ("apart", "p_ball_radius", "far_vx", "far_vy", "far_vz", "far_wx", "far_wy", "far_wz", "far_x", "far_y", "far_z", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
+    "compared": ("apart", "p_ball_radius", "far_vx", "far_vy", "far_vz", "far_wx", "far_wy", "far_wz", "far_x", "far_y", "far_z", "missed", "stride", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
     "carry_hop": ("dvx", "dvy", "dvz", "dx", "dy", "dz", "vx", "vy", "vz", "when", "x", "y", "z",),
     "kept": ("mode", "when",),
     "opens_in_flight": ("clear", "kept",),
@@ -393,23 +394,23 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "ring_tube": ("p_ball_radius", "p_wire_radius",),
     "ring_turning": ("p_ball_radius", "p_ring_radius", "rolled_x", "rolled_y", "rolled_z", "p_wire_radius", "x", "y",),
     "ring_parting": ("p_gravity", "p_ring_radius", "vx", "vy", "vz", "x", "y", "z",),
-    "ring_round_start": ("p_ball_radius", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "wx", "wy", "wz", "x", "y", "z",),
-    "ring_round_moved": ("along_0", "along_1", "along_10", "along_11", "along_12", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_11", "climb_12", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cos_1", "cos_10", "cos_11", "cos_12", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "cos_8", "cos_9", "cosine_0", "cosine_1", "cosine_10", "cosine_11", "cosine_12", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "cosine_9", "p_ring_radius", "sin_0", "sin_1", "sin_10", "sin_11", "sin_12", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "sin_8", "sin_9", "sine_0", "sine_1", "sine_10", "sine_11", "sine_12", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "sine_9", "t", "turn_rate_0", "turn_rate_1", "turn_rate_10", "turn_rate_11", "turn_rate_12", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
-    "ring_round_pace": ("along_0", "along_1", "along_10", "along_11", "along_12", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_11", "climb_12", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cos_12", "cosine_0", "cosine_12", "force_0", "force_1", "force_10", "force_11", "force_2", "force_3", "force_4", "force_5", "force_6", "force_7", "force_8", "force_9", "p_gravity", "omega_0", "p_ring_radius", "sin_0", "sin_12", "sine_0", "sine_12", "turn_rate_0", "turn_rate_11", "turn_rate_12", "p_wire_radius",),
+    "ring_round_start": ("p_ball_radius", "per_reach", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "wx", "wy", "wz", "x", "y", "z",),
+    "ring_round_moved": ("along_0", "along_1", "along_10", "along_11", "along_12", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_11", "climb_12", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cosine_0", "cosine_1", "cosine_10", "cosine_11", "cosine_12", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "cosine_9", "omega_0", "omega_1", "omega_10", "omega_11", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "omega_8", "omega_9", "p_ring_radius", "sin_0", "sine_0", "sine_1", "sine_10", "sine_11", "sine_12", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "sine_9", "t", "turn_rate_0", "turn_rate_1", "turn_rate_10", "turn_rate_11", "turn_rate_12", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
+    "ring_round_pace": ("along_0", "along_1", "along_10", "along_11", "along_12", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_11", "climb_12", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cosine_0", "cosine_12", "p_gravity", "omega_0", "omega_1", "omega_10", "omega_11", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "omega_8", "omega_9", "per_reach", "p_ring_radius", "sin_0", "sine_0", "sine_12", "turn_rate_0", "turn_rate_11", "turn_rate_12", "p_wire_radius",),
     "ring_round_pulled": ("climb_0", "climb_1", "cosine_0", "cosine_1", "p_gravity", "omega_0", "omega_1", "turn_rate_0", "turn_rate_1",),
     "ring_swung": ("p_ball_radius", "berth", "circled", "climb", "climb_0", "doubt", "fastest", "force", "force_bend", "force_rate", "p_gravity", "position_error", "stride", "sway", "velocity_error", "which", "p_wire_radius",),
-    "ring_round_0": ("along_0", "p_ball_radius", "climb_0", "cos_0", "cosine_0", "p_gravity", "near_0", "p_ring_radius", "sin_0", "sine_0", "turn_rate_0", "p_wire_radius",),
-    "ring_round_1": ("along_0", "along_1", "around_0", "p_ball_radius", "climb_0", "climb_1", "cos_0", "cos_1", "cosine_0", "cosine_1", "p_gravity", "near_0", "omega_0", "pressed_0", "p_ring_radius", "sin_0", "sin_1", "sine_0", "sine_1", "tilted_0", "turn_rate_0", "turn_rate_1", "p_wire_radius",),
-    "ring_round_2": ("along_0", "along_1", "along_2", "around_0", "around_1", "p_ball_radius", "climb_0", "climb_1", "climb_2", "cos_0", "cos_1", "cos_2", "cosine_0", "cosine_1", "cosine_2", "p_gravity", "near_0", "near_1", "omega_0", "omega_1", "pressed_0", "pressed_1", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sine_0", "sine_1", "sine_2", "tilted_0", "tilted_1", "turn_rate_0", "turn_rate_1", "turn_rate_2", "p_wire_radius",),
-    "ring_round_3": ("along_0", "along_1", "along_2", "along_3", "around_0", "around_1", "around_2", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "cos_0", "cos_1", "cos_2", "cos_3", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "p_gravity", "near_0", "near_1", "near_2", "omega_0", "omega_1", "omega_2", "pressed_0", "pressed_1", "pressed_2", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sine_0", "sine_1", "sine_2", "sine_3", "tilted_0", "tilted_1", "tilted_2", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "p_wire_radius",),
-    "ring_round_4": ("along_0", "along_1", "along_2", "along_3", "along_4", "around_0", "around_1", "around_2", "around_3", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "p_gravity", "near_0", "near_1", "near_2", "near_3", "omega_0", "omega_1", "omega_2", "omega_3", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "p_wire_radius",),
-    "ring_round_5": ("along_0", "along_1", "along_2", "along_3", "along_4", "along_5", "around_0", "around_1", "around_2", "around_3", "around_4", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "p_gravity", "near_0", "near_1", "near_2", "near_3", "near_4", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "pressed_4", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "p_wire_radius",),
-    "ring_round_6": ("along_0", "along_1", "along_2", "along_3", "along_4", "along_5", "along_6", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "p_gravity", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "pressed_4", "pressed_5", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "p_wire_radius",),
-    "ring_round_7": ("along_0", "along_1", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "around_6", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "p_gravity", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "near_6", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "pressed_4", "pressed_5", "pressed_6", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "p_wire_radius",),
-    "ring_round_8": ("along_0", "along_1", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "around_6", "around_7", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "cos_8", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "p_gravity", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "near_6", "near_7", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "pressed_4", "pressed_5", "pressed_6", "pressed_7", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "sin_8", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "tilted_7", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "p_wire_radius",),
-    "ring_round_9": ("along_0", "along_1", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "around_6", "around_7", "around_8", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "cos_8", "cos_9", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "cosine_9", "p_gravity", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "near_6", "near_7", "near_8", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "omega_8", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "pressed_4", "pressed_5", "pressed_6", "pressed_7", "pressed_8", "p_ring_radius", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "sin_8", "sin_9", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "sine_9", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "tilted_7", "tilted_8", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
-    "ring_round_10": ("along_0", "along_1", "along_10", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "around_6", "around_7", "around_8", "around_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cos_1", "cos_10", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "cos_8", "cos_9", "cosine_0", "cosine_1", "cosine_10", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "cosine_9", "p_gravity", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "near_6", "near_7", "near_8", "near_9", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "omega_8", "omega_9", "pressed_0", "pressed_1", "pressed_2", "pressed_3", "pressed_4", "pressed_5", "pressed_6", "pressed_7", "pressed_8", "pressed_9", "p_ring_radius", "sin_0", "sin_1", "sin_10", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "sin_8", "sin_9", "sine_0", "sine_1", "sine_10", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "sine_9", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "tilted_7", "tilted_8", "tilted_9", "turn_rate_0", "turn_rate_1", "turn_rate_10", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
-    "ring_round_11": ("along_0", "along_1", "along_10", "along_11", "along_2", "along_3", "along_4", "along_5", "along_6", "along_7", "along_8", "along_9", "around_0", "around_1", "around_10", "around_2", "around_3", "around_4", "around_5", "around_6", "around_7", "around_8", "around_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_11", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cos_0", "cos_1", "cos_10", "cos_11", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "cos_8", "cos_9", "cosine_0", "cosine_1", "cosine_10", "cosine_11", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "cosine_9", "p_gravity", "near_0", "near_1", "near_10", "near_2", "near_3", "near_4", "near_5", "near_6", "near_7", "near_8", "near_9", "omega_0", "omega_1", "omega_10", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "omega_8", "omega_9", "pressed_0", "pressed_1", "pressed_10", "pressed_2", "pressed_3", "pressed_4", "pressed_5", "pressed_6", "pressed_7", "pressed_8", "pressed_9", "p_ring_radius", "sin_0", "sin_1", "sin_10", "sin_11", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "sin_8", "sin_9", "sine_0", "sine_1", "sine_10", "sine_11", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "sine_9", "tilted_0", "tilted_1", "tilted_10", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "tilted_7", "tilted_8", "tilted_9", "turn_rate_0", "turn_rate_1", "turn_rate_10", "turn_rate_11", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
+    "ring_round_0": ("along_0", "p_ball_radius", "climb_0", "cosine_0", "p_gravity", "near_0", "per_reach", "p_ring_radius", "sine_0", "tilted_0", "turn_rate_0", "p_wire_radius",),
+    "ring_round_1": ("along_1", "around_0", "p_ball_radius", "climb_0", "climb_1", "cosine_0", "cosine_1", "p_gravity", "near_0", "omega_0", "per_reach", "p_ring_radius", "sine_0", "sine_1", "tilted_0", "tilted_1", "turn_rate_0", "turn_rate_1", "p_wire_radius",),
+    "ring_round_2": ("along_2", "around_0", "around_1", "p_ball_radius", "climb_0", "climb_1", "climb_2", "cosine_0", "cosine_1", "cosine_2", "p_gravity", "near_0", "omega_0", "omega_1", "per_reach", "p_ring_radius", "sine_0", "sine_1", "sine_2", "tilted_0", "tilted_1", "tilted_2", "turn_rate_0", "turn_rate_1", "turn_rate_2", "p_wire_radius",),
+    "ring_round_3": ("along_3", "around_0", "around_1", "around_2", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "p_gravity", "near_0", "omega_0", "omega_1", "omega_2", "per_reach", "p_ring_radius", "sine_0", "sine_1", "sine_2", "sine_3", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "p_wire_radius",),
+    "ring_round_4": ("along_4", "around_0", "around_1", "around_2", "around_3", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "p_gravity", "near_0", "omega_0", "omega_1", "omega_2", "omega_3", "per_reach", "p_ring_radius", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "p_wire_radius",),
+    "ring_round_5": ("along_5", "around_0", "around_1", "around_2", "around_3", "around_4", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "p_gravity", "near_0", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "per_reach", "p_ring_radius", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "p_wire_radius",),
+    "ring_round_6": ("along_6", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "p_gravity", "near_0", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "per_reach", "p_ring_radius", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "p_wire_radius",),
+    "ring_round_7": ("along_7", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "around_6", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "p_gravity", "near_0", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "per_reach", "p_ring_radius", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "tilted_7", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "p_wire_radius",),
+    "ring_round_8": ("along_8", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "around_6", "around_7", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "p_gravity", "near_0", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "per_reach", "p_ring_radius", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "tilted_7", "tilted_8", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "p_wire_radius",),
+    "ring_round_9": ("along_9", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "around_6", "around_7", "around_8", "p_ball_radius", "climb_0", "climb_1", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cosine_0", "cosine_1", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "cosine_9", "p_gravity", "near_0", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "omega_8", "per_reach", "p_ring_radius", "sine_0", "sine_1", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "sine_9", "tilted_0", "tilted_1", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "tilted_7", "tilted_8", "tilted_9", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
+    "ring_round_10": ("along_10", "around_0", "around_1", "around_2", "around_3", "around_4", "around_5", "around_6", "around_7", "around_8", "around_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cosine_0", "cosine_1", "cosine_10", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "cosine_9", "p_gravity", "near_0", "omega_0", "omega_1", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "omega_8", "omega_9", "per_reach", "p_ring_radius", "sine_0", "sine_1", "sine_10", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "sine_9", "tilted_0", "tilted_1", "tilted_10", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "tilted_7", "tilted_8", "tilted_9", "turn_rate_0", "turn_rate_1", "turn_rate_10", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
+    "ring_round_11": ("along_11", "around_0", "around_1", "around_10", "around_2", "around_3", "around_4", "around_5", "around_6", "around_7", "around_8", "around_9", "p_ball_radius", "climb_0", "climb_1", "climb_10", "climb_11", "climb_2", "climb_3", "climb_4", "climb_5", "climb_6", "climb_7", "climb_8", "climb_9", "cosine_0", "cosine_1", "cosine_10", "cosine_11", "cosine_2", "cosine_3", "cosine_4", "cosine_5", "cosine_6", "cosine_7", "cosine_8", "cosine_9", "p_gravity", "near_0", "omega_0", "omega_1", "omega_10", "omega_2", "omega_3", "omega_4", "omega_5", "omega_6", "omega_7", "omega_8", "omega_9", "per_reach", "p_ring_radius", "sine_0", "sine_1", "sine_10", "sine_11", "sine_2", "sine_3", "sine_4", "sine_5", "sine_6", "sine_7", "sine_8", "sine_9", "tilted_0", "tilted_1", "tilted_10", "tilted_11", "tilted_2", "tilted_3", "tilted_4", "tilted_5", "tilted_6", "tilted_7", "tilted_8", "tilted_9", "turn_rate_0", "turn_rate_1", "turn_rate_10", "turn_rate_11", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "turn_rate_9", "p_wire_radius",),
     "ring_enter": ("after", "end", "high0", "high1", "high2", "low0", "low1", "low2", "t",),
     "backboard_normal": ("x", "y", "z", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness",),
     "backboard_curvature": ("p_ball_radius",),
@@ -500,7 +501,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "allowed": ("allowed",),
     "finite_parameters": ("permitted",),
     "valid": ("valid", "doubt",),
-    "aside": ("near", "valid", "doubt",),
+    "aside": ("close", "valid", "doubt",),
     "passing_start": ("through", "uncertain",),
     "passing": ("through",),
     "passing_doubt": ("unsure",),
@@ -509,7 +510,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "halved": ("middle_x", "reach_x", "later_middle_x", "later_reach_x", "middle_y", "reach_y", "later_middle_y", "later_reach_y", "middle_z", "reach_z", "later_middle_z", "later_reach_z",),
     "untaken": ("mine",),
     "left": ("leaving",),
-    "meeting_plane": ("arrives", "ceiling",),
+    "meeting_plane": ("arrives", "ceiling", "nearest",),
     "timely": ("possible",),
     "grazed": ("doubt",),
     "questioned": ("doubt",),
@@ -543,12 +544,8 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "counted": ("count",),
     "elsewhere": ("curving",),
     "again": ("again",),
-    "delayed": ("clock_error",),
-    "floored": ("dx", "dy", "dz",),
-    "unturned": ("dnx", "dny", "dnz", "turn",),
     "touched": ("first", "last",),
     "timed": ("timed",),
-    "closing": ("closed",),
     "undecided": ("uncertain",),
     "body_of": ("body",),
     "admitted": ("outcome", "uncertain",),
@@ -556,6 +553,10 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "departed": ("stays", "moves", "ends", "touches", "reached", "edge",),
     "expired": ("clock", "body", "reached", "ends",),
     "accounted": ("contacts", "outcome",),
+    "delayed": ("clock_error",),
+    "closing": ("closed", "position_claim", "velocity_claim", "spin_claim", "time_claim",),
+    "floored": ("dx", "dy", "dz",),
+    "unturned": ("dnx", "dny", "dnz", "turn",),
     "circles": ("circling", "rolling",),
     "leaps": ("forth", "back",),
     "cleared": ("berth",),
@@ -574,7 +575,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "roll_start": ("vx_0", "vy_0", "vz_0", "nx_0", "ny_0", "nz_0", "turn_rate_0",),
     "roll_moved": ("x", "vx", "y", "vy", "z", "vz", "turn_rate",),
     "roll_placed": ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz",),
-    "roll_pace": ("stride", "strongest", "fastest", "force", "force_rate", "force_bend", "brace",),
+    "roll_pace": ("stride", "missed", "strongest", "fastest", "force", "force_rate", "force_bend", "brace",),
     "roll_turn_rate": ("turn_rate",),
     "pressed_on": ("press", "weight", "drag", "thrust_x", "thrust_y", "thrust_z",),
     "slowed": ("slow", "assured",),
@@ -643,23 +644,23 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_tube": ("bent_x", "bent_y", "bent_z", "per_reach",),
     "ring_turning": ("turning_x", "turning_y", "turning_z",),
     "ring_parting": ("lift", "surge", "snap",),
-    "ring_round_start": ("cosine_0", "sine_0", "climb_0", "along_0", "turn_rate_0", "cos_0", "sin_0", "near_0",),
+    "ring_round_start": ("cosine_0", "sine_0", "climb_0", "along_0", "turn_rate_0", "cos_0", "sin_0", "tilted_0", "near_0",),
     "ring_round_moved": ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz", "climb",),
-    "ring_round_pace": ("stride", "strongest", "fastest", "sway", "force", "force_rate", "force_bend", "brace", "vx_1", "vy_1", "vz_1",),
+    "ring_round_pace": ("stride", "missed", "strongest", "fastest", "sway", "force", "force_rate", "force_bend", "brace", "vx_1", "vy_1", "vz_1",),
     "ring_round_pulled": ("drag", "drag_rate", "strain", "strain_rate",),
     "ring_swung": ("circled", "endless", "doubt",),
-    "ring_round_0": ("omega_0", "around_0", "tilted_0", "pressed_0", "force_0", "cosine_1", "sine_1", "climb_1", "along_1", "turn_rate_1", "cos_1", "sin_1",),
-    "ring_round_1": ("near_1", "omega_1", "around_1", "tilted_1", "pressed_1", "force_1", "cosine_2", "sine_2", "climb_2", "along_2", "turn_rate_2", "cos_2", "sin_2",),
-    "ring_round_2": ("near_2", "omega_2", "around_2", "tilted_2", "pressed_2", "force_2", "cosine_3", "sine_3", "climb_3", "along_3", "turn_rate_3", "cos_3", "sin_3",),
-    "ring_round_3": ("near_3", "omega_3", "around_3", "tilted_3", "pressed_3", "force_3", "cosine_4", "sine_4", "climb_4", "along_4", "turn_rate_4", "cos_4", "sin_4",),
-    "ring_round_4": ("near_4", "omega_4", "around_4", "tilted_4", "pressed_4", "force_4", "cosine_5", "sine_5", "climb_5", "along_5", "turn_rate_5", "cos_5", "sin_5",),
-    "ring_round_5": ("near_5", "omega_5", "around_5", "tilted_5", "pressed_5", "force_5", "cosine_6", "sine_6", "climb_6", "along_6", "turn_rate_6", "cos_6", "sin_6",),
-    "ring_round_6": ("near_6", "omega_6", "around_6", "tilted_6", "pressed_6", "force_6", "cosine_7", "sine_7", "climb_7", "along_7", "turn_rate_7", "cos_7", "sin_7",),
-    "ring_round_7": ("near_7", "omega_7", "around_7", "tilted_7", "pressed_7", "force_7", "cosine_8", "sine_8", "climb_8", "along_8", "turn_rate_8", "cos_8", "sin_8",),
-    "ring_round_8": ("near_8", "omega_8", "around_8", "tilted_8", "pressed_8", "force_8", "cosine_9", "sine_9", "climb_9", "along_9", "turn_rate_9", "cos_9", "sin_9",),
-    "ring_round_9": ("near_9", "omega_9", "around_9", "tilted_9", "pressed_9", "force_9", "cosine_10", "sine_10", "climb_10", "along_10", "turn_rate_10", "cos_10", "sin_10",),
-    "ring_round_10": ("near_10", "omega_10", "around_10", "tilted_10", "pressed_10", "force_10", "cosine_11", "sine_11", "climb_11", "along_11", "turn_rate_11", "cos_11", "sin_11",),
-    "ring_round_11": ("near_11", "omega_11", "around_11", "tilted_11", "pressed_11", "force_11", "cosine_12", "sine_12", "climb_12", "along_12", "turn_rate_12", "cos_12", "sin_12",),
+    "ring_round_0": ("omega_0", "around_0", "cosine_1", "sine_1", "climb_1", "along_1", "turn_rate_1", "tilted_1",),
+    "ring_round_1": ("omega_1", "around_1", "cosine_2", "sine_2", "climb_2", "along_2", "turn_rate_2", "tilted_2",),
+    "ring_round_2": ("omega_2", "around_2", "cosine_3", "sine_3", "climb_3", "along_3", "turn_rate_3", "tilted_3",),
+    "ring_round_3": ("omega_3", "around_3", "cosine_4", "sine_4", "climb_4", "along_4", "turn_rate_4", "tilted_4",),
+    "ring_round_4": ("omega_4", "around_4", "cosine_5", "sine_5", "climb_5", "along_5", "turn_rate_5", "tilted_5",),
+    "ring_round_5": ("omega_5", "around_5", "cosine_6", "sine_6", "climb_6", "along_6", "turn_rate_6", "tilted_6",),
+    "ring_round_6": ("omega_6", "around_6", "cosine_7", "sine_7", "climb_7", "along_7", "turn_rate_7", "tilted_7",),
+    "ring_round_7": ("omega_7", "around_7", "cosine_8", "sine_8", "climb_8", "along_8", "turn_rate_8", "tilted_8",),
+    "ring_round_8": ("omega_8", "around_8", "cosine_9", "sine_9", "climb_9", "along_9", "turn_rate_9", "tilted_9",),
+    "ring_round_9": ("omega_9", "around_9", "cosine_10", "sine_10", "climb_10", "along_10", "turn_rate_10", "tilted_10",),
+    "ring_round_10": ("omega_10", "around_10", "cosine_11", "sine_11", "climb_11", "along_11", "turn_rate_11", "tilted_11",),
+    "ring_round_11": ("omega_11", "around_11", "cosine_12", "sine_12", "climb_12", "along_12", "turn_rate_12", "tilted_12",),
     "ring_enter": ("t", "end", "searching",),
     "backboard_normal": ("nx", "ny", "nz",),
     "backboard_curvature": ("curvature",),
@@ -778,217 +779,225 @@ _k20 = _float64(3.0029296875)
 _k21 = _float64(4.440892098500626e-16)
 _k22 = _scalar(1.0)
 _k23 = _scalar(2.0)
-_k24 = _scalar(1.1102230246251565e-16)
-_k25 = _scalar(8.0)
-_k26 = _scalar(0.25)
-_k27 = _scalar(0.0625)
-_k28 = _float64(0.25)
-_k29 = _float64(2.0)
-_k30 = _float64(1.1102230246251565e-16)
-_k31 = _float64(8.0)
-_k32 = _float64(0.0625)
-_k33 = _scalar(2.220446049250313e-16)
-_k34 = _float64(2.220446049250313e-16)
-_k35 = _scalar(16.0)
-_k36 = _float64(16.0)
-_k37 = _scalar(64.0)
-_k38 = _float64(64.0)
-_k39 = _float64(-1.0)
-_k40 = _scalar(0.5)
-_k41 = _scalar(1.7763568394002505e-15)
-_k42 = _float64(4.0)
-_k43 = _float64(1.7763568394002505e-15)
-_k44 = _scalar(8.881784197001252e-16)
-_k45 = _float64(8.881784197001252e-16)
-_k46 = _scalar(-1.0)
-_k47 = _scalar(9.313225746154785e-10)
-_k48 = _scalar(1.0000000009313226)
-_k49 = _float64(1.0000000009313226)
-_k50 = _float64(9.313225746154785e-10)
-_k51 = _float64(2.9802322387695312e-08)
-_k52 = _float64(2.842170943040401e-14)
-_k53 = _float64(0.03125)
-_k54 = _float64(5.960464477539063e-08)
-_k55 = _float64(3.0)
-_k56 = _scalar(0.4)
-_k57 = _scalar(0.3333333333333333)
-_k58 = _float64(0.3333333333333333)
-_k59 = _scalar(3.0)
-_k60 = _scalar(4.0)
-_k61 = _scalar(0.2)
-_k62 = _float64(0.2)
-_k63 = _scalar(5.0)
-_k64 = _scalar(0.16666666666666666)
-_k65 = _float64(5.0)
-_k66 = _float64(0.16666666666666666)
-_k67 = _scalar(0.14285714285714285)
-_k68 = _float64(0.14285714285714285)
-_k69 = _scalar(7.0)
-_k70 = _scalar(0.125)
-_k71 = _float64(7.0)
-_k72 = _float64(0.125)
-_k73 = _scalar(0.1111111111111111)
-_k74 = _float64(0.1111111111111111)
-_k75 = _scalar(12.0)
-_k76 = _scalar(20.0)
-_k77 = _scalar(30.0)
-_k78 = _scalar(42.0)
-_k79 = _scalar(0.8)
-_k80 = _float64(0.015625)
-_k81 = _float64(12.0)
-_k82 = _float64(20.0)
-_k83 = _float64(30.0)
-_k84 = _float64(42.0)
-_k85 = _float64(0.8)
-_k86 = _float64(7.275957614183426e-12)
-_k87 = _float64(1.1920928955078125e-07)
-_k88 = _scalar(9.5367431640625e-07)
-_k89 = _scalar(9.094947017729282e-13)
-_k90 = _scalar(0.9999990463256836)
-_k91 = _float64(9.094947017729282e-13)
-_k92 = _float64(0.9999990463256836)
-_k93 = _float64(3.637978807091713e-12)
-_k94 = _float64(1.4551915228366852e-11)
-_k95 = _scalar(5.684341886080802e-14)
-_k96 = _float64(5.684341886080802e-14)
-_k97 = _scalar(7.105427357601002e-15)
-_k98 = _float64(7.105427357601002e-15)
-_k99 = _float64(0.0078125)
-_k100 = _scalar(128.0)
-_k101 = _scalar(0.0078125)
-_k102 = _float64(128.0)
-_k103 = _float64(2.384185791015625e-07)
-_k104 = _scalar(5.960464477539063e-08)
-_k105 = _float64(-_inf)
-_k106 = _scalar(1.4210854715202004e-14)
-_k107 = _scalar(1.6)
-_k108 = _scalar(1.4551915228366852e-11)
-_k109 = _float64(1.4210854715202004e-14)
-_k110 = _float64(1.6)
-_k111 = _float64(3.725290298461914e-09)
-_k112 = _scalar(1.5)
-_k113 = _float64(1.5)
-_k114 = _float64(0.000244140625)
-_k115 = _float64(1.52587890625e-05)
-_k116 = _float64(5.820766091346741e-11)
-_k117 = _float64(1.00006103515625)
-_k118 = _float64(65536.0)
-_k119 = _float64(6.0003662109375)
-_k120 = _float64(0.0001220703125)
-_k121 = _scalar(2.409919865102884e-181)
-_k122 = _scalar(-_inf)
-_k123 = _float64(2.409919865102884e-181)
-_k124 = _scalar(3.552713678800501e-15)
-_k125 = _float64(1.3323489447131243e-15)
-_k126 = _float64(5.00030517578125)
-_k127 = _float64(3.552713678800501e-15)
-_k128 = _float32(1.00006103515625)
-_k129 = _float32(2.0)
-_k130 = _scalar(_float32(4.76837158203125e-07))
-_k131 = _float32(1.0)
-_k132 = _scalar(_float32(9.5367431640625e-07))
-_k133 = _scalar(_float32(0.0))
-_k134 = _scalar(_float32(_inf))
-_k135 = _scalar(_float32(1.0))
-_k136 = _scalar(_float32(8.673617379884035e-19))
-_k137 = _scalar(_float32(-_inf))
-_k138 = _float32(0.0001220703125)
-_k139 = _scalar(_float32(1.000000238418579))
-_k140 = _float32(32.0)
-_k141 = _float32(4096.0)
-_k142 = _float32(0.000244140625)
-_k143 = _scalar(_float32(4096.0))
-_k144 = _float32(0.0)
-_k145 = _float32(4.76837158203125e-07)
-_k146 = _float32(9.5367431640625e-07)
-_k147 = _float32(_inf)
-_k148 = _float32(8.673617379884035e-19)
-_k149 = _float32(-_inf)
-_k150 = _float32(1.000000238418579)
-_k151 = _scalar(_float32(5.0))
-_k152 = _scalar(_float32(0.00390625))
-_k153 = _scalar(_float32(2.9802322387695312e-08))
-_k154 = _scalar(_float32(2.842170943040401e-14))
-_k155 = _scalar(_float32(2.0))
-_k156 = _float32(4.0)
-_k157 = _float32(6.0003662109375)
-_k158 = _scalar(_float32(0.5))
-_k159 = _scalar(_float32(1.0009765625))
-_k160 = _float32(5.0048828125)
-_k161 = _scalar(_float32(5.684341886080802e-14))
-_k162 = _float32(7.62939453125e-06)
-_k163 = _scalar(_float32(2.384185791015625e-07))
-_k164 = _float32(128.0)
-_k165 = _float32(2.842170943040401e-14)
-_k166 = _float32(0.00390625)
-_k167 = _float32(5.0)
-_k168 = _float32(2.9802322387695312e-08)
-_k169 = _float32(1.0009765625)
-_k170 = _float32(5.684341886080802e-14)
-_k171 = _float32(0.5)
-_k172 = _float32(2.384185791015625e-07)
-_k173 = _float32(6.0)
-_k174 = _scalar(_float32(8.0))
-_k175 = _scalar(_float32(4.0))
-_k176 = _scalar(_float32(0.0001220703125))
-_k177 = _scalar(_float32(3.814697265625e-06))
-_k178 = _scalar(_float32(3.0))
-_k179 = _scalar(_float32(0.000244140625))
-_k180 = _float32(8.0)
-_k181 = _float32(3.814697265625e-06)
-_k182 = _float32(3.0)
-_k183 = _scalar(0.375)
-_k184 = _scalar(0.75)
-_k185 = _scalar(2.25)
-_k186 = _scalar(0.9375)
-_k187 = _float64(0.375)
-_k188 = _float64(0.75)
-_k189 = _float64(2.25)
-_k190 = _float64(0.9375)
-_k191 = _scalar(0.6666666666666666)
-_k192 = _scalar(11.0)
-_k193 = _scalar(10.0)
-_k194 = _scalar(9.0)
-_k195 = _scalar(110.0)
-_k196 = _scalar(90.0)
-_k197 = _scalar(72.0)
-_k198 = _scalar(56.0)
-_k199 = _float64(11.0)
-_k200 = _float64(10.0)
-_k201 = _float64(9.0)
-_k202 = _float64(110.0)
-_k203 = _float64(90.0)
-_k204 = _float64(72.0)
-_k205 = _float64(56.0)
-_k206 = _scalar(512.0)
-_k207 = _float64(0.00390625)
-_k208 = _float64(512.0)
-_k209 = _scalar(0.6)
-_k210 = _scalar(0.1)
-_k211 = _float64(0.1)
-_k212 = _scalar(0.09090909090909091)
-_k213 = _float64(0.09090909090909091)
-_k214 = _scalar(0.08333333333333333)
-_k215 = _float64(0.08333333333333333)
-_k216 = _float64(6.103515625e-05)
-_k217 = _float64(1.25)
-_k218 = _scalar(3.3306690738754696e-16)
-_k219 = _scalar(1.3335686721571705e-15)
-_k220 = _scalar(4.00390625)
-_k221 = _scalar(2.001953125)
-_k222 = _float64(5.55653613398821e-16)
-_k223 = _float64(2.001953125)
-_k224 = _float64(3.3306690738754696e-16)
-_k225 = _float64(1.3335686721571705e-15)
-_k226 = _float64(12.01171875)
-_k227 = _float64(6.667843360785852e-15)
-_k228 = _float64(4.00390625)
-_k229 = _float64(6.005859375)
-_k230 = _float64(2.667137344314341e-15)
-_k231 = _float64(5.551115123125783e-16)
-_k232 = _scalar(2.222614453595284e-16)
-_k233 = _float64(6.667843360785852e-16)
-_k234 = _float64(2.222614453595284e-16)
+_k24 = _scalar(7.888609052210118e-31)
+_k25 = _scalar(1.1102230246251565e-16)
+_k26 = _scalar(8.0)
+_k27 = _scalar(0.25)
+_k28 = _scalar(0.0625)
+_k29 = _scalar(0.125)
+_k30 = _float64(0.25)
+_k31 = _float64(2.0)
+_k32 = _float64(7.888609052210118e-31)
+_k33 = _float64(1.1102230246251565e-16)
+_k34 = _float64(8.0)
+_k35 = _float64(0.125)
+_k36 = _float64(0.0625)
+_k37 = _scalar(2.220446049250313e-16)
+_k38 = _float64(2.220446049250313e-16)
+_k39 = _scalar(16.0)
+_k40 = _float64(16.0)
+_k41 = _scalar(64.0)
+_k42 = _float64(64.0)
+_k43 = _float64(-1.0)
+_k44 = _scalar(0.5)
+_k45 = _scalar(1.7763568394002505e-15)
+_k46 = _float64(4.0)
+_k47 = _float64(1.7763568394002505e-15)
+_k48 = _scalar(8.881784197001252e-16)
+_k49 = _float64(8.881784197001252e-16)
+_k50 = _scalar(-1.0)
+_k51 = _scalar(9.313225746154785e-10)
+_k52 = _scalar(1.0000000009313226)
+_k53 = _float64(1.0000000009313226)
+_k54 = _float64(9.313225746154785e-10)
+_k55 = _float64(2.9802322387695312e-08)
+_k56 = _float64(2.842170943040401e-14)
+_k57 = _float64(0.03125)
+_k58 = _float64(5.960464477539063e-08)
+_k59 = _float64(3.0)
+_k60 = _scalar(0.4)
+_k61 = _scalar(0.3333333333333333)
+_k62 = _float64(0.3333333333333333)
+_k63 = _scalar(3.0)
+_k64 = _scalar(4.0)
+_k65 = _scalar(0.2)
+_k66 = _float64(0.2)
+_k67 = _scalar(5.0)
+_k68 = _scalar(0.16666666666666666)
+_k69 = _float64(5.0)
+_k70 = _float64(0.16666666666666666)
+_k71 = _scalar(0.14285714285714285)
+_k72 = _float64(0.14285714285714285)
+_k73 = _scalar(7.0)
+_k74 = _float64(7.0)
+_k75 = _scalar(0.1111111111111111)
+_k76 = _float64(0.1111111111111111)
+_k77 = _scalar(1.4210854715202004e-14)
+_k78 = _scalar(12.0)
+_k79 = _scalar(20.0)
+_k80 = _scalar(30.0)
+_k81 = _scalar(42.0)
+_k82 = _scalar(0.8)
+_k83 = _float64(1.4210854715202004e-14)
+_k84 = _float64(0.015625)
+_k85 = _float64(12.0)
+_k86 = _float64(20.0)
+_k87 = _float64(30.0)
+_k88 = _float64(42.0)
+_k89 = _float64(0.8)
+_k90 = _float64(7.275957614183426e-12)
+_k91 = _float64(1.1920928955078125e-07)
+_k92 = _scalar(9.5367431640625e-07)
+_k93 = _scalar(9.094947017729282e-13)
+_k94 = _scalar(0.9999990463256836)
+_k95 = _float64(9.094947017729282e-13)
+_k96 = _float64(0.9999990463256836)
+_k97 = _float64(3.637978807091713e-12)
+_k98 = _float64(1.4551915228366852e-11)
+_k99 = _scalar(5.684341886080802e-14)
+_k100 = _float64(5.684341886080802e-14)
+_k101 = _scalar(7.105427357601002e-15)
+_k102 = _float64(7.105427357601002e-15)
+_k103 = _float64(0.0078125)
+_k104 = _scalar(128.0)
+_k105 = _scalar(0.0078125)
+_k106 = _float64(128.0)
+_k107 = _float64(2.384185791015625e-07)
+_k108 = _scalar(5.960464477539063e-08)
+_k109 = _float64(-_inf)
+_k110 = _scalar(1.6)
+_k111 = _scalar(1.4551915228366852e-11)
+_k112 = _float64(1.6)
+_k113 = _float64(3.725290298461914e-09)
+_k114 = _scalar(1.5)
+_k115 = _float64(1.5)
+_k116 = _float64(0.000244140625)
+_k117 = _float64(1.52587890625e-05)
+_k118 = _float64(5.820766091346741e-11)
+_k119 = _float64(1.00006103515625)
+_k120 = _float64(65536.0)
+_k121 = _float64(6.0003662109375)
+_k122 = _float64(0.0001220703125)
+_k123 = _scalar(2.409919865102884e-181)
+_k124 = _scalar(-_inf)
+_k125 = _float64(2.409919865102884e-181)
+_k126 = _scalar(3.552713678800501e-15)
+_k127 = _float64(1.3323489447131243e-15)
+_k128 = _float64(5.00030517578125)
+_k129 = _float64(3.552713678800501e-15)
+_k130 = _float32(1.00006103515625)
+_k131 = _float32(2.0)
+_k132 = _scalar(_float32(4.76837158203125e-07))
+_k133 = _float32(1.0)
+_k134 = _scalar(_float32(9.5367431640625e-07))
+_k135 = _scalar(_float32(0.0))
+_k136 = _scalar(_float32(_inf))
+_k137 = _scalar(_float32(1.0))
+_k138 = _scalar(_float32(8.673617379884035e-19))
+_k139 = _scalar(_float32(-_inf))
+_k140 = _float32(0.0001220703125)
+_k141 = _scalar(_float32(1.000000238418579))
+_k142 = _float32(32.0)
+_k143 = _float32(4096.0)
+_k144 = _float32(0.000244140625)
+_k145 = _scalar(_float32(4096.0))
+_k146 = _float32(0.0)
+_k147 = _float32(4.76837158203125e-07)
+_k148 = _float32(9.5367431640625e-07)
+_k149 = _float32(_inf)
+_k150 = _float32(8.673617379884035e-19)
+_k151 = _float32(-_inf)
+_k152 = _float32(1.000000238418579)
+_k153 = _scalar(_float32(5.0))
+_k154 = _scalar(_float32(0.00390625))
+_k155 = _scalar(_float32(2.9802322387695312e-08))
+_k156 = _scalar(_float32(2.842170943040401e-14))
+_k157 = _scalar(_float32(2.0))
+_k158 = _float32(4.0)
+_k159 = _float32(6.0003662109375)
+_k160 = _scalar(_float32(0.5))
+_k161 = _scalar(_float32(1.0009765625))
+_k162 = _float32(5.0048828125)
+_k163 = _scalar(_float32(5.684341886080802e-14))
+_k164 = _float32(7.62939453125e-06)
+_k165 = _scalar(_float32(2.384185791015625e-07))
+_k166 = _float32(128.0)
+_k167 = _float32(2.842170943040401e-14)
+_k168 = _float32(0.00390625)
+_k169 = _float32(5.0)
+_k170 = _float32(2.9802322387695312e-08)
+_k171 = _float32(1.0009765625)
+_k172 = _float32(5.684341886080802e-14)
+_k173 = _float32(0.5)
+_k174 = _float32(2.384185791015625e-07)
+_k175 = _float32(6.0)
+_k176 = _scalar(_float32(8.0))
+_k177 = _scalar(_float32(4.0))
+_k178 = _scalar(_float32(0.0001220703125))
+_k179 = _scalar(_float32(3.814697265625e-06))
+_k180 = _scalar(_float32(3.0))
+_k181 = _scalar(_float32(0.000244140625))
+_k182 = _float32(8.0)
+_k183 = _float32(3.814697265625e-06)
+_k184 = _float32(3.0)
+_k185 = _scalar(0.1)
+_k186 = _scalar(0.09090909090909091)
+_k187 = _scalar(0.08333333333333333)
+_k188 = _scalar(2.48015873015873e-05)
+_k189 = _scalar(2.08767569878681e-09)
+_k190 = _scalar(2.755731922398589e-07)
+_k191 = _scalar(0.001388888888888889)
+_k192 = _scalar(0.041666666666666664)
+_k193 = _scalar(0.008333333333333333)
+_k194 = _scalar(2.7557319223985893e-06)
+_k195 = _scalar(2.505210838544172e-08)
+_k196 = _scalar(0.0001984126984126984)
+_k197 = _float64(0.041666666666666664)
+_k198 = _float64(2.48015873015873e-05)
+_k199 = _float64(2.08767569878681e-09)
+_k200 = _float64(0.1)
+_k201 = _float64(0.09090909090909091)
+_k202 = _float64(0.08333333333333333)
+_k203 = _float64(2.755731922398589e-07)
+_k204 = _float64(0.001388888888888889)
+_k205 = _float64(0.008333333333333333)
+_k206 = _float64(2.7557319223985893e-06)
+_k207 = _float64(2.505210838544172e-08)
+_k208 = _float64(0.0001984126984126984)
+_k209 = _scalar(4.547473508864641e-13)
+_k210 = _scalar(0.75)
+_k211 = _scalar(11.0)
+_k212 = _scalar(10.0)
+_k213 = _scalar(9.0)
+_k214 = _float64(0.75)
+_k215 = _float64(4.547473508864641e-13)
+_k216 = _float64(11.0)
+_k217 = _float64(10.0)
+_k218 = _float64(9.0)
+_k219 = _float64(2.2)
+_k220 = _scalar(512.0)
+_k221 = _float64(0.00390625)
+_k222 = _float64(512.0)
+_k223 = _scalar(0.6)
+_k224 = _float64(6.103515625e-05)
+_k225 = _float64(1.25)
+_k226 = _scalar(3.3306690738754696e-16)
+_k227 = _scalar(1.3335686721571705e-15)
+_k228 = _scalar(4.00390625)
+_k229 = _scalar(2.001953125)
+_k230 = _float64(5.55653613398821e-16)
+_k231 = _float64(2.001953125)
+_k232 = _float64(3.3306690738754696e-16)
+_k233 = _float64(1.3335686721571705e-15)
+_k234 = _float64(12.01171875)
+_k235 = _float64(6.667843360785852e-15)
+_k236 = _float64(4.00390625)
+_k237 = _float64(6.005859375)
+_k238 = _float64(2.667137344314341e-15)
+_k239 = _float64(5.551115123125783e-16)
+_k240 = _scalar(2.222614453595284e-16)
+_k241 = _float64(6.667843360785852e-16)
+_k242 = _float64(2.222614453595284e-16)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1187,7 +1196,7 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
 def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, left_nx: Any, left_ny: Any, left_nz: Any, curving: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of a state at the end of a flight to a surface, from those at its start.
 
-    derivative of Eq. 3 and of the contact time, with roundings. 158 operations: 33 additions, 2 subtractions, 40 multiplications, 3 divisions, 8 negations, 17 absolute values, 23 comparisons, 32 selections.
+    derivative of Eq. 3 and of the contact time, with roundings. 165 operations: 36 additions, 2 subtractions, 43 multiplications, 2 divisions, 10 negations, 17 absolute values, 23 comparisons, 32 selections.
     Returns dx, dy, dz, lifting, dvx, dvy, dvz, delay, shift.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31 = _room[:32]
@@ -1205,25 +1214,25 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     _s11 = _add(_k22, _multiply(curving, _add(_add(_s8, _s9, _r11), _s10, _r11), _r11), _r11)
     _s12 = _multiply(_k23, t, _r12)
     _s13 = _multiply(_s12, _s0, _r13)
-    _s14 = _multiply(_k24, _add(_s13, _s8, _r8), _r8)
+    _s14 = _add(_k24, _multiply(_k25, _add(_s13, _s8, _r8), _r8), _r8)
     _s15 = curving < _k8
     _s16 = _select(_s15, _multiply(_k17, _multiply(_s13, _s11, _r13), _r13), _s14, _r14)
     _s17 = _s7 < _k6
     _s18 = _add(dy, _multiply(dvy, t, _r15), _r15)
     _s19 = _multiply(_s12, _s1, _r16)
-    _s20 = _multiply(_k24, _add(_s19, _s9, _r9), _r9)
+    _s20 = _add(_k24, _multiply(_k25, _add(_s19, _s9, _r9), _r9), _r9)
     _s21 = _select(_s15, _multiply(_k17, _multiply(_s19, _s11, _r16), _r16), _s20, _r17)
     _s22 = _s18 < _k6
     _s23 = _add(dz, _multiply(dvz, t, _r18), _r18)
     _s24 = _add(_multiply(p_gravity, _multiply(t, t, _r19), _r19), _multiply(_s12, _s3, _r12), _r12)
-    _s25 = _multiply(_k24, _add(_s24, _s10, _r10), _r10)
+    _s25 = _add(_k24, _multiply(_k25, _add(_s24, _s10, _r10), _r10), _r10)
     _s26 = _select(_s15, _multiply(_k17, _multiply(_s24, _s11, _r12), _r12), _s25, _r11)
     _s27 = _s23 < _k6
     _s28 = _add(_add(_multiply(nx, _add(_s7, _select(_s17, _negative(_s16, _r19), _s16, _r20), _r20), _r20), _multiply(ny, _add(_s18, _select(_s22, _negative(_s21, _r19), _s21, _r21), _r21), _r21), _r21), _multiply(nz, _add(_s23, _select(_s27, _negative(_s26, _r20), _s26, _r19), _r19), _r19), _r19)
-    _s29 = _add(_add(_multiply(nx, vx, _r21), _multiply(ny, vy, _r20), _r20), _multiply(nz, vz, _r21), _r21)
-    _s30 = _negative(_divide(_subtract(_s28, _add(_add(_multiply(dx, left_nx, _r20), _multiply(dy, left_ny, _r22), _r22), _multiply(dz, left_nz, _r20), _r20), _r20), _s29, _r20), _r20)
+    _s29 = _divide(_k22, _add(_add(_multiply(nx, vx, _r21), _multiply(ny, vy, _r20), _r20), _multiply(nz, vz, _r21), _r21), _r21)
+    _s30 = _negative(_multiply(_subtract(_s28, _add(_add(_multiply(dx, left_nx, _r20), _multiply(dy, left_ny, _r22), _r22), _multiply(dz, left_nz, _r20), _r20), _r20), _s29, _r20), _r20)
     _s31 = _add(_multiply(vx, _s30, _r19), _add(_s7, _select(_s17, _negative(_s14, _r22), _s14, _r23), _r23), _r23)
-    _s32 = _add(_k25, _multiply(_k25, contacts, _r19), _r19)
+    _s32 = _absolute(_s31, _r19)
     _s33 = _absolute(dx, _r22)
     _s34 = _absolute(dy, _r7)
     _s35 = _select(_s33 < _s34, _s34, _s33, _r24)
@@ -1237,21 +1246,26 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     _s43 = _select(_s16 < _s21, _s21, _s16, _r30)
     _s44 = _select(_s14 < _s20, _s20, _s14, _r29)
     _s45 = _add(_add(_s42, _select(_s44 < _s25, _s25, _s44, _r28), _r28), _s37, _r28)
-    _s46 = _add(_multiply(_divide(_s4, _absolute(_s29, _r21), _r21), _add(_multiply(_s37, _s6, _r26), _add(_s42, _select(_s43 < _s26, _s26, _s43, _r25), _r25), _r25), _r25), _s45, _r25)
-    _s47 = _divide(_s46, _s32, _r21)
-    _s48 = _negative(_s47, _r26)
-    _s49 = _s6 < _k26
-    _s50 = _add(_multiply(vy, _s30, _r6), _add(_s18, _select(_s22, _negative(_s20, _r5), _s20, _r30), _r30), _r30)
-    _s51 = _add(_multiply(vz, _s30, _r6), _add(_s23, _select(_s27, _negative(_s25, _r5), _s25, _r9), _r9), _r9)
-    _s52 = _absolute(_s30, _r6)
-    _s53 = _multiply(_k27, late, _r5)
-    return _result(_s49, _s31, _select(_absolute(_s31, _r10) < _s47, _select(_s31 < _k6, _s48, _s47, _r10), _s31, _r18), _r0), _result(_s49, _s50, _select(_absolute(_s50, _r18) < _s47, _select(_s50 < _k6, _s48, _s47, _r18), _s50, _r10), _r0), _result(_s49, _s51, _select(_absolute(_s51, _r10) < _s47, _select(_s51 < _k6, _s48, _s47, _r10), _s51, _r18), _r0), _result(_s49, _k25, _s32, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s30, _r20), _multiply(_k17, _add(clock, t, _r20), _r20) + _select(_s52 < _s53, _s53, _s52, _r19), _result(_s49, _s45, _s46, _r0)
+    _s46 = _add(_multiply(_multiply(_absolute(_s29, _r21), _s4, _r21), _add(_multiply(_s37, _s6, _r26), _add(_s42, _select(_s43 < _s26, _s26, _s43, _r25), _r25), _r25), _r25), _s45, _r25)
+    _s47 = _divide(_k22, _add(_k26, _multiply(_k26, contacts, _r21), _r21), _r21)
+    _s48 = _multiply(_s46, _s47, _r26)
+    _s49 = _select(_s32 < _s48, _s48, _s32, _r30)
+    _s50 = _s6 < _k27
+    _s51 = _add(_multiply(vy, _s30, _r6), _add(_s18, _select(_s22, _negative(_s20, _r5), _s20, _r31), _r31), _r31)
+    _s52 = _absolute(_s51, _r6)
+    _s53 = _select(_s52 < _s48, _s48, _s52, _r5)
+    _s54 = _add(_multiply(vz, _s30, _r9), _add(_s23, _select(_s27, _negative(_s25, _r15), _s25, _r11), _r11), _r11)
+    _s55 = _absolute(_s54, _r9)
+    _s56 = _select(_s55 < _s48, _s48, _s55, _r15)
+    _s57 = _absolute(_s30, _r10)
+    _s58 = _multiply(_k28, late, _r18)
+    return _result(_s50, _s31, _select(_s31 < _k6, _negative(_s49, _r12), _s49, _r17), _r0), _result(_s50, _s51, _select(_s51 < _k6, _negative(_s53, _r17), _s53, _r12), _r0), _result(_s50, _s54, _select(_s54 < _k6, _negative(_s56, _r12), _s56, _r17), _r0), _result(_s50, _k29, _s47, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s30, _r20), _multiply(_k17, _add(clock, t, _r20), _r20) + _select(_s57 < _s58, _s58, _s57, _r21), _result(_s50, _s45, _s46, _r0)
 
 
 def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of a state at the time limit, from those at the start of the flight.
 
-    derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
+    derivative of Eq. 3, with roundings. 65 operations: 20 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, clock_error.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _room[:17]
@@ -1262,19 +1276,19 @@ def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock:
     _s4 = _select(_s2 < _s3, _s3, _s2, _r4)
     _s5 = _absolute(dvz, _r5)
     _s6 = _multiply(_k23, t, _r6)
-    _s7 = _multiply(_k24, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8)
+    _s7 = _add(_k24, _multiply(_k25, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8), _r8)
     _s8 = _absolute(vy, _r7)
-    _s9 = _multiply(_k24, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10)
+    _s9 = _add(_k24, _multiply(_k25, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10), _r10)
     _s10 = _select(_s7 < _s9, _s9, _s7, _r9)
     _s11 = _absolute(vz, _r11)
-    _s12 = _multiply(_k24, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12)
+    _s12 = _add(_k24, _multiply(_k25, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12), _r12)
     _s13 = _absolute(dx, _r6)
     _s14 = _absolute(dy, _r13)
     _s15 = _select(_s13 < _s14, _s14, _s13, _r14)
     _s16 = _absolute(dz, _r15)
     _s17 = _add(_add(_multiply(t, _select(_s4 < _s5, _s5, _s4, _r16), _r16), _select(_s10 < _s12, _s12, _s10, _r4), _r4), _select(_s15 < _s16, _s16, _s15, _r12), _r12)
     _s18 = _absolute(0.0)
-    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(_k33, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(_k33, _s8, _r7), _add(_s5, _multiply(_k33, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
+    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(_k37, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(_k37, _s8, _r7), _add(_s5, _multiply(_k37, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1296,7 +1310,7 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     _s9 = _absolute(dwy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dwz, _r11)
-    return _k35 * _select(_s2 < _s3, _s3, _s2, _r12), _k35 * _select(_s6 < _s7, _s7, _s6, _r12), _k35 * _select(_s10 < _s11, _s11, _s10, _r12), _k35 * clock_error
+    return _k39 * _select(_s2 < _s3, _s3, _s2, _r12), _k39 * _select(_s6 < _s7, _s7, _s6, _r12), _k39 * _select(_s10 < _s11, _s11, _s10, _r12), _k39 * clock_error
 
 
 def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1318,7 +1332,7 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
     _s9 = _absolute(dwy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dwz, _r11)
-    return _k37 * _select(_s2 < _s3, _s3, _s2, _r12), _k37 * _select(_s6 < _s7, _s7, _s6, _r12), _k37 * _select(_s10 < _s11, _s11, _s10, _r12), _k37 * clock_error
+    return _k41 * _select(_s2 < _s3, _s3, _s2, _r12), _k41 * _select(_s6 < _s7, _s7, _s6, _r12), _k41 * _select(_s10 < _s11, _s11, _s10, _r12), _k41 * clock_error
 
 
 def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, p_end_depth: Any, p_ring_restitution: Any, p_backboard_restitution: Any, p_bridge_restitution: Any, p_ring_friction: Any, p_backboard_friction: Any, p_bridge_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any) -> tuple[Any, ...]:
@@ -1359,7 +1373,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s0 = _subtract(_sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), p_ring_radius, _r1)
     _s1 = p_ball_radius + p_wire_radius
     _s2 = _subtract(_add(_multiply(z, z, _r0), _multiply(_s0, _s0, _r1), _r1), _s1 * _s1, _r1)
-    _s3 = _absolute(last, _r0) < _k40
+    _s3 = _absolute(last, _r0) < _k44
     _s4 = _select(_s3, _k22, _select(_k6 <= _s2, _k22, _k6, _r0), _r2)
     _s5 = _subtract(z, p_board_top, _r3)
     _s6 = _subtract(p_board_bottom, z, _r4)
@@ -1371,7 +1385,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s12 = _negative(_add(p_board_half_width, y, _r3), _r3)
     _s13 = _subtract(_select(_s11 < _k6, _k6, _s11, _r8), _select(_s12 < _k6, _k6, _s12, _r9), _r9)
     _s14 = _subtract(_sqrt(_add(_add(_multiply(_s7, _s7, _r6), _multiply(_s10, _s10, _r7), _r7), _multiply(_s13, _s13, _r9), _r9), _r9), p_ball_radius, _r9)
-    _s15 = _absolute(_subtract(last, _k22, _r7), _r7) < _k40
+    _s15 = _absolute(_subtract(last, _k22, _r7), _r7) < _k44
     _s16 = _select(_s15, _s4, _select(_k6 <= _s14, _s4, _k6, _r7), _r6)
     _s17 = _add(p_ring_radius, x, _r3)
     _s18 = _negative(_s8, _r4)
@@ -1383,10 +1397,10 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s24 = _subtract(p_wire_radius - p_bridge_depth, z, _r3)
     _s25 = _subtract(_select(_s23 < _k6, _k6, _s23, _r4), _select(_s24 < _k6, _k6, _s24, _r11), _r11)
     _s26 = _subtract(_sqrt(_add(_add(_multiply(_s19, _s19, _r5), _multiply(_s22, _s22, _r10), _r10), _multiply(_s25, _s25, _r11), _r11), _r11), p_ball_radius, _r11)
-    _s27 = _absolute(_subtract(last, _k23, _r10), _r10) < _k40
+    _s27 = _absolute(_subtract(last, _k23, _r10), _r10) < _k44
     _s28 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_thickness)) + _absolute(p_board_top)
     _s29 = ((((_s28 + _absolute(p_bridge_depth)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)
-    _s30 = _multiply(_k41, _add(_add(_add(_s29, _absolute(x, _r10), _r10), _absolute(y, _r5), _r5), _absolute(z, _r10), _r10), _r10)
+    _s30 = _multiply(_k45, _add(_add(_add(_s29, _absolute(x, _r10), _r10), _absolute(y, _r5), _r5), _absolute(z, _r10), _r10), _r10)
     _s31 = _select(_s3, _k6, _select(_absolute(_s2, _r1) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s30, _r5), _k22, _k6, _r5), _r1)
     _s32 = _select(_s15, _s31, _select(_absolute(_s14, _r9) <= _s30, _k22, _s31, _r9), _r3)
     return _result(_s27, _s16, _select(_k6 <= _s26, _s16, _k6, _r4), _r0), _result(_s27, _s32, _select(_absolute(_s26, _r11) <= _s30, _k22, _s32, _r11), _r0)
@@ -1396,13 +1410,13 @@ def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire
     """Where a start may overlap a surface, or be in doubt; and what is said elsewhere.
 
     Table 2. 54 operations: 19 additions, 6 subtractions, 5 multiplications, 2 negations, 16 absolute values, 3 comparisons, 2 conjunctions, 1 complement.
-    Returns near, valid, doubt.
+    Returns close, valid, doubt.
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_thickness)) + _absolute(p_board_top)
     _s1 = ((((_s0 + _absolute(p_bridge_depth)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)
     _s2 = _absolute(x, _r0)
-    _s3 = _multiply(_k25, _multiply(_k41, _add(_add(_add(_s1, _s2, _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k26, _multiply(_k45, _add(_add(_add(_s1, _s2, _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1), _r1)
     _s4 = 0.5 * p_board_thickness
     _s5 = _s3 < _subtract(_absolute(_subtract(x, -(p_board_distance + _s4), _r2), _r2), p_ball_radius + _s4, _r2)
     _s6 = 0.5 * p_board_distance
@@ -1422,7 +1436,7 @@ def passing_start(last: Any, outcome: Any, uncertain: Any, x: Any, y: Any, z: An
     _s0 = _logical_and(_logical_and((_k6 <= last), (z < _k6)), ((-p_end_depth) <= z))
     _s1 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
     _s2 = p_ring_radius * p_ring_radius
-    _s3 = _result(_logical_and(_logical_and(_s0, (_absolute(_subtract(_s1, _s2, _r0), _r0) <= _multiply(_k44, _add(_s2, _s1, _r2), _r2))), (outcome < _k6)), _k22, uncertain, _r0)
+    _s3 = _result(_logical_and(_logical_and(_s0, (_absolute(_subtract(_s1, _s2, _r0), _r0) <= _multiply(_k48, _add(_s2, _s1, _r2), _r2))), (outcome < _k6)), _k22, uncertain, _r0)
     return _result(_logical_and(_s0, (_s1 < _s2)), _k22, _k6, _r0), _s3
 
 
@@ -1451,7 +1465,7 @@ def passing(through: Any, t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: 
     _s15 = _select(_s14 < t, _s14, t, _r2)
     _s16 = _add(x, _multiply(vx, _s15, _r6), _r6)
     _s17 = _add(y, _multiply(vy, _s15, _r2), _r2)
-    _s18 = _select(_logical_and(_logical_or(_s4, _logical_and(_s0, (_k6 <= _s1))), (_add(_multiply(_s16, _s16, _r6), _multiply(_s17, _s17, _r2), _r2) < _s12)), _select(through == _k22, _k6, _k46, _r2), through, _r6)
+    _s18 = _select(_logical_and(_logical_or(_s4, _logical_and(_s0, (_k6 <= _s1))), (_add(_multiply(_s16, _s16, _r6), _multiply(_s17, _s17, _r2), _r2) < _s12)), _select(through == _k22, _k6, _k50, _r2), through, _r6)
     _s19 = _result(_logical_and(_logical_and(_logical_or(_s4, _logical_and(_s2, (_k6 <= z))), (_add(_multiply(_s10, _s10, _r5), _multiply(_s11, _s11, _r4), _r4) < _s12)), (_s18 == _k6)), _k22, _s18, _r0)
     return _s19,
 
@@ -1469,7 +1483,7 @@ def passing_doubt(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ext
     _s3 = _multiply(p_gravity, t, _r2)
     _s4 = _add(speed, _s3, _r3)
     _s5 = _multiply(_k15, _add(_add(position_error, _multiply(t, velocity_error, _r4), _r4), _multiply(_k17, _add(extent, _multiply(t, _s4, _r5), _r5), _r5), _r5), _r5)
-    _s6 = _add(_multiply(_k44, _multiply(_s1, _s2, _r4), _r4), _s5, _r4)
+    _s6 = _add(_multiply(_k48, _multiply(_s1, _s2, _r4), _r4), _s5, _r4)
     _s7 = z < _k6
     _s8 = _s0 < _k6
     _s9 = _logical_and(_logical_and(_s7, _s8), (_k6 < vz))
@@ -1487,7 +1501,7 @@ def passing_doubt(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ext
     _s21 = _add(x, _multiply(vx, _s20, _r7), _r7)
     _s22 = _add(y, _multiply(vy, _s20, _r8), _r8)
     _s23 = _sqrt(_add(_multiply(_s21, _s21, _r7), _multiply(_s22, _s22, _r8), _r8), _r8)
-    _s24 = _multiply(_multiply(_k15, _s4, _r3), _add(_sqrt(_multiply(8.0 * _s2, _s6, _r7), _r7), _multiply(_k44, _add(t, _multiply(_absolute(vz, _r10), _s2, _r10), _r10), _r10), _r10), _r3)
+    _s24 = _multiply(_multiply(_k15, _s4, _r3), _add(_sqrt(_multiply(8.0 * _s2, _s6, _r7), _r7), _multiply(_k48, _add(t, _multiply(_absolute(vz, _r10), _s2, _r10), _r10), _r10), _r10), _r3)
     _s25 = _add(_s24, _s5, _r3)
     _s26 = _logical_and(_logical_or(_logical_or(_logical_and((_k6 < position_error), (_absolute(z, _r5) <= position_error)), (_absolute(_s0, _r5) <= _s6)), _logical_and(_s9, (_absolute(_s10, _r5) <= _multiply(4.0 * p_gravity, _s6, _r4)))), (_select(_s17 < _s23, _s17, _s23, _r4) <= _add(p_ring_radius, _s25, _r5)))
     _s27 = _logical_and(_logical_and(_s9, (_k6 < _s10)), (vz < _s3))
@@ -1522,22 +1536,22 @@ def halved(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, exte
     Returns middle_x, reach_x, later_middle_x, later_reach_x, middle_y, reach_y, later_middle_y, later_reach_y, middle_z, reach_z, later_middle_z, later_reach_z.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
-    _s0 = _multiply(_k40, horizon, _r0)
+    _s0 = _multiply(_k44, horizon, _r0)
     _s1 = _multiply(vx, _s0, _r1)
-    _s2 = _multiply(_k40, _s1, _r2)
+    _s2 = _multiply(_k44, _s1, _r2)
     _s3 = _absolute(0.0)
-    _s4 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k47, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s4 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k51, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r4), _r4), _r4), _r4), _r4), _r4)
     _s5 = _select(pad < late, _k8, _s4, _r3)
-    _s6 = _k48 * _add(_add(_s3, _multiply(_k40, _absolute(_s1, _r5), _r5), _r5), _s5, _r5)
+    _s6 = _k52 * _add(_add(_s3, _multiply(_k44, _absolute(_s1, _r5), _r5), _r5), _s5, _r5)
     _s7 = _multiply(vy, _s0, _r5)
-    _s8 = _multiply(_k40, _s7, _r6)
-    _s9 = _k48 * _add(_add(_s3, _multiply(_k40, _absolute(_s7, _r7), _r7), _r7), _s5, _r7)
+    _s8 = _multiply(_k44, _s7, _r6)
+    _s9 = _k52 * _add(_add(_s3, _multiply(_k44, _absolute(_s7, _r7), _r7), _r7), _s5, _r7)
     _s10 = _multiply(0.5 * p_gravity, _s0, _r7)
     _s11 = _multiply(_s0, _subtract(vz, _s10, _r8), _r8)
     _s12 = _negative(_multiply(0.0625 * p_gravity, _multiply(_s0, _s0, _r9), _r9), _r9)
     _s13 = _absolute(_s12, _r10)
     _s14 = _multiply(_s0, _subtract(_subtract(vz, _multiply(p_gravity, _s0, _r11), _r11), _s10, _r11), _r11)
-    return x + _s2, _s6, _s2 + _add(x, _s1, _r1), _s6, y + _s8, _s9, _s8 + _add(y, _s7, _r5), _s9, _add(z, _multiply(_k40, _s11, _r5), _r5) - _s12, _k48 * _add(_add(_s13, _multiply(_k40, _absolute(_s11, _r5), _r5), _r5), _s5, _r5), _add(_multiply(_k40, _s14, _r5), _add(z, _s11, _r8), _r8) - _s12, _k48 * _add(_add(_s13, _multiply(_k40, _absolute(_s14, _r11), _r11), _r11), _s5, _r11)
+    return x + _s2, _s6, _s2 + _add(x, _s1, _r1), _s6, y + _s8, _s9, _s8 + _add(y, _s7, _r5), _s9, _add(z, _multiply(_k44, _s11, _r5), _r5) - _s12, _k52 * _add(_add(_s13, _multiply(_k44, _absolute(_s11, _r5), _r5), _r5), _s5, _r5), _add(_multiply(_k44, _s14, _r5), _add(z, _s11, _r8), _r8) - _s12, _k52 * _add(_add(_s13, _multiply(_k44, _absolute(_s14, _r11), _r11), _r11), _s5, _r11)
 
 
 def untaken() -> tuple[Any, ...]:
@@ -1558,14 +1572,14 @@ def left(index: Any, last: Any) -> tuple[Any, ...]:
     return _where((last == index), 1.0, 0.0),
 
 
-def meeting_plane(bend: Any, rate: Any, time: Any) -> tuple[Any, ...]:
-    """Whether a plane's only arrival is one, and the size of the bend there.
+def meeting_plane(apex: Any, bend: Any, rate: Any, time: Any) -> tuple[Any, ...]:
+    """Whether a plane's only arrival is one, the bend's size; when the ball is nearest.
 
-    Table 1. 12 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction.
-    Returns arrives, ceiling.
+    Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection.
+    Returns arrives, ceiling, nearest.
     """
     _s0 = _logical_and(_logical_and(_logical_or((rate < 0.0), _logical_and(_logical_and((rate <= 0.0), (bend < 0.0)), (time == 0.0))), (0.0 <= time)), (time < _inf))
-    return _s0, _absolute(bend)
+    return _s0, _absolute(bend), _where(_s0, time, apex)
 
 
 def timely(arrives: Any, delay: Any, late: Any, time: Any, when: Any) -> tuple[Any, ...]:
@@ -1892,33 +1906,6 @@ def again(index: Any, last: Any, which: Any) -> tuple[Any, ...]:
     return _logical_and((which == index), (last == which)),
 
 
-def delayed(clock_error: Any, delay: Any) -> tuple[Any, ...]:
-    """The error of the event's time.
-
-    Table 1. 1 operation: 1 addition.
-    Returns clock_error.
-    """
-    return clock_error + delay,
-
-
-def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
-    """Errors of the position at the end, not below what one flight can make.
-
-    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
-    Returns dx, dy, dz.
-    """
-    return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
-
-
-def unturned() -> tuple[Any, ...]:
-    """A normal without error.
-
-    Table 1. No operations.
-    Returns dnx, dny, dnz, turn.
-    """
-    return 0.0, 0.0, 0.0, 0.0
-
-
 def touched(body: Any, first: Any, which: Any) -> tuple[Any, ...]:
     """The surfaces that were touched first and last.
 
@@ -1935,15 +1922,6 @@ def timed(claims: Any, index: Any, which: Any) -> tuple[Any, ...]:
     Returns timed.
     """
     return _logical_and((which == index), (0.0 < claims)),
-
-
-def closing(claims: Any, outcome: Any) -> tuple[Any, ...]:
-    """Where a shot has ended whose errors are asked for.
-
-    Table 1. 3 operations: 2 comparisons, 1 conjunction.
-    Returns closed.
-    """
-    return _logical_and((0.0 < claims), (0.0 <= outcome)),
 
 
 def undecided(uncertain: Any, unsure: Any) -> tuple[Any, ...]:
@@ -2015,6 +1993,42 @@ def accounted(contacts: Any, most_contacts: Any, reached: Any, touches: Any) -> 
     return _where(touches, _s0, contacts), _where(touches, _where((most_contacts <= _s0), 2.0, -1.0), reached)
 
 
+def delayed(clock_error: Any, delay: Any) -> tuple[Any, ...]:
+    """The error of the event's time.
+
+    Table 1. 1 operation: 1 addition.
+    Returns clock_error.
+    """
+    return clock_error + delay,
+
+
+def closing(claims: Any, outcome: Any) -> tuple[Any, ...]:
+    """Where a shot has ended whose errors are asked for; no other one claims any.
+
+    Table 1. 3 operations: 2 comparisons, 1 conjunction.
+    Returns closed, position_claim, velocity_claim, spin_claim, time_claim.
+    """
+    return _logical_and((0.0 < claims), (0.0 <= outcome)), 0.0, 0.0, 0.0, 0.0
+
+
+def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
+    """Errors of the position at the end, not below what one flight can make.
+
+    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
+    Returns dx, dy, dz.
+    """
+    return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
+
+
+def unturned() -> tuple[Any, ...]:
+    """A normal without error.
+
+    Table 1. No operations.
+    Returns dnx, dny, dnz, turn.
+    """
+    return 0.0, 0.0, 0.0, 0.0
+
+
 def circles(held: Any, index: Any, rolling: Any) -> tuple[Any, ...]:
     """Which of the balls in contact are on the ring.
 
@@ -2079,7 +2093,7 @@ def roll_0(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, nx_0: Any, ny_
     _s5 = _multiply(ny_0, _s3, _r1) - _multiply(nz_0, _s2, _r0)
     _s6 = _multiply(nz_0, _s1, _r0) - _multiply(nx_0, _s3, _r1)
     _s7 = _multiply(nx_0, _s2, _r1) - _multiply(ny_0, _s1, _r0)
-    return _s4, _s5, _s6, _s7, _multiply(nx_0, _s4, _r0) + _multiply(_k56, _multiply(turn_rate_0, _s5, _r1), _r1), _multiply(ny_0, _s4, _r1) + _multiply(_k56, _multiply(turn_rate_0, _s6, _r0), _r0), _add(_multiply(nz_0, _s4, _r0), _multiply(_k56, _multiply(turn_rate_0, _s7, _r1), _r1), _r1) - _s0, _s1, _s2, _s3, -_add(_add(_multiply(vx_0, _s5, _r1), _multiply(vy_0, _s6, _r0), _r0), _multiply(vz_0, _s7, _r1), _r1)
+    return _s4, _s5, _s6, _s7, _multiply(nx_0, _s4, _r0) + _multiply(_k60, _multiply(turn_rate_0, _s5, _r1), _r1), _multiply(ny_0, _s4, _r1) + _multiply(_k60, _multiply(turn_rate_0, _s6, _r0), _r0), _add(_multiply(nz_0, _s4, _r0), _multiply(_k60, _multiply(turn_rate_0, _s7, _r1), _r1), _r1) - _s0, _s1, _s2, _s3, -_add(_add(_multiply(vx_0, _s5, _r1), _multiply(vy_0, _s6, _r0), _r0), _multiply(vz_0, _s7, _r1), _r1)
 
 
 def roll_1(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, ty_0: Any, tz_0: Any, vx_0: Any, vx_1: Any, vy_0: Any, vy_1: Any, vz_0: Any, vz_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2099,8 +2113,8 @@ def roll_1(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, n
     _s7 = _add(_s6, _multiply(nz_0, _s0, _r3), _r3) - _add(_multiply(nx_0, _s2, _r4), _s6, _r4)
     _s8 = _multiply(nx_1, ny_1, _r4)
     _s9 = _add(_multiply(nx_0, _s1, _r3), _s8, _r3) - _add(_s8, _multiply(ny_0, _s0, _r6), _r6)
-    _s10 = -_multiply(_k40, _add(_add(_add(_multiply(tx_0, vx_1, _r6), _multiply(vx_0, _s5, _r3), _r3), _add(_multiply(ty_0, vy_1, _r6), _multiply(vy_0, _s7, _r4), _r4), _r4), _add(_multiply(tz_0, vz_1, _r3), _multiply(vz_0, _s9, _r6), _r6), _r6), _r6)
-    return _s3, _s5, _s7, _s9, _k40 * _add(_add(_multiply(lift_0, nx_1, _r6), _multiply(nx_0, _s3, _r4), _r4), _multiply(_k56, _add(_multiply(turn_rate_0, _s5, _r6), _multiply(turn_rate_1, tx_0, _r3), _r3), _r3), _r3), _k40 * _add(_add(_multiply(lift_0, ny_1, _r3), _multiply(ny_0, _s3, _r4), _r4), _multiply(_k56, _add(_multiply(turn_rate_0, _s7, _r3), _multiply(turn_rate_1, ty_0, _r6), _r6), _r6), _r6), _k40 * _add(_add(_multiply(lift_0, nz_1, _r6), _multiply(nz_0, _s3, _r4), _r4), _multiply(_k56, _add(_multiply(turn_rate_0, _s9, _r6), _multiply(turn_rate_1, tz_0, _r3), _r3), _r3), _r3), _k40 * _s0, _k40 * _s1, _k40 * _s2, _s10
+    _s10 = -_multiply(_k44, _add(_add(_add(_multiply(tx_0, vx_1, _r6), _multiply(vx_0, _s5, _r3), _r3), _add(_multiply(ty_0, vy_1, _r6), _multiply(vy_0, _s7, _r4), _r4), _r4), _add(_multiply(tz_0, vz_1, _r3), _multiply(vz_0, _s9, _r6), _r6), _r6), _r6)
+    return _s3, _s5, _s7, _s9, _k44 * _add(_add(_multiply(lift_0, nx_1, _r6), _multiply(nx_0, _s3, _r4), _r4), _multiply(_k60, _add(_multiply(turn_rate_0, _s5, _r6), _multiply(turn_rate_1, tx_0, _r3), _r3), _r3), _r3), _k44 * _add(_add(_multiply(lift_0, ny_1, _r3), _multiply(ny_0, _s3, _r4), _r4), _multiply(_k60, _add(_multiply(turn_rate_0, _s7, _r3), _multiply(turn_rate_1, ty_0, _r6), _r6), _r6), _r6), _k44 * _add(_add(_multiply(lift_0, nz_1, _r6), _multiply(nz_0, _s3, _r4), _r4), _multiply(_k60, _add(_multiply(turn_rate_0, _s9, _r6), _multiply(turn_rate_1, tz_0, _r3), _r3), _r3), _r3), _k44 * _s0, _k44 * _s1, _k44 * _s2, _s10
 
 
 def roll_2(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, nx_0: Any, nx_1: Any, nx_2: Any, ny_0: Any, ny_1: Any, ny_2: Any, nz_0: Any, nz_1: Any, nz_2: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, vx_0: Any, vx_1: Any, vx_2: Any, vy_0: Any, vy_1: Any, vy_2: Any, vz_0: Any, vz_1: Any, vz_2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2120,11 +2134,11 @@ def roll_2(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s7 = _multiply(_k23, nx_1, _r5)
     _s8 = _add(_add(_multiply(nx_1, nz_2, _r6), _multiply(_s0, nz_1, _r2), _r2), _multiply(nz_0, _s1, _r6), _r6) - _add(_add(_multiply(nx_0, _s4, _r2), _multiply(_s7, nz_2, _r7), _r7), _multiply(nx_2, nz_1, _r2), _r2)
     _s9 = _add(_add(_multiply(nx_0, _s3, _r2), _multiply(_s7, ny_2, _r5), _r5), _multiply(nx_2, ny_1, _r2), _r2) - _add(_add(_multiply(nx_1, ny_2, _r5), _multiply(_s0, ny_1, _r0), _r0), _multiply(ny_0, _s1, _r5), _r5)
-    _s10 = _k57 * _add(_add(_add(_multiply(lift_0, nx_2, _r5), _multiply(lift_1, nx_1, _r2), _r2), _multiply(nx_0, _s5, _r5), _r5), _multiply(_k56, _add(_add(_multiply(turn_rate_0, _s6, _r2), _multiply(turn_rate_1, tx_1, _r0), _r0), _multiply(turn_rate_2, tx_0, _r2), _r2), _r2), _r2)
-    _s11 = _k57 * _add(_add(_add(_multiply(lift_0, ny_2, _r2), _multiply(lift_1, ny_1, _r5), _r5), _multiply(ny_0, _s5, _r2), _r2), _multiply(_k56, _add(_add(_multiply(turn_rate_0, _s8, _r5), _multiply(turn_rate_1, ty_1, _r0), _r0), _multiply(turn_rate_2, ty_0, _r5), _r5), _r5), _r5)
-    _s12 = _k57 * _add(_add(_add(_multiply(lift_0, nz_2, _r5), _multiply(lift_1, nz_1, _r2), _r2), _multiply(nz_0, _s5, _r5), _r5), _multiply(_k56, _add(_add(_multiply(turn_rate_0, _s9, _r2), _multiply(turn_rate_1, tz_1, _r0), _r0), _multiply(turn_rate_2, tz_0, _r2), _r2), _r2), _r2)
-    _s13 = _multiply(_k57, _add(_add(_add(_add(_multiply(tx_0, vx_2, _r2), _multiply(tx_1, vx_1, _r5), _r5), _multiply(vx_0, _s6, _r2), _r2), _add(_add(_multiply(ty_0, vy_2, _r5), _multiply(ty_1, vy_1, _r0), _r0), _multiply(vy_0, _s8, _r5), _r5), _r5), _add(_add(_multiply(tz_0, vz_2, _r2), _multiply(tz_1, vz_1, _r0), _r0), _multiply(vz_0, _s9, _r2), _r2), _r2), _r2)
-    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k57 * _s1, _k57 * _s3, _k57 * _s4, -_s13
+    _s10 = _k61 * _add(_add(_add(_multiply(lift_0, nx_2, _r5), _multiply(lift_1, nx_1, _r2), _r2), _multiply(nx_0, _s5, _r5), _r5), _multiply(_k60, _add(_add(_multiply(turn_rate_0, _s6, _r2), _multiply(turn_rate_1, tx_1, _r0), _r0), _multiply(turn_rate_2, tx_0, _r2), _r2), _r2), _r2)
+    _s11 = _k61 * _add(_add(_add(_multiply(lift_0, ny_2, _r2), _multiply(lift_1, ny_1, _r5), _r5), _multiply(ny_0, _s5, _r2), _r2), _multiply(_k60, _add(_add(_multiply(turn_rate_0, _s8, _r5), _multiply(turn_rate_1, ty_1, _r0), _r0), _multiply(turn_rate_2, ty_0, _r5), _r5), _r5), _r5)
+    _s12 = _k61 * _add(_add(_add(_multiply(lift_0, nz_2, _r5), _multiply(lift_1, nz_1, _r2), _r2), _multiply(nz_0, _s5, _r5), _r5), _multiply(_k60, _add(_add(_multiply(turn_rate_0, _s9, _r2), _multiply(turn_rate_1, tz_1, _r0), _r0), _multiply(turn_rate_2, tz_0, _r2), _r2), _r2), _r2)
+    _s13 = _multiply(_k61, _add(_add(_add(_add(_multiply(tx_0, vx_2, _r2), _multiply(tx_1, vx_1, _r5), _r5), _multiply(vx_0, _s6, _r2), _r2), _add(_add(_multiply(ty_0, vy_2, _r5), _multiply(ty_1, vy_1, _r0), _r0), _multiply(vy_0, _s8, _r5), _r5), _r5), _add(_add(_multiply(tz_0, vz_2, _r2), _multiply(tz_1, vz_1, _r0), _r0), _multiply(vz_0, _s9, _r2), _r2), _r2), _r2)
+    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k61 * _s1, _k61 * _s3, _k61 * _s4, -_s13
 
 
 def roll_3(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2135,26 +2149,26 @@ def roll_3(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k59, nx_3, _r1)
+    _s1 = _multiply(_k63, nx_3, _r1)
     _s2 = _multiply(_multiply(bent_x, per_reach, _r2), vx_3, _r2)
     _s3 = _multiply(_k23, ny_2, _r3)
-    _s4 = _multiply(_k59, ny_3, _r4)
+    _s4 = _multiply(_k63, ny_3, _r4)
     _s5 = _multiply(_multiply(bent_y, per_reach, _r5), vy_3, _r5)
     _s6 = _multiply(_multiply(bent_z, per_reach, _r6), vz_3, _r6)
-    _s7 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r7), _multiply(_s0, vx_2, _r8), _r8), _multiply(_s1, vx_1, _r7), _r7), _multiply(vx_0, _s2, _r8), _r8), _add(_add(_add(_multiply(ny_1, vy_3, _r7), _multiply(_s3, vy_2, _r9), _r9), _multiply(_s4, vy_1, _r7), _r7), _multiply(vy_0, _s5, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_1, vz_3, _r8), _multiply(_multiply(_k23, nz_2, _r7), vz_2, _r7), _r7), _multiply(_multiply(_k59, nz_3, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s6, _r7), _r7), _r7)
+    _s7 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r7), _multiply(_s0, vx_2, _r8), _r8), _multiply(_s1, vx_1, _r7), _r7), _multiply(vx_0, _s2, _r8), _r8), _add(_add(_add(_multiply(ny_1, vy_3, _r7), _multiply(_s3, vy_2, _r9), _r9), _multiply(_s4, vy_1, _r7), _r7), _multiply(vy_0, _s5, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_1, vz_3, _r8), _multiply(_multiply(_k23, nz_2, _r7), vz_2, _r7), _r7), _multiply(_multiply(_k63, nz_3, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s6, _r7), _r7), _r7)
     _s8 = _multiply(0.6 * p_gravity, nz_3, _r9) - _s7
     _s9 = _multiply(_s3, nz_2, _r3)
-    _s10 = _add(_add(_add(_multiply(ny_0, _s6, _r7), _multiply(_multiply(_k59, ny_1, _r9), nz_3, _r9), _r9), _s9, _r9), _multiply(ny_3, nz_1, _r7), _r7) - _add(_add(_add(_multiply(ny_1, nz_3, _r9), _s9, _r9), _multiply(_s4, nz_1, _r4), _r4), _multiply(nz_0, _s5, _r9), _r9)
+    _s10 = _add(_add(_add(_multiply(ny_0, _s6, _r7), _multiply(_multiply(_k63, ny_1, _r9), nz_3, _r9), _r9), _s9, _r9), _multiply(ny_3, nz_1, _r7), _r7) - _add(_add(_add(_multiply(ny_1, nz_3, _r9), _s9, _r9), _multiply(_s4, nz_1, _r4), _r4), _multiply(nz_0, _s5, _r9), _r9)
     _s11 = _multiply(_s0, nz_2, _r9)
-    _s12 = _multiply(_k59, nx_1, _r7)
+    _s12 = _multiply(_k63, nx_1, _r7)
     _s13 = _add(_add(_add(_multiply(nx_1, nz_3, _r4), _s11, _r4), _multiply(_s1, nz_1, _r3), _r3), _multiply(nz_0, _s2, _r4), _r4) - _add(_add(_add(_multiply(nx_0, _s6, _r3), _multiply(_s12, nz_3, _r8), _r8), _s11, _r8), _multiply(nx_3, nz_1, _r9), _r9)
     _s14 = _multiply(_s0, ny_2, _r0)
     _s15 = _add(_add(_add(_multiply(nx_0, _s5, _r9), _multiply(_s12, ny_3, _r7), _r7), _s14, _r7), _multiply(nx_3, ny_1, _r9), _r9) - _add(_add(_add(_multiply(nx_1, ny_3, _r7), _s14, _r7), _multiply(_s1, ny_1, _r1), _r1), _multiply(ny_0, _s2, _r7), _r7)
-    _s16 = _add(_add(_add(_add(_multiply(lift_0, nx_3, _r7), _multiply(lift_1, nx_2, _r9), _r9), _multiply(lift_2, nx_1, _r7), _r7), _multiply(nx_0, _s8, _r9), _r9), _multiply(_k56, _add(_add(_add(_multiply(turn_rate_0, _s10, _r7), _multiply(turn_rate_1, tx_2, _r1), _r1), _multiply(turn_rate_2, tx_1, _r7), _r7), _multiply(turn_rate_3, tx_0, _r1), _r1), _r1), _r1)
-    _s17 = _add(_add(_add(_add(_multiply(lift_0, ny_3, _r9), _multiply(lift_1, ny_2, _r7), _r7), _multiply(lift_2, ny_1, _r9), _r9), _multiply(ny_0, _s8, _r7), _r7), _multiply(_k56, _add(_add(_add(_multiply(turn_rate_0, _s13, _r9), _multiply(turn_rate_1, ty_2, _r0), _r0), _multiply(turn_rate_2, ty_1, _r9), _r9), _multiply(turn_rate_3, ty_0, _r0), _r0), _r0), _r0)
-    _s18 = _add(_add(_add(_add(_multiply(lift_0, nz_3, _r7), _multiply(lift_1, nz_2, _r9), _r9), _multiply(lift_2, nz_1, _r7), _r7), _multiply(nz_0, _s8, _r9), _r9), _multiply(_k56, _add(_add(_add(_multiply(turn_rate_0, _s15, _r7), _multiply(turn_rate_1, tz_2, _r4), _r4), _multiply(turn_rate_2, tz_1, _r7), _r7), _multiply(turn_rate_3, tz_0, _r4), _r4), _r4), _r4)
+    _s16 = _add(_add(_add(_add(_multiply(lift_0, nx_3, _r7), _multiply(lift_1, nx_2, _r9), _r9), _multiply(lift_2, nx_1, _r7), _r7), _multiply(nx_0, _s8, _r9), _r9), _multiply(_k60, _add(_add(_add(_multiply(turn_rate_0, _s10, _r7), _multiply(turn_rate_1, tx_2, _r1), _r1), _multiply(turn_rate_2, tx_1, _r7), _r7), _multiply(turn_rate_3, tx_0, _r1), _r1), _r1), _r1)
+    _s17 = _add(_add(_add(_add(_multiply(lift_0, ny_3, _r9), _multiply(lift_1, ny_2, _r7), _r7), _multiply(lift_2, ny_1, _r9), _r9), _multiply(ny_0, _s8, _r7), _r7), _multiply(_k60, _add(_add(_add(_multiply(turn_rate_0, _s13, _r9), _multiply(turn_rate_1, ty_2, _r0), _r0), _multiply(turn_rate_2, ty_1, _r9), _r9), _multiply(turn_rate_3, ty_0, _r0), _r0), _r0), _r0)
+    _s18 = _add(_add(_add(_add(_multiply(lift_0, nz_3, _r7), _multiply(lift_1, nz_2, _r9), _r9), _multiply(lift_2, nz_1, _r7), _r7), _multiply(nz_0, _s8, _r9), _r9), _multiply(_k60, _add(_add(_add(_multiply(turn_rate_0, _s15, _r7), _multiply(turn_rate_1, tz_2, _r4), _r4), _multiply(turn_rate_2, tz_1, _r7), _r7), _multiply(turn_rate_3, tz_0, _r4), _r4), _r4), _r4)
     _s19 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_3, _r9), _multiply(tx_1, vx_2, _r7), _r7), _multiply(tx_2, vx_1, _r9), _r9), _multiply(vx_0, _s10, _r7), _r7), _add(_add(_add(_multiply(ty_0, vy_3, _r9), _multiply(ty_1, vy_2, _r8), _r8), _multiply(ty_2, vy_1, _r9), _r9), _multiply(vy_0, _s13, _r8), _r8), _r8), _add(_add(_add(_multiply(tz_0, vz_3, _r7), _multiply(tz_1, vz_2, _r9), _r9), _multiply(tz_2, vz_1, _r7), _r7), _multiply(vz_0, _s15, _r9), _r9), _r9)
-    return _s8, _s10, _s13, _s15, _k26 * _s16, _k26 * _s17, _k26 * _s18, _k26 * _s2, _k26 * _s5, _k26 * _s6, -_multiply(_k26, _s19, _r9)
+    return _s8, _s10, _s13, _s15, _k27 * _s16, _k27 * _s17, _k27 * _s18, _k27 * _s2, _k27 * _s5, _k27 * _s6, -_multiply(_k27, _s19, _r9)
 
 
 def roll_4(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2165,33 +2179,33 @@ def roll_4(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k59, nx_3, _r1)
-    _s2 = _multiply(_k60, nx_4, _r2)
+    _s1 = _multiply(_k63, nx_3, _r1)
+    _s2 = _multiply(_k64, nx_4, _r2)
     _s3 = _multiply(_multiply(bent_x, per_reach, _r3), vx_4, _r3)
     _s4 = _multiply(_k23, ny_2, _r4)
-    _s5 = _multiply(_k59, ny_3, _r5)
-    _s6 = _multiply(_k60, ny_4, _r6)
+    _s5 = _multiply(_k63, ny_3, _r5)
+    _s6 = _multiply(_k64, ny_4, _r6)
     _s7 = _multiply(_multiply(bent_y, per_reach, _r7), vy_4, _r7)
     _s8 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_4, _r8), _multiply(_s0, vx_3, _r9), _r9), _multiply(_s1, vx_2, _r8), _r8), _multiply(_s2, vx_1, _r9), _r9), _multiply(vx_0, _s3, _r8), _r8), _add(_add(_add(_add(_multiply(ny_1, vy_4, _r9), _multiply(_s4, vy_3, _r10), _r10), _multiply(_s5, vy_2, _r9), _r9), _multiply(_s6, vy_1, _r10), _r10), _multiply(vy_0, _s7, _r9), _r9), _r9)
     _s9 = _multiply(_multiply(bent_z, per_reach, _r8), vz_4, _r8)
-    _s10 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r10), _multiply(_multiply(_k23, nz_2, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k59, nz_3, _r10), vz_2, _r10), _r10), _multiply(_multiply(_k60, nz_4, _r11), vz_1, _r11), _r11), _multiply(vz_0, _s9, _r10), _r10)
+    _s10 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r10), _multiply(_multiply(_k23, nz_2, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k63, nz_3, _r10), vz_2, _r10), _r10), _multiply(_multiply(_k64, nz_4, _r11), vz_1, _r11), _r11), _multiply(vz_0, _s9, _r10), _r10)
     _s11 = _multiply(0.6 * p_gravity, nz_4, _r11) - _add(_s8, _s10, _r10)
-    _s12 = _add(_add(_add(_add(_multiply(ny_0, _s9, _r10), _multiply(_multiply(_k60, ny_1, _r11), nz_4, _r11), _r11), _multiply(_multiply(_k59, ny_2, _r10), nz_3, _r10), _r10), _multiply(_multiply(_k23, ny_3, _r11), nz_2, _r11), _r11), _multiply(ny_4, nz_1, _r10), _r10)
+    _s12 = _add(_add(_add(_add(_multiply(ny_0, _s9, _r10), _multiply(_multiply(_k64, ny_1, _r11), nz_4, _r11), _r11), _multiply(_multiply(_k63, ny_2, _r10), nz_3, _r10), _r10), _multiply(_multiply(_k23, ny_3, _r11), nz_2, _r11), _r11), _multiply(ny_4, nz_1, _r10), _r10)
     _s13 = _s12 - _add(_add(_add(_add(_multiply(ny_1, nz_4, _r11), _multiply(_s4, nz_3, _r4), _r4), _multiply(_s5, nz_2, _r5), _r5), _multiply(_s6, nz_1, _r6), _r6), _multiply(nz_0, _s7, _r5), _r5)
-    _s14 = _multiply(_k60, nx_1, _r5)
-    _s15 = _multiply(_k59, nx_2, _r10)
+    _s14 = _multiply(_k64, nx_1, _r5)
+    _s15 = _multiply(_k63, nx_2, _r10)
     _s16 = _multiply(_k23, nx_3, _r6)
     _s17 = _add(_add(_add(_add(_multiply(nx_1, nz_4, _r4), _multiply(_s0, nz_3, _r11), _r11), _multiply(_s1, nz_2, _r4), _r4), _multiply(_s2, nz_1, _r11), _r11), _multiply(nz_0, _s3, _r4), _r4) - _add(_add(_add(_add(_multiply(nx_0, _s9, _r11), _multiply(_s14, nz_4, _r9), _r9), _multiply(_s15, nz_3, _r11), _r11), _multiply(_s16, nz_2, _r9), _r9), _multiply(nx_4, nz_1, _r11), _r11)
     _s18 = _add(_add(_add(_add(_multiply(nx_0, _s7, _r11), _multiply(_s14, ny_4, _r5), _r5), _multiply(_s15, ny_3, _r10), _r10), _multiply(_s16, ny_2, _r6), _r6), _multiply(nx_4, ny_1, _r10), _r10) - _add(_add(_add(_add(_multiply(nx_1, ny_4, _r6), _multiply(_s0, ny_3, _r0), _r0), _multiply(_s1, ny_2, _r1), _r1), _multiply(_s2, ny_1, _r2), _r2), _multiply(ny_0, _s3, _r1), _r1)
-    _s19 = _multiply(_k56, _add(_add(_add(_add(_multiply(turn_rate_0, _s13, _r1), _multiply(turn_rate_1, tx_3, _r10), _r10), _multiply(turn_rate_2, tx_2, _r1), _r1), _multiply(turn_rate_3, tx_1, _r10), _r10), _multiply(turn_rate_4, tx_0, _r1), _r1), _r1)
+    _s19 = _multiply(_k60, _add(_add(_add(_add(_multiply(turn_rate_0, _s13, _r1), _multiply(turn_rate_1, tx_3, _r10), _r10), _multiply(turn_rate_2, tx_2, _r1), _r1), _multiply(turn_rate_3, tx_1, _r10), _r10), _multiply(turn_rate_4, tx_0, _r1), _r1), _r1)
     _s20 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_4, _r10), _multiply(lift_1, nx_3, _r2), _r2), _multiply(lift_2, nx_2, _r10), _r10), _multiply(lift_3, nx_1, _r2), _r2), _multiply(nx_0, _s11, _r10), _r10), _s19, _r1)
-    _s21 = _multiply(_k56, _add(_add(_add(_add(_multiply(turn_rate_0, _s17, _r10), _multiply(turn_rate_1, ty_3, _r2), _r2), _multiply(turn_rate_2, ty_2, _r10), _r10), _multiply(turn_rate_3, ty_1, _r2), _r2), _multiply(turn_rate_4, ty_0, _r10), _r10), _r10)
+    _s21 = _multiply(_k60, _add(_add(_add(_add(_multiply(turn_rate_0, _s17, _r10), _multiply(turn_rate_1, ty_3, _r2), _r2), _multiply(turn_rate_2, ty_2, _r10), _r10), _multiply(turn_rate_3, ty_1, _r2), _r2), _multiply(turn_rate_4, ty_0, _r10), _r10), _r10)
     _s22 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_4, _r2), _multiply(lift_1, ny_3, _r0), _r0), _multiply(lift_2, ny_2, _r2), _r2), _multiply(lift_3, ny_1, _r0), _r0), _multiply(ny_0, _s11, _r2), _r2), _s21, _r10)
-    _s23 = _multiply(_k56, _add(_add(_add(_add(_multiply(turn_rate_0, _s18, _r2), _multiply(turn_rate_1, tz_3, _r0), _r0), _multiply(turn_rate_2, tz_2, _r2), _r2), _multiply(turn_rate_3, tz_1, _r0), _r0), _multiply(turn_rate_4, tz_0, _r2), _r2), _r2)
+    _s23 = _multiply(_k60, _add(_add(_add(_add(_multiply(turn_rate_0, _s18, _r2), _multiply(turn_rate_1, tz_3, _r0), _r0), _multiply(turn_rate_2, tz_2, _r2), _r2), _multiply(turn_rate_3, tz_1, _r0), _r0), _multiply(turn_rate_4, tz_0, _r2), _r2), _r2)
     _s24 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_4, _r0), _multiply(lift_1, nz_3, _r6), _r6), _multiply(lift_2, nz_2, _r0), _r0), _multiply(lift_3, nz_1, _r6), _r6), _multiply(nz_0, _s11, _r0), _r0), _s23, _r2)
     _s25 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_4, _r0), _multiply(tx_1, vx_3, _r6), _r6), _multiply(tx_2, vx_2, _r0), _r0), _multiply(tx_3, vx_1, _r6), _r6), _multiply(vx_0, _s13, _r0), _r0), _add(_add(_add(_add(_multiply(ty_0, vy_4, _r6), _multiply(ty_1, vy_3, _r5), _r5), _multiply(ty_2, vy_2, _r6), _r6), _multiply(ty_3, vy_1, _r5), _r5), _multiply(vy_0, _s17, _r6), _r6), _r6)
     _s26 = _add(_s25, _add(_add(_add(_add(_multiply(tz_0, vz_4, _r0), _multiply(tz_1, vz_3, _r5), _r5), _multiply(tz_2, vz_2, _r0), _r0), _multiply(tz_3, vz_1, _r5), _r5), _multiply(vz_0, _s18, _r0), _r0), _r0)
-    return _s11, _s13, _s17, _s18, _k61 * _s20, _k61 * _s22, _k61 * _s24, _k61 * _s3, _k61 * _s7, _k61 * _s9, -_multiply(_k61, _s26, _r0)
+    return _s11, _s13, _s17, _s18, _k65 * _s20, _k65 * _s22, _k65 * _s24, _k65 * _s3, _k65 * _s7, _k65 * _s9, -_multiply(_k65, _s26, _r0)
 
 
 def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2202,28 +2216,28 @@ def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14 = _room[:15]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k59, nx_3, _r1)
-    _s2 = _multiply(_k60, nx_4, _r2)
-    _s3 = _multiply(_k63, nx_5, _r3)
+    _s1 = _multiply(_k63, nx_3, _r1)
+    _s2 = _multiply(_k64, nx_4, _r2)
+    _s3 = _multiply(_k67, nx_5, _r3)
     _s4 = _multiply(_multiply(bent_x, per_reach, _r4), vx_5, _r4)
     _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_5, _r5), _multiply(_s0, vx_4, _r6), _r6), _multiply(_s1, vx_3, _r5), _r5), _multiply(_s2, vx_2, _r6), _r6), _multiply(_s3, vx_1, _r5), _r5), _multiply(vx_0, _s4, _r6), _r6)
     _s6 = _multiply(_k23, ny_2, _r5)
-    _s7 = _multiply(_k59, ny_3, _r7)
-    _s8 = _multiply(_k60, ny_4, _r8)
-    _s9 = _multiply(_k63, ny_5, _r9)
+    _s7 = _multiply(_k63, ny_3, _r7)
+    _s8 = _multiply(_k64, ny_4, _r8)
+    _s9 = _multiply(_k67, ny_5, _r9)
     _s10 = _multiply(_multiply(bent_y, per_reach, _r10), vy_5, _r10)
     _s11 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_5, _r11), _multiply(_s6, vy_4, _r12), _r12), _multiply(_s7, vy_3, _r11), _r11), _multiply(_s8, vy_2, _r12), _r12), _multiply(_s9, vy_1, _r11), _r11), _multiply(vy_0, _s10, _r12), _r12)
-    _s12 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(_k23, nz_2, _r13), vz_4, _r13), _r13), _multiply(_multiply(_k59, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k60, nz_4, _r13), vz_2, _r13), _r13), _multiply(_multiply(_k63, nz_5, _r11), vz_1, _r11), _r11)
+    _s12 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(_k23, nz_2, _r13), vz_4, _r13), _r13), _multiply(_multiply(_k63, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k64, nz_4, _r13), vz_2, _r13), _r13), _multiply(_multiply(_k67, nz_5, _r11), vz_1, _r11), _r11)
     _s13 = _multiply(_multiply(bent_z, per_reach, _r13), vz_5, _r13)
     _s14 = _multiply(0.6 * p_gravity, nz_5, _r14) - _add(_add(_s5, _s11, _r12), _add(_s12, _multiply(vz_0, _s13, _r6), _r6), _r6)
     _s15 = _multiply(_s7, nz_3, _r7)
-    _s16 = _add(_add(_add(_add(_multiply(ny_0, _s13, _r6), _multiply(_multiply(_k63, ny_1, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k60, ny_2, _r6), nz_4, _r6), _r6), _s15, _r6), _multiply(_multiply(_k23, ny_4, _r14), nz_2, _r14), _r14)
+    _s16 = _add(_add(_add(_add(_multiply(ny_0, _s13, _r6), _multiply(_multiply(_k67, ny_1, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k64, ny_2, _r6), nz_4, _r6), _r6), _s15, _r6), _multiply(_multiply(_k23, ny_4, _r14), nz_2, _r14), _r14)
     _s17 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_5, _r6), _multiply(_s6, nz_4, _r5), _r5), _s15, _r5), _multiply(_s8, nz_2, _r8), _r8), _multiply(_s9, nz_1, _r9), _r9), _multiply(nz_0, _s10, _r8), _r8)
     _s18 = _add(_s16, _multiply(ny_5, nz_1, _r9), _r9) - _s17
     _s19 = _multiply(_s1, nz_3, _r8)
     _s20 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_5, _r9), _multiply(_s0, nz_4, _r14), _r14), _s19, _r14), _multiply(_s2, nz_2, _r9), _r9), _multiply(_s3, nz_1, _r14), _r14), _multiply(nz_0, _s4, _r9), _r9)
-    _s21 = _multiply(_k63, nx_1, _r14)
-    _s22 = _multiply(_k60, nx_2, _r5)
+    _s21 = _multiply(_k67, nx_1, _r14)
+    _s22 = _multiply(_k64, nx_2, _r5)
     _s23 = _multiply(_k23, nx_4, _r7)
     _s24 = _add(_add(_add(_add(_add(_multiply(nx_0, _s13, _r6), _multiply(_s21, nz_5, _r12), _r12), _multiply(_s22, nz_4, _r6), _r6), _s19, _r6), _multiply(_s23, nz_2, _r8), _r8), _multiply(nx_5, nz_1, _r6), _r6)
     _s25 = _s20 - _s24
@@ -2240,7 +2254,7 @@ def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s36 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_5, _r2), _multiply(tx_1, vx_4, _r6), _r6), _multiply(tx_2, vx_3, _r2), _r2), _multiply(tx_3, vx_2, _r6), _r6), _multiply(tx_4, vx_1, _r2), _r2), _multiply(vx_0, _s18, _r6), _r6)
     _s37 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_5, _r2), _multiply(ty_1, vy_4, _r9), _r9), _multiply(ty_2, vy_3, _r2), _r2), _multiply(ty_3, vy_2, _r9), _r9), _multiply(ty_4, vy_1, _r2), _r2), _multiply(vy_0, _s25, _r9), _r9)
     _s38 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_5, _r2), _multiply(tz_1, vz_4, _r8), _r8), _multiply(tz_2, vz_3, _r2), _r2), _multiply(tz_3, vz_2, _r8), _r8), _multiply(tz_4, vz_1, _r2), _r2), _multiply(vz_0, _s29, _r8), _r8)
-    return _s14, _s18, _s25, _s29, _k64 * _add(_s30, _multiply(_k56, _s31, _r3), _r3), _k64 * _add(_s32, _multiply(_k56, _s33, _r1), _r1), _k64 * _add(_s34, _multiply(_k56, _s35, _r14), _r14), _k64 * _s4, _k64 * _s10, _k64 * _s13, -_multiply(_k64, _add(_add(_s36, _s37, _r9), _s38, _r8), _r8)
+    return _s14, _s18, _s25, _s29, _k68 * _add(_s30, _multiply(_k60, _s31, _r3), _r3), _k68 * _add(_s32, _multiply(_k60, _s33, _r1), _r1), _k68 * _add(_s34, _multiply(_k60, _s35, _r14), _r14), _k68 * _s4, _k68 * _s10, _k68 * _s13, -_multiply(_k68, _add(_add(_s36, _s37, _r9), _s38, _r8), _r8)
 
 
 def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2251,30 +2265,30 @@ def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _room[:18]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k59, nx_3, _r1)
-    _s2 = _multiply(_k60, nx_4, _r2)
-    _s3 = _multiply(_k63, nx_5, _r3)
+    _s1 = _multiply(_k63, nx_3, _r1)
+    _s2 = _multiply(_k64, nx_4, _r2)
+    _s3 = _multiply(_k67, nx_5, _r3)
     _s4 = _multiply(_k7, nx_6, _r4)
     _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_6, _r5), _multiply(_s0, vx_5, _r6), _r6), _multiply(_s1, vx_4, _r5), _r5), _multiply(_s2, vx_3, _r6), _r6), _multiply(_s3, vx_2, _r5), _r5), _multiply(_s4, vx_1, _r6), _r6)
     _s6 = _multiply(_multiply(bent_x, per_reach, _r5), vx_6, _r5)
     _s7 = _multiply(_k23, ny_2, _r7)
-    _s8 = _multiply(_k59, ny_3, _r8)
-    _s9 = _multiply(_k60, ny_4, _r9)
-    _s10 = _multiply(_k63, ny_5, _r10)
+    _s8 = _multiply(_k63, ny_3, _r8)
+    _s9 = _multiply(_k64, ny_4, _r9)
+    _s10 = _multiply(_k67, ny_5, _r10)
     _s11 = _multiply(_k7, ny_6, _r11)
     _s12 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_6, _r12), _multiply(_s7, vy_5, _r13), _r13), _multiply(_s8, vy_4, _r12), _r12), _multiply(_s9, vy_3, _r13), _r13), _multiply(_s10, vy_2, _r12), _r12), _multiply(_s11, vy_1, _r13), _r13)
     _s13 = _multiply(_multiply(bent_y, per_reach, _r12), vy_6, _r12)
-    _s14 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r14), _multiply(_multiply(_k23, nz_2, _r15), vz_5, _r15), _r15), _multiply(_multiply(_k59, nz_3, _r14), vz_4, _r14), _r14), _multiply(_multiply(_k60, nz_4, _r15), vz_3, _r15), _r15), _multiply(_multiply(_k63, nz_5, _r14), vz_2, _r14), _r14)
+    _s14 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r14), _multiply(_multiply(_k23, nz_2, _r15), vz_5, _r15), _r15), _multiply(_multiply(_k63, nz_3, _r14), vz_4, _r14), _r14), _multiply(_multiply(_k64, nz_4, _r15), vz_3, _r15), _r15), _multiply(_multiply(_k67, nz_5, _r14), vz_2, _r14), _r14)
     _s15 = _multiply(_multiply(bent_z, per_reach, _r15), vz_6, _r15)
     _s16 = _multiply(0.6 * p_gravity, nz_6, _r16) - _add(_add(_add(_s5, _multiply(vx_0, _s6, _r17), _r17), _add(_s12, _multiply(vy_0, _s13, _r6), _r6), _r6), _add(_add(_s14, _multiply(_multiply(_k7, nz_6, _r17), vz_1, _r17), _r17), _multiply(vz_0, _s15, _r14), _r14), _r14)
-    _s17 = _add(_add(_add(_add(_multiply(ny_0, _s15, _r14), _multiply(_multiply(_k7, ny_1, _r16), nz_6, _r16), _r16), _multiply(_multiply(_k63, ny_2, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k60, ny_3, _r16), nz_4, _r16), _r16), _multiply(_multiply(_k59, ny_4, _r14), nz_3, _r14), _r14)
+    _s17 = _add(_add(_add(_add(_multiply(ny_0, _s15, _r14), _multiply(_multiply(_k7, ny_1, _r16), nz_6, _r16), _r16), _multiply(_multiply(_k67, ny_2, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k64, ny_3, _r16), nz_4, _r16), _r16), _multiply(_multiply(_k63, ny_4, _r14), nz_3, _r14), _r14)
     _s18 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_6, _r16), _multiply(_s7, nz_5, _r7), _r7), _multiply(_s8, nz_4, _r8), _r8), _multiply(_s9, nz_3, _r9), _r9), _multiply(_s10, nz_2, _r10), _r10), _multiply(_s11, nz_1, _r11), _r11)
     _s19 = _add(_add(_s17, _multiply(_multiply(_k23, ny_5, _r10), nz_2, _r10), _r10), _multiply(ny_6, nz_1, _r14), _r14) - _add(_s18, _multiply(nz_0, _s13, _r10), _r10)
     _s20 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_6, _r10), _multiply(_s0, nz_5, _r14), _r14), _multiply(_s1, nz_4, _r10), _r10), _multiply(_s2, nz_3, _r14), _r14), _multiply(_s3, nz_2, _r10), _r10), _multiply(_s4, nz_1, _r14), _r14)
     _s21 = _multiply(_k7, nx_1, _r10)
-    _s22 = _multiply(_k63, nx_2, _r11)
-    _s23 = _multiply(_k60, nx_3, _r9)
-    _s24 = _multiply(_k59, nx_4, _r8)
+    _s22 = _multiply(_k67, nx_2, _r11)
+    _s23 = _multiply(_k64, nx_3, _r9)
+    _s24 = _multiply(_k63, nx_4, _r8)
     _s25 = _multiply(_k23, nx_5, _r7)
     _s26 = _add(_add(_add(_add(_add(_multiply(nx_0, _s15, _r16), _multiply(_s21, nz_6, _r6), _r6), _multiply(_s22, nz_5, _r16), _r16), _multiply(_s23, nz_4, _r6), _r6), _multiply(_s24, nz_3, _r16), _r16), _multiply(_s25, nz_2, _r6), _r6)
     _s27 = _add(_s20, _multiply(nz_0, _s6, _r16), _r16) - _add(_s26, _multiply(nx_6, nz_1, _r14), _r14)
@@ -2290,8 +2304,8 @@ def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s37 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_6, _r7), _multiply(tx_1, vx_5, _r9), _r9), _multiply(tx_2, vx_4, _r7), _r7), _multiply(tx_3, vx_3, _r9), _r9), _multiply(tx_4, vx_2, _r7), _r7), _multiply(tx_5, vx_1, _r9), _r9)
     _s38 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_6, _r7), _multiply(ty_1, vy_5, _r11), _r11), _multiply(ty_2, vy_4, _r7), _r7), _multiply(ty_3, vy_3, _r11), _r11), _multiply(ty_4, vy_2, _r7), _r7), _multiply(ty_5, vy_1, _r11), _r11)
     _s39 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_6, _r7), _multiply(tz_1, vz_5, _r10), _r10), _multiply(tz_2, vz_4, _r7), _r7), _multiply(tz_3, vz_3, _r10), _r10), _multiply(tz_4, vz_2, _r7), _r7), _multiply(tz_5, vz_1, _r10), _r10)
-    _s40 = -_multiply(_k67, _add(_add(_add(_s37, _multiply(vx_0, _s19, _r7), _r7), _add(_s38, _multiply(vy_0, _s27, _r9), _r9), _r9), _add(_s39, _multiply(vz_0, _s30, _r7), _r7), _r7), _r7)
-    return _s16, _s19, _s27, _s30, _k67 * _add(_add(_s31, _multiply(nx_0, _s16, _r7), _r7), _multiply(_k56, _add(_s32, _multiply(turn_rate_6, tx_0, _r3), _r3), _r3), _r3), _k67 * _add(_add(_s33, _multiply(ny_0, _s16, _r3), _r3), _multiply(_k56, _add(_s34, _multiply(turn_rate_6, ty_0, _r2), _r2), _r2), _r2), _k67 * _add(_add(_s35, _multiply(nz_0, _s16, _r2), _r2), _multiply(_k56, _add(_s36, _multiply(turn_rate_6, tz_0, _r0), _r0), _r0), _r0), _k67 * _s6, _k67 * _s13, _k67 * _s15, _s40
+    _s40 = -_multiply(_k71, _add(_add(_add(_s37, _multiply(vx_0, _s19, _r7), _r7), _add(_s38, _multiply(vy_0, _s27, _r9), _r9), _r9), _add(_s39, _multiply(vz_0, _s30, _r7), _r7), _r7), _r7)
+    return _s16, _s19, _s27, _s30, _k71 * _add(_add(_s31, _multiply(nx_0, _s16, _r7), _r7), _multiply(_k60, _add(_s32, _multiply(turn_rate_6, tx_0, _r3), _r3), _r3), _r3), _k71 * _add(_add(_s33, _multiply(ny_0, _s16, _r3), _r3), _multiply(_k60, _add(_s34, _multiply(turn_rate_6, ty_0, _r2), _r2), _r2), _r2), _k71 * _add(_add(_s35, _multiply(nz_0, _s16, _r2), _r2), _multiply(_k60, _add(_s36, _multiply(turn_rate_6, tz_0, _r0), _r0), _r0), _r0), _k71 * _s6, _k71 * _s13, _k71 * _s15, _s40
 
 
 def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2302,35 +2316,35 @@ def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k59, nx_3, _r1)
-    _s2 = _multiply(_k60, nx_4, _r2)
-    _s3 = _multiply(_k63, nx_5, _r3)
+    _s1 = _multiply(_k63, nx_3, _r1)
+    _s2 = _multiply(_k64, nx_4, _r2)
+    _s3 = _multiply(_k67, nx_5, _r3)
     _s4 = _multiply(_k7, nx_6, _r4)
     _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_7, _r5), _multiply(_s0, vx_6, _r6), _r6), _multiply(_s1, vx_5, _r5), _r5), _multiply(_s2, vx_4, _r6), _r6), _multiply(_s3, vx_3, _r5), _r5), _multiply(_s4, vx_2, _r6), _r6)
-    _s6 = _multiply(_k69, nx_7, _r5)
+    _s6 = _multiply(_k73, nx_7, _r5)
     _s7 = _multiply(_multiply(bent_x, per_reach, _r7), vx_7, _r7)
     _s8 = _multiply(_k23, ny_2, _r8)
-    _s9 = _multiply(_k59, ny_3, _r9)
-    _s10 = _multiply(_k60, ny_4, _r10)
-    _s11 = _multiply(_k63, ny_5, _r11)
+    _s9 = _multiply(_k63, ny_3, _r9)
+    _s10 = _multiply(_k64, ny_4, _r10)
+    _s11 = _multiply(_k67, ny_5, _r11)
     _s12 = _multiply(_k7, ny_6, _r12)
     _s13 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_7, _r13), _multiply(_s8, vy_6, _r14), _r14), _multiply(_s9, vy_5, _r13), _r13), _multiply(_s10, vy_4, _r14), _r14), _multiply(_s11, vy_3, _r13), _r13), _multiply(_s12, vy_2, _r14), _r14)
-    _s14 = _multiply(_k69, ny_7, _r13)
+    _s14 = _multiply(_k73, ny_7, _r13)
     _s15 = _multiply(_multiply(bent_y, per_reach, _r15), vy_7, _r15)
-    _s16 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(_k23, nz_2, _r17), vz_6, _r17), _r17), _multiply(_multiply(_k59, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(_k60, nz_4, _r17), vz_4, _r17), _r17), _multiply(_multiply(_k63, nz_5, _r16), vz_3, _r16), _r16)
+    _s16 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(_k23, nz_2, _r17), vz_6, _r17), _r17), _multiply(_multiply(_k63, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(_k64, nz_4, _r17), vz_4, _r17), _r17), _multiply(_multiply(_k67, nz_5, _r16), vz_3, _r16), _r16)
     _s17 = _multiply(_multiply(bent_z, per_reach, _r17), vz_7, _r17)
-    _s18 = _add(_add(_add(_add(_s5, _multiply(_s6, vx_1, _r18), _r18), _multiply(vx_0, _s7, _r6), _r6), _add(_add(_s13, _multiply(_s14, vy_1, _r18), _r18), _multiply(vy_0, _s15, _r14), _r14), _r14), _add(_add(_add(_s16, _multiply(_multiply(_k7, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(_k69, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s17, _r6), _r6), _r6)
+    _s18 = _add(_add(_add(_add(_s5, _multiply(_s6, vx_1, _r18), _r18), _multiply(vx_0, _s7, _r6), _r6), _add(_add(_s13, _multiply(_s14, vy_1, _r18), _r18), _multiply(vy_0, _s15, _r14), _r14), _r14), _add(_add(_add(_s16, _multiply(_multiply(_k7, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(_k73, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s17, _r6), _r6), _r6)
     _s19 = _multiply(0.6 * p_gravity, nz_7, _r14) - _s18
     _s20 = _multiply(_s10, nz_4, _r10)
-    _s21 = _add(_add(_add(_add(_multiply(ny_0, _s17, _r6), _multiply(_multiply(_k69, ny_1, _r14), nz_7, _r14), _r14), _multiply(_multiply(_k7, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(_k63, ny_3, _r14), nz_5, _r14), _r14), _s20, _r14)
+    _s21 = _add(_add(_add(_add(_multiply(ny_0, _s17, _r6), _multiply(_multiply(_k73, ny_1, _r14), nz_7, _r14), _r14), _multiply(_multiply(_k7, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(_k67, ny_3, _r14), nz_5, _r14), _r14), _s20, _r14)
     _s22 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_7, _r6), _multiply(_s8, nz_6, _r8), _r8), _multiply(_s9, nz_5, _r9), _r9), _s20, _r9), _multiply(_s11, nz_3, _r11), _r11), _multiply(_s12, nz_2, _r12), _r12)
-    _s23 = _add(_add(_add(_s21, _multiply(_multiply(_k59, ny_5, _r11), nz_3, _r11), _r11), _multiply(_multiply(_k23, ny_6, _r14), nz_2, _r14), _r14), _multiply(ny_7, nz_1, _r11), _r11) - _add(_add(_s22, _multiply(_s14, nz_1, _r13), _r13), _multiply(nz_0, _s15, _r12), _r12)
+    _s23 = _add(_add(_add(_s21, _multiply(_multiply(_k63, ny_5, _r11), nz_3, _r11), _r11), _multiply(_multiply(_k23, ny_6, _r14), nz_2, _r14), _r14), _multiply(ny_7, nz_1, _r11), _r11) - _add(_add(_s22, _multiply(_s14, nz_1, _r13), _r13), _multiply(nz_0, _s15, _r12), _r12)
     _s24 = _multiply(_s2, nz_4, _r12)
     _s25 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_7, _r11), _multiply(_s0, nz_6, _r13), _r13), _multiply(_s1, nz_5, _r11), _r11), _s24, _r11), _multiply(_s3, nz_3, _r13), _r13), _multiply(_s4, nz_2, _r11), _r11)
-    _s26 = _multiply(_k69, nx_1, _r13)
+    _s26 = _multiply(_k73, nx_1, _r13)
     _s27 = _multiply(_k7, nx_2, _r14)
-    _s28 = _multiply(_k63, nx_3, _r9)
-    _s29 = _multiply(_k59, nx_5, _r10)
+    _s28 = _multiply(_k67, nx_3, _r9)
+    _s29 = _multiply(_k63, nx_5, _r10)
     _s30 = _add(_add(_add(_add(_add(_multiply(nx_0, _s17, _r8), _multiply(_s26, nz_7, _r6), _r6), _multiply(_s27, nz_6, _r8), _r8), _multiply(_s28, nz_5, _r6), _r6), _s24, _r6), _multiply(_s29, nz_3, _r12), _r12)
     _s31 = _multiply(_k23, nx_6, _r6)
     _s32 = _add(_add(_s25, _multiply(_s6, nz_1, _r8), _r8), _multiply(nz_0, _s7, _r11), _r11) - _add(_add(_s30, _multiply(_s31, nz_2, _r8), _r8), _multiply(nx_7, nz_1, _r12), _r12)
@@ -2340,18 +2354,18 @@ def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s36 = _add(_add(_s34, _multiply(_s31, ny_2, _r6), _r6), _multiply(nx_7, ny_1, _r10), _r10) - _add(_add(_s35, _multiply(_s6, ny_1, _r5), _r5), _multiply(ny_0, _s7, _r4), _r4)
     _s37 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_7, _r4), _multiply(lift_1, nx_6, _r10), _r10), _multiply(lift_2, nx_5, _r4), _r4), _multiply(lift_3, nx_4, _r10), _r10), _multiply(lift_4, nx_3, _r4), _r4), _multiply(lift_5, nx_2, _r10), _r10)
     _s38 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s23, _r4), _multiply(turn_rate_1, tx_6, _r5), _r5), _multiply(turn_rate_2, tx_5, _r4), _r4), _multiply(turn_rate_3, tx_4, _r5), _r5), _multiply(turn_rate_4, tx_3, _r4), _r4), _multiply(turn_rate_5, tx_2, _r5), _r5)
-    _s39 = _k70 * _add(_add(_add(_s37, _multiply(lift_6, nx_1, _r4), _r4), _multiply(nx_0, _s19, _r10), _r10), _multiply(_k56, _add(_add(_s38, _multiply(turn_rate_6, tx_1, _r4), _r4), _multiply(turn_rate_7, tx_0, _r5), _r5), _r5), _r5)
+    _s39 = _k29 * _add(_add(_add(_s37, _multiply(lift_6, nx_1, _r4), _r4), _multiply(nx_0, _s19, _r10), _r10), _multiply(_k60, _add(_add(_s38, _multiply(turn_rate_6, tx_1, _r4), _r4), _multiply(turn_rate_7, tx_0, _r5), _r5), _r5), _r5)
     _s40 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_7, _r5), _multiply(lift_1, ny_6, _r10), _r10), _multiply(lift_2, ny_5, _r5), _r5), _multiply(lift_3, ny_4, _r10), _r10), _multiply(lift_4, ny_3, _r5), _r5), _multiply(lift_5, ny_2, _r10), _r10)
     _s41 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s32, _r5), _multiply(turn_rate_1, ty_6, _r4), _r4), _multiply(turn_rate_2, ty_5, _r5), _r5), _multiply(turn_rate_3, ty_4, _r4), _r4), _multiply(turn_rate_4, ty_3, _r5), _r5), _multiply(turn_rate_5, ty_2, _r4), _r4)
-    _s42 = _k70 * _add(_add(_add(_s40, _multiply(lift_6, ny_1, _r5), _r5), _multiply(ny_0, _s19, _r10), _r10), _multiply(_k56, _add(_add(_s41, _multiply(turn_rate_6, ty_1, _r5), _r5), _multiply(turn_rate_7, ty_0, _r4), _r4), _r4), _r4)
+    _s42 = _k29 * _add(_add(_add(_s40, _multiply(lift_6, ny_1, _r5), _r5), _multiply(ny_0, _s19, _r10), _r10), _multiply(_k60, _add(_add(_s41, _multiply(turn_rate_6, ty_1, _r5), _r5), _multiply(turn_rate_7, ty_0, _r4), _r4), _r4), _r4)
     _s43 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_7, _r4), _multiply(lift_1, nz_6, _r10), _r10), _multiply(lift_2, nz_5, _r4), _r4), _multiply(lift_3, nz_4, _r10), _r10), _multiply(lift_4, nz_3, _r4), _r4), _multiply(lift_5, nz_2, _r10), _r10)
     _s44 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s36, _r4), _multiply(turn_rate_1, tz_6, _r5), _r5), _multiply(turn_rate_2, tz_5, _r4), _r4), _multiply(turn_rate_3, tz_4, _r5), _r5), _multiply(turn_rate_4, tz_3, _r4), _r4), _multiply(turn_rate_5, tz_2, _r5), _r5)
-    _s45 = _k70 * _add(_add(_add(_s43, _multiply(lift_6, nz_1, _r4), _r4), _multiply(nz_0, _s19, _r10), _r10), _multiply(_k56, _add(_add(_s44, _multiply(turn_rate_6, tz_1, _r4), _r4), _multiply(turn_rate_7, tz_0, _r5), _r5), _r5), _r5)
+    _s45 = _k29 * _add(_add(_add(_s43, _multiply(lift_6, nz_1, _r4), _r4), _multiply(nz_0, _s19, _r10), _r10), _multiply(_k60, _add(_add(_s44, _multiply(turn_rate_6, tz_1, _r4), _r4), _multiply(turn_rate_7, tz_0, _r5), _r5), _r5), _r5)
     _s46 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_7, _r5), _multiply(tx_1, vx_6, _r10), _r10), _multiply(tx_2, vx_5, _r5), _r5), _multiply(tx_3, vx_4, _r10), _r10), _multiply(tx_4, vx_3, _r5), _r5), _multiply(tx_5, vx_2, _r10), _r10)
     _s47 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_7, _r5), _multiply(ty_1, vy_6, _r4), _r4), _multiply(ty_2, vy_5, _r5), _r5), _multiply(ty_3, vy_4, _r4), _r4), _multiply(ty_4, vy_3, _r5), _r5), _multiply(ty_5, vy_2, _r4), _r4)
     _s48 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_7, _r5), _multiply(tz_1, vz_6, _r6), _r6), _multiply(tz_2, vz_5, _r5), _r5), _multiply(tz_3, vz_4, _r6), _r6), _multiply(tz_4, vz_3, _r5), _r5), _multiply(tz_5, vz_2, _r6), _r6)
-    _s49 = _multiply(_k70, _add(_add(_add(_add(_s46, _multiply(tx_6, vx_1, _r5), _r5), _multiply(vx_0, _s23, _r10), _r10), _add(_add(_s47, _multiply(ty_6, vy_1, _r5), _r5), _multiply(vy_0, _s32, _r4), _r4), _r4), _add(_add(_s48, _multiply(tz_6, vz_1, _r10), _r10), _multiply(vz_0, _s36, _r6), _r6), _r6), _r6)
-    return _s19, _s23, _s32, _s36, _s39, _s42, _s45, _k70 * _s7, _k70 * _s15, _k70 * _s17, -_s49
+    _s49 = _multiply(_k29, _add(_add(_add(_add(_s46, _multiply(tx_6, vx_1, _r5), _r5), _multiply(vx_0, _s23, _r10), _r10), _add(_add(_s47, _multiply(ty_6, vy_1, _r5), _r5), _multiply(vy_0, _s32, _r4), _r4), _r4), _add(_add(_s48, _multiply(tz_6, vz_1, _r10), _r10), _multiply(vz_0, _s36, _r6), _r6), _r6), _r6)
+    return _s19, _s23, _s32, _s36, _s39, _s42, _s45, _k29 * _s7, _k29 * _s15, _k29 * _s17, -_s49
 
 
 def anew() -> tuple[Any, ...]:
@@ -2388,20 +2402,20 @@ def roll_moved(t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tur
     Returns x, vx, y, vy, z, vz, turn_rate.
     """
     _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
-    _s0 = _multiply(_k73, t, _r0)
-    _s1 = _add(_multiply(_k64, vx_5, _r1), _multiply(t, _add(_multiply(_k67, vx_6, _r2), _multiply(t, _add(_multiply(_k70, vx_7, _r3), _multiply(_s0, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s2 = _add(_multiply(_k57, vx_2, _r1), _multiply(t, _add(_multiply(_k26, vx_3, _r2), _multiply(t, _add(_multiply(_k61, vx_4, _r3), _multiply(t, _s1, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s3 = x + _multiply(t, _add(vx_0, _multiply(t, _add(_multiply(_k40, vx_1, _r1), _multiply(t, _s2, _r4), _r4), _r4), _r4), _r4)
+    _s0 = _multiply(_k75, t, _r0)
+    _s1 = _add(_multiply(_k68, vx_5, _r1), _multiply(t, _add(_multiply(_k71, vx_6, _r2), _multiply(t, _add(_multiply(_k29, vx_7, _r3), _multiply(_s0, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s2 = _add(_multiply(_k61, vx_2, _r1), _multiply(t, _add(_multiply(_k27, vx_3, _r2), _multiply(t, _add(_multiply(_k65, vx_4, _r3), _multiply(t, _s1, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s3 = x + _multiply(t, _add(vx_0, _multiply(t, _add(_multiply(_k44, vx_1, _r1), _multiply(t, _s2, _r4), _r4), _r4), _r4), _r4)
     _s4 = _add(vx_5, _multiply(t, _add(vx_6, _multiply(t, _add(vx_7, _multiply(t, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
     _s5 = _add(vx_2, _multiply(t, _add(vx_3, _multiply(t, _add(vx_4, _multiply(t, _s4, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s6 = _add(_multiply(_k64, vy_5, _r1), _multiply(t, _add(_multiply(_k67, vy_6, _r2), _multiply(t, _add(_multiply(_k70, vy_7, _r3), _multiply(_s0, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
-    _s7 = _add(_multiply(_k57, vy_2, _r1), _multiply(t, _add(_multiply(_k26, vy_3, _r2), _multiply(t, _add(_multiply(_k61, vy_4, _r3), _multiply(t, _s6, _r5), _r5), _r5), _r5), _r5), _r5)
-    _s8 = y + _multiply(t, _add(vy_0, _multiply(t, _add(_multiply(_k40, vy_1, _r1), _multiply(t, _s7, _r5), _r5), _r5), _r5), _r5)
+    _s6 = _add(_multiply(_k68, vy_5, _r1), _multiply(t, _add(_multiply(_k71, vy_6, _r2), _multiply(t, _add(_multiply(_k29, vy_7, _r3), _multiply(_s0, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
+    _s7 = _add(_multiply(_k61, vy_2, _r1), _multiply(t, _add(_multiply(_k27, vy_3, _r2), _multiply(t, _add(_multiply(_k65, vy_4, _r3), _multiply(t, _s6, _r5), _r5), _r5), _r5), _r5), _r5)
+    _s8 = y + _multiply(t, _add(vy_0, _multiply(t, _add(_multiply(_k44, vy_1, _r1), _multiply(t, _s7, _r5), _r5), _r5), _r5), _r5)
     _s9 = _add(vy_5, _multiply(t, _add(vy_6, _multiply(t, _add(vy_7, _multiply(t, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
     _s10 = _add(vy_2, _multiply(t, _add(vy_3, _multiply(t, _add(vy_4, _multiply(t, _s9, _r5), _r5), _r5), _r5), _r5), _r5)
-    _s11 = _add(_multiply(_k64, vz_5, _r1), _multiply(t, _add(_multiply(_k67, vz_6, _r2), _multiply(t, _add(_multiply(_k70, vz_7, _r3), _multiply(_s0, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s12 = _add(_multiply(_k57, vz_2, _r1), _multiply(t, _add(_multiply(_k26, vz_3, _r2), _multiply(t, _add(_multiply(_k61, vz_4, _r3), _multiply(t, _s11, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s13 = z + _multiply(t, _add(vz_0, _multiply(t, _add(_multiply(_k40, vz_1, _r1), _multiply(t, _s12, _r0), _r0), _r0), _r0), _r0)
+    _s11 = _add(_multiply(_k68, vz_5, _r1), _multiply(t, _add(_multiply(_k71, vz_6, _r2), _multiply(t, _add(_multiply(_k29, vz_7, _r3), _multiply(_s0, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s12 = _add(_multiply(_k61, vz_2, _r1), _multiply(t, _add(_multiply(_k27, vz_3, _r2), _multiply(t, _add(_multiply(_k65, vz_4, _r3), _multiply(t, _s11, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s13 = z + _multiply(t, _add(vz_0, _multiply(t, _add(_multiply(_k44, vz_1, _r1), _multiply(t, _s12, _r0), _r0), _r0), _r0), _r0)
     _s14 = _add(vz_5, _multiply(t, _add(vz_6, _multiply(t, _add(vz_7, _multiply(t, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
     _s15 = _add(vz_2, _multiply(t, _add(vz_3, _multiply(t, _add(vz_4, _multiply(t, _s14, _r0), _r0), _r0), _r0), _r0), _r0)
     _s16 = _add(turn_rate_5, _multiply(t, _add(turn_rate_6, _multiply(t, _add(turn_rate_7, _multiply(t, turn_rate_8, _r1), _r1), _r1), _r1), _r1), _r1)
@@ -2427,10 +2441,10 @@ def roll_placed(p_ball_radius: Any, gap: Any, nx: Any, ny: Any, nz: Any, turn_ra
 def roll_pace(p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, lift_7: Any, nx_8: Any, ny_8: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, nz_8: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """A step of the series, bounds of the motion in it, and the normal force.
 
-    the last terms of the series. 159 operations: 53 additions, 49 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections.
-    Returns stride, strongest, fastest, force, force_rate, force_bend, brace.
+    the last terms of the series. 160 operations: 53 additions, 50 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections.
+    Returns stride, missed, strongest, fastest, force, force_rate, force_bend, brace.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13 = _room[:14]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14 = _room[:15]
     _s0 = _add(_add(_add(_absolute(turn_rate_0, _r0), _absolute(vx_0, _r1), _r1), _absolute(vy_0, _r0), _r0), _absolute(vz_0, _r1), _r1)
     _s1 = _add(0.015625 * p_gravity, _s0, _r0)
     _s2 = _absolute(per_reach, _r2)
@@ -2438,25 +2452,25 @@ def roll_pace(p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any
     _s4 = _add(_add(_add(_absolute(turn_rate_8, _r3), _absolute(vx_8, _r5), _r5), _absolute(vy_8, _r3), _r3), _absolute(vz_8, _r5), _r5)
     _s5 = _add(_multiply(_add(_multiply(_s2, _s0, _r3), _sqrt(_multiply(p_gravity, _s2, _r2), _r2), _r2), _s3, _r2), _s4, _r2)
     _s6 = _multiply(_s1, _add(_add(_absolute(nx_8, _r3), _absolute(ny_8, _r6), _r6), _absolute(nz_8, _r3), _r3), _r3)
-    _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(_k24, _s1, _r0), _select(_s5 < _s6, _s6, _s5, _r6), _r0), _r0), _r0), _r0)
+    _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(_k77, _s1, _r6), _select(_s5 < _s6, _s6, _s5, _r7), _r6), _r6), _r6), _r6)
     _s8 = _result(_s7 < _k22, _s7, _k22, _r0)
-    _s9 = _multiply(_multiply(_k23, _add(_add(_add(_absolute(turn_rate_2, _r6), _absolute(vx_2, _r3), _r3), _absolute(vy_2, _r6), _r6), _absolute(vz_2, _r3), _r3), _r3), _s8, _r3)
-    _s10 = _multiply(_s8, _s8, _r6)
-    _s11 = _multiply(_multiply(_k59, _add(_add(_add(_absolute(turn_rate_3, _r2), _absolute(vx_3, _r7), _r7), _absolute(vy_3, _r2), _r2), _absolute(vz_3, _r7), _r7), _r7), _s10, _r7)
+    _s9 = _multiply(_multiply(_k23, _add(_add(_add(_absolute(turn_rate_2, _r7), _absolute(vx_2, _r3), _r3), _absolute(vy_2, _r7), _r7), _absolute(vz_2, _r3), _r3), _r3), _s8, _r3)
+    _s10 = _multiply(_s8, _s8, _r7)
+    _s11 = _multiply(_multiply(_k63, _add(_add(_add(_absolute(turn_rate_3, _r2), _absolute(vx_3, _r8), _r8), _absolute(vy_3, _r2), _r2), _absolute(vz_3, _r8), _r8), _r8), _s10, _r8)
     _s12 = _multiply(_s8, _s10, _r2)
-    _s13 = _multiply(_multiply(_k60, _add(_add(_add(_absolute(turn_rate_4, _r8), _absolute(vx_4, _r9), _r9), _absolute(vy_4, _r8), _r8), _absolute(vz_4, _r9), _r9), _r9), _s12, _r9)
-    _s14 = _multiply(_s10, _s10, _r8)
-    _s15 = _multiply(_multiply(_k63, _add(_add(_add(_absolute(turn_rate_5, _r10), _absolute(vx_5, _r11), _r11), _absolute(vy_5, _r10), _r10), _absolute(vz_5, _r11), _r11), _r11), _s14, _r11)
-    _s16 = _multiply(_s8, _s14, _r10)
-    _s17 = _multiply(_multiply(_k7, _add(_add(_add(_absolute(turn_rate_6, _r12), _absolute(vx_6, _r13), _r13), _absolute(vy_6, _r12), _r12), _absolute(vz_6, _r13), _r13), _r13), _s16, _r13)
-    _s18 = _add(_add(_add(_add(_add(_add(_s9, _s11, _r7), _s13, _r9), _s15, _r11), _s17, _r13), _multiply(_multiply(_k69, _s3, _r4), _multiply(_s10, _s14, _r11), _r4), _r4), _multiply(_multiply(_k25, _s4, _r5), _multiply(_s12, _s14, _r13), _r5), _r5)
-    _s19 = _s18 + _add(_add(_add(_absolute(turn_rate_1, _r4), _absolute(vx_1, _r13), _r13), _absolute(vy_1, _r4), _r4), _absolute(vz_1, _r13), _r13)
+    _s13 = _multiply(_multiply(_k64, _add(_add(_add(_absolute(turn_rate_4, _r9), _absolute(vx_4, _r10), _r10), _absolute(vy_4, _r9), _r9), _absolute(vz_4, _r10), _r10), _r10), _s12, _r10)
+    _s14 = _multiply(_s10, _s10, _r9)
+    _s15 = _multiply(_multiply(_k67, _add(_add(_add(_absolute(turn_rate_5, _r11), _absolute(vx_5, _r12), _r12), _absolute(vy_5, _r11), _r11), _absolute(vz_5, _r12), _r12), _r12), _s14, _r12)
+    _s16 = _multiply(_s8, _s14, _r11)
+    _s17 = _multiply(_multiply(_k7, _add(_add(_add(_absolute(turn_rate_6, _r13), _absolute(vx_6, _r14), _r14), _absolute(vy_6, _r13), _r13), _absolute(vz_6, _r14), _r14), _r14), _s16, _r14)
+    _s18 = _add(_add(_add(_add(_add(_add(_s9, _s11, _r8), _s13, _r10), _s15, _r12), _s17, _r14), _multiply(_multiply(_k73, _s3, _r4), _multiply(_s10, _s14, _r12), _r4), _r4), _multiply(_multiply(_k26, _s4, _r5), _multiply(_s12, _s14, _r14), _r5), _r5)
+    _s19 = _s18 + _add(_add(_add(_absolute(turn_rate_1, _r4), _absolute(vx_1, _r14), _r14), _absolute(vy_1, _r4), _r4), _absolute(vz_1, _r14), _r14)
     _s20 = 0.4 * p_gravity
-    _s21 = _add(_multiply(_multiply(_k7, _absolute(_add(lift_3, _multiply(_s20, nz_3, _r13), _r13), _r13), _r13), _s8, _r13), _multiply(_multiply(_k75, _absolute(_add(lift_4, _multiply(_s20, nz_4, _r5), _r5), _r5), _r5), _s10, _r5), _r5)
-    _s22 = _add(_s21, _multiply(_multiply(_k76, _absolute(_add(lift_5, _multiply(_s20, nz_5, _r13), _r13), _r13), _r13), _s12, _r13), _r13)
-    _s23 = _add(_s22, _multiply(_multiply(_k77, _absolute(_add(lift_6, _multiply(_s20, nz_6, _r5), _r5), _r5), _r5), _s14, _r5), _r5)
-    _s24 = _add(_s23, _multiply(_multiply(_k78, _absolute(_add(lift_7, _multiply(_s20, nz_7, _r13), _r13), _r13), _r13), _s16, _r13), _r13)
-    return _s8, _s19, _multiply(_s19, _s8, _r0) + _s0, lift_0 + _multiply(_s20, nz_0, _r0), lift_1 + _multiply(_s20, nz_1, _r0), _s24 + _multiply(_k23, _absolute(_add(lift_2, _multiply(_s20, nz_2, _r0), _r0), _r0), _r0), -_multiply(_k79, _negative(_multiply(p_gravity, nz_1, _r0), _r0), _r0)
+    _s21 = _add(_multiply(_multiply(_k7, _absolute(_add(lift_3, _multiply(_s20, nz_3, _r14), _r14), _r14), _r14), _s8, _r14), _multiply(_multiply(_k78, _absolute(_add(lift_4, _multiply(_s20, nz_4, _r5), _r5), _r5), _r5), _s10, _r5), _r5)
+    _s22 = _add(_s21, _multiply(_multiply(_k79, _absolute(_add(lift_5, _multiply(_s20, nz_5, _r14), _r14), _r14), _r14), _s12, _r14), _r14)
+    _s23 = _add(_s22, _multiply(_multiply(_k80, _absolute(_add(lift_6, _multiply(_s20, nz_6, _r5), _r5), _r5), _r5), _s14, _r5), _r5)
+    _s24 = _add(_s23, _multiply(_multiply(_k81, _absolute(_add(lift_7, _multiply(_s20, nz_7, _r14), _r14), _r14), _r14), _s16, _r14), _r14)
+    return _s8, _k45 * _s1, _s19, _multiply(_s19, _s8, _r6) + _s0, lift_0 + _multiply(_s20, nz_0, _r6), lift_1 + _multiply(_s20, nz_1, _r6), _s24 + _multiply(_k23, _absolute(_add(lift_2, _multiply(_s20, nz_2, _r6), _r6), _r6), _r6), -_multiply(_k82, _negative(_multiply(p_gravity, nz_1, _r6), _r6), _r6)
 
 
 def roll_turn_rate(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -2479,9 +2493,9 @@ def pressed_on(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, ro
     _s1 = _negative(_s0, _r0) - _add(_add(_multiply(rolled_x, turning_x, _r1), _multiply(rolled_y, turning_y, _r2), _r2), _multiply(rolled_z, turning_z, _r1), _r1)
     _s2 = _add(_add(_multiply(nx, wx, _r1), _multiply(ny, wy, _r0), _r0), _multiply(nz, wz, _r1), _r1)
     _s3 = 0.4 * p_ball_radius
-    _s4 = _add(_multiply(_multiply(_k56, ny, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(nz, turning_x, _r2), _multiply(nx, turning_z, _r3), _r3), _r3), _s2, _r3), _r3)
-    _s5 = _add(_multiply(_multiply(_k56, nx, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(ny, turning_z, _r2), _multiply(nz, turning_y, _r4), _r4), _r4), _s2, _r4), _r4)
-    _s6 = _add(_add(0.4 * p_gravity, _multiply(_multiply(_k56, nz, _r0), _s0, _r0), _r0), _multiply(_multiply(_s3, _subtract(_multiply(nx, turning_y, _r2), _multiply(ny, turning_x, _r5), _r5), _r5), _s2, _r5), _r5)
+    _s4 = _add(_multiply(_multiply(_k60, ny, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(nz, turning_x, _r2), _multiply(nx, turning_z, _r3), _r3), _r3), _s2, _r3), _r3)
+    _s5 = _add(_multiply(_multiply(_k60, nx, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(ny, turning_z, _r2), _multiply(nz, turning_y, _r4), _r4), _r4), _s2, _r4), _r4)
+    _s6 = _add(_add(0.4 * p_gravity, _multiply(_multiply(_k60, nz, _r0), _s0, _r0), _r0), _multiply(_multiply(_s3, _subtract(_multiply(nx, turning_y, _r2), _multiply(ny, turning_x, _r5), _r5), _r5), _s2, _r5), _r5)
     return _s1, _s0, _sqrt(_add(_add(_multiply(_s4, _s4, _r0), _multiply(_s5, _s5, _r1), _r1), _multiply(_s6, _s6, _r0), _r0)), _multiply(nx, _s1, _r0) + _s5, _multiply(ny, _s1, _r0) + _s4, _add(_multiply(nz, _s1, _r0), _s6, _r0) - p_gravity
 
 
@@ -2533,7 +2547,7 @@ def gripped(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz:
     _s4 = _subtract(_s3, _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r4), _multiply(nz, wx, _r5), _r5), _r5), _r5)
     _s5 = _subtract(vz, _multiply(nz, _s0, _r4), _r4)
     _s6 = _subtract(_s5, _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r6), _multiply(nx, wy, _r7), _r7), _r7), _r7)
-    return _s1 - _multiply(_k56, _s2, _r6), _s3 - _multiply(_k56, _s4, _r6), _s5 - _multiply(_k56, _s6, _r6), _sqrt(_add(_add(_multiply(_s6, _s6, _r7), _multiply(_s4, _s4, _r5), _r5), _multiply(_s2, _s2, _r3), _r3)), _result(_k6 < _s0, _s0, _k6, _r0)
+    return _s1 - _multiply(_k60, _s2, _r6), _s3 - _multiply(_k60, _s4, _r6), _s5 - _multiply(_k60, _s6, _r6), _sqrt(_add(_add(_multiply(_s6, _s6, _r7), _multiply(_s4, _s4, _r5), _r5), _multiply(_s2, _s2, _r3), _r3)), _result(_k6 < _s0, _s0, _k6, _r0)
 
 
 def alone() -> tuple[Any, ...]:
@@ -2554,8 +2568,8 @@ def neared_body(facing: Any, gap: Any, nearest: Any, nearing: Any, press: Any, s
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = _absolute(gap, _r0)
     _s1 = _absolute(swerve, _r1)
-    _s2 = _multiply(_k88, press, _r2)
-    _s3 = _select(_logical_and((swerve < _multiply(_k89, press, _r3)), (facing < _k90)), _add(_divide(_multiply(_k40, _multiply(nearing, nearing, _r3), _r3), _select(_s1 < _s2, _s2, _s1, _r4), _r3), _s0, _r3), _k8, _r4)
+    _s2 = _multiply(_k92, press, _r2)
+    _s3 = _select(_logical_and((swerve < _multiply(_k93, press, _r3)), (facing < _k94)), _add(_divide(_multiply(_k44, _multiply(nearing, nearing, _r3), _r3), _select(_s1 < _s2, _s2, _s1, _r4), _r3), _s0, _r3), _k8, _r4)
     return _result(_s0 < nearest, _s0, nearest, _r0), _result(_s3 < wedge, _s3, wedge, _r0)
 
 
@@ -2594,7 +2608,7 @@ def leaving_force(p_ball_radius: Any, brace: Any, doubt: Any, fastest: Any, forc
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _absolute(per_reach, _r0)
     _s1 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), _s0, _r1), _r1)
-    _s2 = _multiply(_k95, _s1, _r2)
+    _s2 = _multiply(_k99, _s1, _r2)
     _s3 = force_rate < _k6
     _s4 = _logical_or((force < _negative(_s2, _r3)), _logical_and((force <= _s2), _s3))
     _s5 = _negative(_add(brace, force_rate, _r3), _r3)
@@ -2603,14 +2617,14 @@ def leaving_force(p_ball_radius: Any, brace: Any, doubt: Any, fastest: Any, forc
     _s8 = _logical_and(_s4, _logical_not(_s7))
     _s9 = _logical_and((_add(_add(_absolute(vx, _r3), _absolute(vy, _r5), _r5), _absolute(vz, _r3), _r3) <= (5.684341886080802e-14 * _sqrt((p_ball_radius * p_gravity)))), (_add(_add(_absolute(vx_1, _r3), _absolute(vy_1, _r5), _r5), _absolute(vz_1, _r3), _r3) <= (5.684341886080802e-14 * p_gravity)))
     _s10 = _multiply(force_rate, force_rate, _r3)
-    _s11 = _add(force_bend, _multiply(_k89, _s1, _r5), _r5)
+    _s11 = _add(force_bend, _multiply(_k93, _s1, _r5), _r5)
     _s12 = _select(_s7, _s6, _select(force < _k6, _k6, force, _r6), _r7)
     _s13 = _add(_s10, _multiply(_multiply(_k23, _s11, _r8), _s12, _r8), _r8)
     _s14 = _sqrt(_s13, _r9)
     _s15 = _select(_k6 <= _s13, _divide(_select(_s3, _multiply(_k23, _s12, _r7), _add(force_rate, _s14, _r6), _r4), _select(_s3, _subtract(_s14, force_rate, _r9), _select(_k6 < _s11, _s11, _k6, _r8), _r10), _r4), _k8, _r6)
-    _s16 = _add(_multiply(_multiply(_k25, _s0, _r0), _add(_multiply(fastest, velocity_error, _r7), _multiply(position_error, _s1, _r1), _r1), _r0), _s2, _r0)
-    _s17 = _logical_or(_s7, _logical_and((_absolute(force, _r2) <= _s16), _logical_not((_multiply(_multiply(_k25, _s11, _r5), _s16, _r5) < _s10))))
-    return _result(_logical_or(_s8, _s9), _k6, _select(_s15 < stride, _s15, stride, _r5), _r0), _result(_logical_and(_s8, (which == _k46)), _k7, which, _r0), _logical_and(_s9, _logical_not(_s8)), _result(_s17, _k6, doubt, _r0)
+    _s16 = _add(_multiply(_multiply(_k26, _s0, _r0), _add(_multiply(fastest, velocity_error, _r7), _multiply(position_error, _s1, _r1), _r1), _r0), _s2, _r0)
+    _s17 = _logical_or(_s7, _logical_and((_absolute(force, _r2) <= _s16), _logical_not((_multiply(_multiply(_k26, _s11, _r5), _s16, _r5) < _s10))))
+    return _result(_logical_or(_s8, _s9), _k6, _select(_s15 < stride, _s15, stride, _r5), _r0), _result(_logical_and(_s8, (which == _k50)), _k7, which, _r0), _logical_and(_s9, _logical_not(_s8)), _result(_s17, _k6, doubt, _r0)
 
 
 def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2620,7 +2634,7 @@ def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     Returns stride, which, doubt, late.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _multiply(_k97, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s0 = _multiply(_k101, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = gap <= _s0
     _s2 = nearing < _k6
     _s3 = _logical_and(_s1, _s2)
@@ -2630,10 +2644,10 @@ def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     _s7 = _add(_s4, _multiply(_multiply(_k23, _s5, _r4), _s6, _r4), _r4)
     _s8 = _sqrt(_s7, _r5)
     _s9 = _select(_k6 <= _s7, _divide(_select(_s2, _multiply(_k23, _s6, _r3), _add(nearing, _s8, _r4), _r6), _select(_s2, _subtract(_s8, nearing, _r5), _select(_k6 < _s5, _s5, _k6, _r7), _r8), _r6), _k8, _r4)
-    _s10 = which == _k46
+    _s10 = which == _k50
     _s11 = _logical_and(_s3, _s10)
     _s12 = _add(_multiply(_k23, position_error, _r3), _s0, _r3)
-    _s13 = _logical_or(_logical_and(_logical_and((gap <= _s12), (_negative(_s12, _r0) <= gap)), _logical_not((_multiply(_multiply(_k25, _s12, _r0), _s5, _r0) < _s4))), _logical_and(_s3, _logical_not(_s10)))
+    _s13 = _logical_or(_logical_and(_logical_and((gap <= _s12), (_negative(_s12, _r0) <= gap)), _logical_not((_multiply(_multiply(_k26, _s12, _r0), _s5, _r0) < _s4))), _logical_and(_s3, _logical_not(_s10)))
     return _result(_s3, _k6, _select(_s9 < stride, _s9, stride, _r0), _r0), _result(_s11, index, which, _r0), _result(_s13, _k6, doubt, _r0), _result(_s11, _divide(_multiply(_k23, _s12, _r3), _absolute(nearing, _r0), _r3), late, _r0)
 
 
@@ -2644,7 +2658,7 @@ def beside_gate(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     Returns stride, which, doubt, late.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _multiply(_k97, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s0 = _multiply(_k101, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = nearing < _k6
     _s2 = _logical_and(_logical_and((gap <= _s0), _s1), (_negative(_s0, _r1) <= gap))
     _s3 = _multiply(nearing, nearing, _r1)
@@ -2653,10 +2667,10 @@ def beside_gate(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     _s6 = _add(_s3, _multiply(_multiply(_k23, _s4, _r4), _s5, _r4), _r4)
     _s7 = _sqrt(_s6, _r5)
     _s8 = _select(_k6 < gap, _select(_k6 <= _s6, _divide(_select(_s1, _multiply(_k23, _s5, _r3), _add(nearing, _s7, _r4), _r6), _select(_s1, _subtract(_s7, nearing, _r5), _select(_k6 < _s4, _s4, _k6, _r7), _r8), _r6), _k8, _r4), _k8, _r3)
-    _s9 = which == _k46
+    _s9 = which == _k50
     _s10 = _logical_and(_s2, _s9)
     _s11 = _add(_multiply(_k23, position_error, _r8), _s0, _r8)
-    _s12 = _logical_or(_logical_and(_logical_and((gap <= _s11), (_negative(_s11, _r0) <= gap)), _logical_not((_multiply(_multiply(_k25, _s11, _r0), _s4, _r0) < _s3))), _logical_and(_s2, _logical_not(_s9)))
+    _s12 = _logical_or(_logical_and(_logical_and((gap <= _s11), (_negative(_s11, _r0) <= gap)), _logical_not((_multiply(_multiply(_k26, _s11, _r0), _s4, _r0) < _s3))), _logical_and(_s2, _logical_not(_s9)))
     return _result(_s2, _k6, _select(_s8 < stride, _s8, stride, _r0), _r0), _result(_s10, index, which, _r0), _result(_s12, _k6, doubt, _r0), _result(_s10, _divide(_multiply(_k23, _s11, _r8), _absolute(nearing, _r0), _r8), late, _r0)
 
 
@@ -2670,7 +2684,7 @@ def beside_seam(fastest: Any, gap: Any, near: Any, nearing: Any, stride: Any, st
     _s0 = _absolute(gap, _r0)
     _s1 = _s0 <= near
     _s2 = _select(_s1, _k6, _s0, _r1)
-    _s3 = _select(_s1, _add(_multiply(_k88, fastest, _r2), _absolute(nearing, _r3), _r3), _select(_k6 < gap, nearing, _negative(nearing, _r2), _r4), _r5)
+    _s3 = _select(_s1, _add(_multiply(_k92, fastest, _r2), _absolute(nearing, _r3), _r3), _select(_k6 < gap, nearing, _negative(nearing, _r2), _r4), _r5)
     _s4 = _add(_multiply(_multiply(_k23, strongest, _r6), _s2, _r6), _multiply(_s3, _s3, _r7), _r7)
     _s5 = _sqrt(_s4, _r6)
     _s6 = _s3 < _k6
@@ -2747,26 +2761,26 @@ def parted(doubt: Any, p_gravity: Any, lift: Any, per_reach: Any, position_error
     Returns when, doubt.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
-    _s0 = _multiply(_k26, spare, _r0)
+    _s0 = _multiply(_k27, spare, _r0)
     _s1 = _add(_add(_add(0.0078125 * p_gravity, _absolute(vx, _r1), _r1), _absolute(vy, _r2), _r2), _absolute(vz, _r1), _r1)
     _s2 = _absolute(per_reach, _r2)
     _s3 = _add(p_gravity, _multiply(_multiply(_s1, _s1, _r3), _s2, _r3), _r3)
     _s4 = _add(_add(_k22, _multiply(_s1, _s2, _r4), _r4), _sqrt(_multiply(p_gravity, _s2, _r5), _r5), _r5)
-    _s5 = _multiply(_multiply(_k37, _s3, _r4), _multiply(_s4, _multiply(_s4, _s4, _r6), _r6), _r4)
-    _s6 = _multiply(_k40, surge, _r6)
+    _s5 = _multiply(_multiply(_k41, _s3, _r4), _multiply(_s4, _multiply(_s4, _s4, _r6), _r6), _r4)
+    _s6 = _multiply(_k44, surge, _r6)
     _s7 = _sqrt(_divide(_s6, _s5, _r7), _r7)
-    _s8 = _multiply(_k47, _s5, _r8)
+    _s8 = _multiply(_k51, _s5, _r8)
     _s9 = _add(_absolute(snap, _r9), _s8, _r9)
     _s10 = _divide(_s6, _s9, _r6)
     _s11 = _select(_k6 < lift, lift, _k6, _r10)
-    _s12 = _sqrt(_divide(_multiply(_k100, _s11, _r11), _s5, _r11), _r11)
-    _s13 = _sqrt(_divide(_multiply(_k40, _s11, _r4), _s9, _r4), _r4)
-    _s14 = _divide(_s11, _add(_multiply(_k60, _absolute(surge, _r9), _r9), _s8, _r9), _r9)
+    _s12 = _sqrt(_divide(_multiply(_k104, _s11, _r11), _s5, _r11), _r11)
+    _s13 = _sqrt(_divide(_multiply(_k44, _s11, _r4), _s9, _r4), _r4)
+    _s14 = _divide(_s11, _add(_multiply(_k64, _absolute(surge, _r9), _r9), _s8, _r9), _r9)
     _s15 = _select(_s13 < _s14, _s13, _s14, _r10)
     _s16 = _select(_k6 < surge, _select(_s7 < _s10, _s7, _s10, _r8), _select(_s12 < _s15, _s12, _s15, _r12), _r13)
-    _s17 = _select(_s16 < _k101, _s16, _k101, _r14)
+    _s17 = _select(_s16 < _k105, _s16, _k105, _r14)
     _s18 = _select(_s0 < _s17, _s0, _s17, _r15)
-    _s19 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(_k35, _add(_multiply(position_error, _s3, _r3), _multiply(velocity_error, _s1, _r1), _r1), _r1), _s2, _r1), _r1)
+    _s19 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(_k39, _add(_multiply(position_error, _s3, _r3), _multiply(velocity_error, _s1, _r1), _r1), _r1), _s2, _r1), _r1)
     return _result(_k6 < _s18, _s18, _k6, _r0), _result(_logical_or((_multiply(_s19, _s4, _r5) < surge), (_s19 < lift)), doubt, _k6, _r0)
 
 
@@ -2789,7 +2803,7 @@ def apart(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, 
     _s9 = _absolute(dy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dz, _r11)
-    _s12 = _add(_add(1.1102230246251565e-16 * p_ball_radius, _multiply(_k70, _add(_multiply(p_ball_radius, _select(_s2 < _s3, _s3, _s2, _r12), _r12), _select(_s6 < _s7, _s7, _s6, _r3), _r3), _r3), _r3), _select(_s10 < _s11, _s11, _s10, _r7), _r7)
+    _s12 = _add(_add(1.1102230246251565e-16 * p_ball_radius, _multiply(_k29, _add(_multiply(p_ball_radius, _select(_s2 < _s3, _s3, _s2, _r12), _r12), _select(_s6 < _s7, _s7, _s6, _r3), _r3), _r3), _r3), _select(_s10 < _s11, _s11, _s10, _r7), _r7)
     return (2.384185791015625e-07 * p_ball_radius) / _s12,
 
 
@@ -2803,21 +2817,21 @@ def neighbour(apart: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz:
     return x + _multiply(apart, dx, _r0), y + _multiply(apart, dy, _r0), z + _multiply(apart, dz, _r0), vx + _multiply(apart, dvx, _r0), vy + _multiply(apart, dvy, _r0), vz + _multiply(apart, dvz, _r0), wx + _multiply(apart, dwx, _r0), wy + _multiply(apart, dwy, _r0), wz + _multiply(apart, dwz, _r0), 0.0, 0.0, 0.0, 0.0
 
 
-def compared(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, far_vz: Any, far_wx: Any, far_wy: Any, far_wz: Any, far_x: Any, far_y: Any, far_z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """The errors after a step, with its roundings.
+def compared(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, far_vz: Any, far_wx: Any, far_wy: Any, far_wz: Any, far_x: Any, far_y: Any, far_z: Any, missed: Any, stride: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The errors after a step, with what it rounds and leaves out.
 
-    differences. 69 operations: 17 additions, 9 subtractions, 3 multiplications, 10 divisions, 3 negations, 9 absolute values, 9 comparisons, 9 selections.
+    differences. 72 operations: 19 additions, 9 subtractions, 4 multiplications, 10 divisions, 3 negations, 9 absolute values, 9 comparisons, 9 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
     _s0 = _divide(_subtract(far_x, x, _r0), apart, _r0)
-    _s1 = _multiply(_k17, _add(_add(_add(p_ball_radius, _absolute(x, _r1), _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1)
-    _s2 = _negative(_s1, _r2)
+    _s1 = _add(_multiply(missed, stride, _r1), _multiply(_k17, _add(_add(_add(p_ball_radius, _absolute(x, _r2), _r2), _absolute(y, _r3), _r3), _absolute(z, _r2), _r2), _r2), _r2)
+    _s2 = _negative(_s1, _r1)
     _s3 = _divide(_subtract(far_y, y, _r3), apart, _r3)
     _s4 = _divide(_subtract(far_z, z, _r4), apart, _r4)
     _s5 = _divide(_subtract(far_vx, vx, _r5), apart, _r5)
     _s6 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r6), _absolute(wy, _r7), _r7), _absolute(wz, _r6), _r6), _r6), _absolute(vx, _r7), _r7), _absolute(vy, _r6), _r6)
-    _s7 = _multiply(_k17, _add(_s6, _absolute(vz, _r7), _r7), _r7)
+    _s7 = _add(missed, _multiply(_k17, _add(_s6, _absolute(vz, _r7), _r7), _r7), _r7)
     _s8 = _negative(_s7, _r6)
     _s9 = _divide(_subtract(far_vy, vy, _r8), apart, _r8)
     _s10 = _divide(_subtract(far_vz, vz, _r9), apart, _r9)
@@ -2838,11 +2852,11 @@ def carry_hop(dvx: Any, dvy: Any, dvz: Any, dx: Any, dy: Any, dz: Any, vx: Any, 
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _add(dx, _multiply(dvx, when, _r0), _r0)
     _s1 = _multiply(_k23, when, _r1)
-    _s2 = _multiply(_k24, _add(_multiply(_s1, _absolute(vx, _r2), _r2), _absolute(x, _r3), _r3), _r3)
+    _s2 = _multiply(_k25, _add(_multiply(_s1, _absolute(vx, _r2), _r2), _absolute(x, _r3), _r3), _r3)
     _s3 = _add(dy, _multiply(dvy, when, _r2), _r2)
-    _s4 = _multiply(_k24, _add(_multiply(_s1, _absolute(vy, _r4), _r4), _absolute(y, _r5), _r5), _r5)
+    _s4 = _multiply(_k25, _add(_multiply(_s1, _absolute(vy, _r4), _r4), _absolute(y, _r5), _r5), _r5)
     _s5 = _add(dz, _multiply(dvz, when, _r4), _r4)
-    _s6 = _multiply(_k24, _add(_multiply(_s1, _absolute(vz, _r6), _r6), _absolute(z, _r1), _r1), _r1)
+    _s6 = _multiply(_k25, _add(_multiply(_s1, _absolute(vz, _r6), _r6), _absolute(z, _r1), _r1), _r1)
     return _s0 + _select(_s0 < _k6, _negative(_s2, _r6), _s2, _r7), _s3 + _select(_s3 < _k6, _negative(_s4, _r7), _s4, _r6), _s5 + _select(_s5 < _k6, _negative(_s6, _r6), _s6, _r7)
 
 
@@ -2945,14 +2959,14 @@ def kept_on(began: Any, body: Any, clock: Any, doubt: Any, ends: Any, held: Any,
     Returns body, reached, doubt, ends, hopped, last, mode, held, rolls.
     """
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
-    _s0 = which == _k63
-    _s1 = _multiply(_k23, _select(held == _k23, _k23, _select(held == _k22, _k22, _select(held == _k6, _k6, _k46, _r0), _r1), _r2), _r2)
+    _s0 = which == _k67
+    _s1 = _multiply(_k23, _select(held == _k23, _k23, _select(held == _k22, _k22, _select(held == _k6, _k6, _k50, _r0), _r1), _r2), _r2)
     _s2 = which == _k7
-    _s3 = which == _k69
-    _s4 = which == _k25
-    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k104))
-    _s6 = _k60 < which
-    return _result(_s0, _add(_k60, _s1, _r1), _select(_s2, _add(_k63, _s1, _r2), _select(_s3, _k46, _select(_s4, _k59, body, _r0), _r3), _r4), _r0), _result(_s5, _k23, _select(_s4, _k7, _select(rests, _k63, _select(_logical_or(_s6, rolling), _k46, reached, _r4), _r3), _r0), _r0), _result(_s5, _k6, doubt, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k46, last, _r0), _result(_logical_or(_s0, rolling), _k23, _select(_s2, _k59, _k6, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k46, _r0), _result(_s0, _add(_k22, rolls, _r0), rolls, _r0)
+    _s3 = which == _k73
+    _s4 = which == _k26
+    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k108))
+    _s6 = _k64 < which
+    return _result(_s0, _add(_k64, _s1, _r1), _select(_s2, _add(_k67, _s1, _r2), _select(_s3, _k50, _select(_s4, _k63, body, _r0), _r3), _r4), _r0), _result(_s5, _k23, _select(_s4, _k7, _select(rests, _k67, _select(_logical_or(_s6, rolling), _k50, reached, _r4), _r3), _r0), _r0), _result(_s5, _k6, doubt, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k50, last, _r0), _result(_logical_or(_s0, rolling), _k23, _select(_s2, _k63, _k6, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k50, _r0), _result(_s0, _add(_k22, rolls, _r0), rolls, _r0)
 
 
 def settled(index: Any, lodges: Any, nearly: Any, outcome: Any, parts: Any, settles: Any, slides: Any, uncertain: Any, unsure: Any) -> tuple[Any, ...]:
@@ -2972,18 +2986,18 @@ def pulled(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _negative(_multiply(p_gravity, nz_0, _r0), _r0)
-    _s1 = _multiply(_k56, nx_0, _r1)
-    _s2 = _multiply(_k56, turn_rate_0, _r2)
+    _s1 = _multiply(_k60, nx_0, _r1)
+    _s2 = _multiply(_k60, turn_rate_0, _r2)
     _s3 = _add(_multiply(_s1, _s0, _r3), _multiply(_s2, tx_0, _r4), _r4)
-    _s4 = _multiply(_k56, ny_0, _r3)
+    _s4 = _multiply(_k60, ny_0, _r3)
     _s5 = _add(_multiply(_s4, _s0, _r5), _multiply(_s2, ty_0, _r6), _r6)
-    _s6 = _multiply(_k56, nz_0, _r5)
+    _s6 = _multiply(_k60, nz_0, _r5)
     _s7 = _add(_add(0.4 * p_gravity, _multiply(_s6, _s0, _r7), _r7), _multiply(_s2, tz_0, _r8), _r8)
     _s8 = _negative(_multiply(p_gravity, nz_1, _r7), _r7)
-    _s9 = _multiply(_k56, turn_rate_1, _r9)
-    _s10 = _multiply(_multiply(_k23, _s3, _r10), _add(_add(_add(_multiply(_s1, _s8, _r1), _multiply(_multiply(_k56, nx_1, _r11), _s0, _r11), _r11), _multiply(_s2, tx_1, _r1), _r1), _multiply(_s9, tx_0, _r11), _r11), _r10)
-    _s11 = _multiply(_multiply(_k23, _s5, _r11), _add(_add(_add(_multiply(_s4, _s8, _r3), _multiply(_multiply(_k56, ny_1, _r1), _s0, _r1), _r1), _multiply(_s2, ty_1, _r3), _r3), _multiply(_s9, ty_0, _r1), _r1), _r11)
-    _s12 = _multiply(_multiply(_k23, _s7, _r1), _add(_add(_add(_multiply(_s6, _s8, _r7), _multiply(_multiply(_k56, nz_1, _r5), _s0, _r5), _r5), _multiply(_s2, tz_1, _r2), _r2), _multiply(_s9, tz_0, _r9), _r9), _r1)
+    _s9 = _multiply(_k60, turn_rate_1, _r9)
+    _s10 = _multiply(_multiply(_k23, _s3, _r10), _add(_add(_add(_multiply(_s1, _s8, _r1), _multiply(_multiply(_k60, nx_1, _r11), _s0, _r11), _r11), _multiply(_s2, tx_1, _r1), _r1), _multiply(_s9, tx_0, _r11), _r11), _r10)
+    _s11 = _multiply(_multiply(_k23, _s5, _r11), _add(_add(_add(_multiply(_s4, _s8, _r3), _multiply(_multiply(_k60, ny_1, _r1), _s0, _r1), _r1), _multiply(_s2, ty_1, _r3), _r3), _multiply(_s9, ty_0, _r1), _r1), _r11)
+    _s12 = _multiply(_multiply(_k23, _s7, _r1), _add(_add(_add(_multiply(_s6, _s8, _r7), _multiply(_multiply(_k60, nz_1, _r5), _s0, _r5), _r5), _multiply(_s2, tz_1, _r2), _r2), _multiply(_s9, tz_0, _r9), _r9), _r1)
     return _add(_multiply(_s3, _s3, _r4), _multiply(_s5, _s5, _r6), _r6) + _multiply(_s7, _s7, _r8), _add(_s10, _s11, _r11) + _s12, -_inf, 0.0
 
 
@@ -3020,8 +3034,8 @@ def lost_grip(clock: Any, strain: Any, strain_rate: Any, taut: Any, taut_clock: 
     _s5 = _multiply(strain_rate, _s0, _r5)
     _s6 = _multiply(taut_rate, _s0, _r6)
     _s7 = _subtract(_add(_s5, _s6, _r7), _multiply(_k23, _s1, _r8), _r8)
-    _s8 = _multiply(_k59, _s7, _r7)
-    _s9 = _subtract(_subtract(_multiply(_k59, _s1, _r9), _s5, _r9), _multiply(_k23, _s6, _r5), _r5)
+    _s8 = _multiply(_k63, _s7, _r7)
+    _s9 = _subtract(_subtract(_multiply(_k63, _s1, _r9), _s5, _r9), _multiply(_k23, _s6, _r5), _r5)
     _s10 = _multiply(_k23, _s9, _r9)
     _s11 = _add(_multiply(_add(_multiply(_s8, _s4, _r10), _s10, _r10), _s4, _r10), _s6, _r10)
     _s12 = _add(taut, _multiply(_add(_multiply(_add(_multiply(_s7, _s4, _r11), _s9, _r11), _s4, _r11), _s6, _r11), _s4, _r11), _r11)
@@ -3081,7 +3095,7 @@ def ring_impact_doubt(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     _s8 = _absolute(dvy, _r6)
     _s9 = _select(_s7 < _s8, _s8, _s7, _r7)
     _s10 = _absolute(dvz, _r8)
-    _s11 = _multiply(_k37, _add(_add(_add(_multiply(p_ball_radius, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _multiply(turn, _s6, _r3), _r3), _select(_s9 < _s10, _s10, _s9, _r9), _r9), _multiply(_k17, _s6, _r5), _r5), _r5)
+    _s11 = _multiply(_k41, _add(_add(_add(_multiply(p_ball_radius, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _multiply(turn, _s6, _r3), _r3), _select(_s9 < _s10, _s10, _s9, _r9), _r9), _multiply(_k17, _s6, _r5), _r5), _r5)
     _s12 = _add(_add(_multiply(nx, vx, _r9), _multiply(ny, vy, _r8), _r8), _multiply(nz, vz, _r9), _r9)
     _s13 = _subtract(_subtract(vz, _multiply(nz, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r6), _r6), _r6), _r6)
     _s14 = _subtract(_subtract(vy, _multiply(ny, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r7), _multiply(nz, wx, _r4), _r4), _r4), _r4)
@@ -3106,35 +3120,35 @@ def ring_impact_settling(p_ball_radius: Any, bounce: Any, drag: Any, lift: Any, 
     _s4 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r2), _absolute(wy, _r3), _r3), _absolute(wz, _r2), _r2), _r2), _absolute(rolled_x, _r3), _r3), _absolute(rolled_y, _r2), _r2)
     _s5 = _add(_s4, _absolute(rolled_z, _r3), _r3)
     _s6 = _absolute(weight, _r2)
-    _s7 = _multiply(_multiply(_k25, _add(_multiply(_s3, _s5, _r4), _s6, _r4), _r4), _s3, _r4)
+    _s7 = _multiply(_multiply(_k26, _add(_multiply(_s3, _s5, _r4), _s6, _r4), _r4), _s3, _r4)
     _s8 = _s0 * _s0
     _s9 = _add(_sqrt(_multiply(p_ball_radius, _s6, _r2), _r2), _s5, _r2)
-    _s10 = _multiply(_k106, _s9, _r5)
+    _s10 = _multiply(_k77, _s9, _r5)
     _s11 = _multiply(_k23, drag, _r6)
     _s12 = 1.0 + p_ring_restitution
     _s13 = p_ring_friction * _s12
     _s14 = _multiply(press, _s13, _r7)
-    _s15 = _logical_and(_logical_and(_logical_and(_logical_and((_k6 < press), _s1), (_multiply(_multiply(_k59, _s2, _r8), _s7, _r8) < _multiply(press, _s8, _r9))), (slip <= _add(_multiply(_multiply(_k25, drag, _r9), _s2, _r9), _s10, _r9))), (_s11 <= _s14))
-    _s16 = _multiply(_k40, bounce, _r9)
+    _s15 = _logical_and(_logical_and(_logical_and(_logical_and((_k6 < press), _s1), (_multiply(_multiply(_k63, _s2, _r8), _s7, _r8) < _multiply(press, _s8, _r9))), (slip <= _add(_multiply(_multiply(_k26, drag, _r9), _s2, _r9), _s10, _r9))), (_s11 <= _s14))
+    _s16 = _multiply(_k44, bounce, _r9)
     _s17 = _s12 * _s0
-    _s18 = _multiply(_k60, drag, _r8)
-    _s19 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(_k107, slip, _r10), _s2, _r10), _s0, _r10), _r10)
+    _s18 = _multiply(_k64, drag, _r8)
+    _s19 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(_k110, slip, _r10), _s2, _r10), _s0, _r10), _r10)
     _s20 = 3.637978807091713e-12 * p_ball_radius
     _s21 = _logical_and(_s15, (_s19 <= _s20))
     _s22 = 3.725290298461914e-09 * p_ball_radius
     _s23 = wedge <= _s22
-    _s24 = _divide(_multiply(_multiply(_k35, _s2, _r0), _s5, _r0), _s0, _r0)
+    _s24 = _divide(_multiply(_multiply(_k39, _s2, _r0), _s5, _r0), _s0, _r0)
     _s25 = _add(_s22, _s24, _r11) < nearest
     _s26 = _s24 <= _s22
     _s27 = _negative(lift, _r0)
     _s28 = _select(_s27 < press, _s27, press, _r11)
     _s29 = _divide(bounce, _s28, _r12)
-    _s30 = _logical_and(_logical_and(_logical_and((_k6 < _s28), _s1), (_multiply(_multiply(_k59, _s29, _r13), _s7, _r13) < _multiply(_s8, _s28, _r11))), (_add(_s22, _divide(_multiply(_multiply(_k35, _s29, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
+    _s30 = _logical_and(_logical_and(_logical_and((_k6 < _s28), _s1), (_multiply(_multiply(_k63, _s29, _r13), _s7, _r13) < _multiply(_s8, _s28, _r11))), (_add(_s22, _divide(_multiply(_multiply(_k39, _s29, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
     _s31 = _logical_and(_s30, (_add(_multiply(_s16, _s29, _r9), _divide(_multiply(_s18, _multiply(_s29, _s29, _r11), _r11), _s17, _r11), _r11) <= _s20))
     _s32 = _k6 < bounce
-    _s33 = _add(_divide(_multiply(_k63, _add(_multiply(_s11, _s29, _r12), _select(_s32, _multiply(bounce, _s13, _r11), _k6, _r9), _r9), _r9), _s0, _r9), _multiply(_k108, _s9, _r2), _r2)
-    _s34 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k60, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s19, _s20, _r10), _r10), _r10) <= _multiply(_multiply(_k23, velocity_error, _r11), _s20, _r11)), _s32))
-    _s35 = _multiply(_k35, velocity_error, _r11)
+    _s33 = _add(_divide(_multiply(_k67, _add(_multiply(_s11, _s29, _r12), _select(_s32, _multiply(bounce, _s13, _r11), _k6, _r9), _r9), _r9), _s0, _r9), _multiply(_k111, _s9, _r2), _r2)
+    _s34 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k64, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s19, _s20, _r10), _r10), _r10) <= _multiply(_multiply(_k23, velocity_error, _r11), _s20, _r11)), _s32))
+    _s35 = _multiply(_k39, velocity_error, _r11)
     _s36 = _logical_and(_s31, _logical_or((_absolute(_subtract(slip, _s33, _r10), _r10) < _s35), (_absolute(_subtract(_s11, _s14, _r10), _r10) < _multiply(_s35, _add(_multiply(_s13, _s3, _r9), _s3, _r9), _r9))))
     return _logical_and(_logical_and(_s21, _logical_not(_s23)), _logical_or(_s25, _s26)), _logical_and(_s21, _s23), _logical_and(_s31, _logical_or((_s33 < slip), (_s14 < _s11))), _logical_and((bounce <= _s10), (_k6 <= lift)), _result(_logical_or(_logical_and(_s15, _s25), _s30), _k22, _k6, _r0), _logical_or(_logical_or(_s34, _s36), _logical_and(_logical_and(_s21, _s26), _logical_not(_s25)))
 
@@ -3168,24 +3182,24 @@ def ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, n
     _s9 = _divide(p_ring_restitution, _subtract(_k22, _divide(_s0, p_restitution_speed, _r8), _r8), _r8)
     _s10 = _negative(_multiply(p_ring_friction, _multiply(_add(_k22, _s9, _r9), _s0, _r9), _r9), _r9)
     _s11 = _select(0.0 < p_ring_friction, _select(p_ring_friction < _inf, _select(_multiply(_s7, _s8 * _s8, _r10) <= _multiply(_s10, _s10, _r11), _s8, _divide(_s10, _sqrt(_s7, _r6), _r6), _r9), _s8, _r11), _k6, _r10)
-    _s12 = _divide(_multiply(_k112, _s11, _r12), p_ball_radius, _r12)
+    _s12 = _divide(_multiply(_k114, _s11, _r12), p_ball_radius, _r12)
     return _subtract(_s1, _multiply(_s2, _s11, _r13), _r13) - _multiply(_multiply(nx, _s9, _r1), _s0, _r1), _subtract(_s5, _multiply(_s6, _s11, _r1), _r1) - _multiply(_multiply(ny, _s9, _r4), _s0, _r4), _subtract(_s3, _multiply(_s4, _s11, _r10), _r10) - _multiply(_multiply(nz, _s9, _r8), _s0, _r8), wx + _multiply(_s12, _subtract(_multiply(ny, _s4, _r8), _multiply(nz, _s6, _r10), _r10), _r10), wy + _multiply(_s12, _subtract(_multiply(nz, _s2, _r10), _multiply(nx, _s4, _r5), _r5), _r5), wz + _multiply(_s12, _subtract(_multiply(nx, _s6, _r7), _multiply(ny, _s2, _r3), _r3), _r3)
 
 
 def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, lifting: Any, p_ball_radius: Any, p_ring_restitution: Any, p_ring_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of velocity and spin after a contact, from those before it.
 
-    derivative of the contact with friction, with roundings. 315 operations: 41 additions, 56 subtractions, 126 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections.
+    derivative of the contact with friction, with roundings. 312 operations: 60 additions, 38 subtractions, 128 multiplications, 10 divisions, 1 square root, 13 negations, 18 absolute values, 19 comparisons, 25 selections.
     Returns dvx, dvy, dvz, dwx, dwy, dwz.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32 = _room[:33]
     _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
-    _s1 = _add(_add(_add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dny, vy, _r2), _r2), _multiply(dnz, vz, _r1), _r1), _multiply(dvx, nx, _r2), _r2), _multiply(dvy, ny, _r1), _r1), _multiply(dvz, nz, _r2), _r2)
-    _s2 = _subtract(_subtract(dvx, _multiply(dnx, _s0, _r1), _r1), _multiply(nx, _s1, _r3), _r3)
-    _s3 = _subtract(_subtract(vx, _multiply(nx, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r4), _multiply(ny, wz, _r5), _r5), _r5), _r5)
-    _s4 = _subtract(_subtract(vz, _multiply(nz, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r4), _multiply(nx, wy, _r6), _r6), _r6), _r6)
-    _s5 = _subtract(_subtract(vy, _multiply(ny, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r4), _multiply(nz, wx, _r7), _r7), _r7), _r7)
-    _s6 = _add(_add(_multiply(_s4, _s4, _r1), _multiply(_s5, _s5, _r4), _r4), _multiply(_s3, _s3, _r1), _r1)
+    _s1 = _add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dvx, nx, _r2), _r2), _add(_multiply(dny, vy, _r1), _multiply(dvy, ny, _r3), _r3), _r3), _add(_multiply(dnz, vz, _r2), _multiply(dvz, nz, _r1), _r1), _r1)
+    _s2 = _subtract(dvx, _add(_multiply(dnx, _s0, _r3), _multiply(nx, _s1, _r2), _r2), _r2)
+    _s3 = _subtract(_subtract(vx, _multiply(nx, _s0, _r3), _r3), _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r4), _multiply(ny, wz, _r5), _r5), _r5), _r5)
+    _s4 = _subtract(_subtract(vz, _multiply(nz, _s0, _r3), _r3), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r4), _multiply(nx, wy, _r6), _r6), _r6), _r6)
+    _s5 = _subtract(_subtract(vy, _multiply(ny, _s0, _r3), _r3), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r4), _multiply(nz, wx, _r7), _r7), _r7), _r7)
+    _s6 = _add(_add(_multiply(_s4, _s4, _r3), _multiply(_s5, _s5, _r4), _r4), _multiply(_s3, _s3, _r3), _r3)
     _s7 = 0.4 + (0.4 * p_tangential_restitution)
     _s8 = _subtract(_k22, _divide(_s0, p_restitution_speed, _r4), _r4)
     _s9 = _divide(p_ring_restitution, _s8, _r8)
@@ -3193,56 +3207,61 @@ def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     _s11 = _negative(_multiply(p_ring_friction, _multiply(_s10, _s0, _r10), _r10), _r10)
     _s12 = _negative(_divide(_multiply(p_ring_restitution, _negative(_divide(_s1, p_restitution_speed, _r11), _r11), _r11), _multiply(_s8, _s8, _r4), _r11), _r11)
     _s13 = _sqrt(_s6, _r4)
-    _s14 = _subtract(_subtract(dvz, _multiply(dnz, _s0, _r12), _r12), _multiply(nz, _s1, _r13), _r13)
-    _s15 = _subtract(_s14, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dny, wx, _r12), _multiply(dwx, ny, _r14), _r14), _multiply(dnx, wy, _r12), _r12), _multiply(dwy, nx, _r14), _r14), _r14), _r14)
-    _s16 = _subtract(_subtract(dvy, _multiply(dny, _s0, _r12), _r12), _multiply(ny, _s1, _r15), _r15)
-    _s17 = _subtract(_s16, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dnx, wz, _r12), _multiply(dwz, nx, _r16), _r16), _multiply(dnz, wx, _r12), _r12), _multiply(dwx, nz, _r16), _r16), _r16), _r16)
-    _s18 = _subtract(_s2, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dnz, wy, _r12), _multiply(dwy, nz, _r17), _r17), _multiply(dny, wz, _r12), _r12), _multiply(dwz, ny, _r17), _r17), _r17), _r17)
-    _s19 = _divide(_multiply(_multiply(_k40, _s11, _r12), _add(_add(_multiply(_multiply(_k23, _s4, _r18), _s15, _r18), _multiply(_multiply(_k23, _s5, _r19), _s17, _r19), _r19), _multiply(_multiply(_k23, _s3, _r18), _s18, _r18), _r18), _r12), _multiply(_s13, _s6, _r18), _r12)
-    _s20 = _subtract(_divide(_negative(_multiply(p_ring_friction, _add(_multiply(_s10, _s1, _r9), _multiply(_s12, _s0, _r18), _r18), _r18), _r18), _s13, _r18), _s19, _r12)
-    _s21 = _multiply(_s6, _s7 * _s7, _r1) <= _multiply(_s11, _s11, _r18)
+    _s14 = _subtract(dvz, _add(_multiply(dnz, _s0, _r12), _multiply(nz, _s1, _r13), _r13), _r13)
+    _s15 = _subtract(_s14, _multiply(p_ball_radius, _subtract(_add(_multiply(dny, wx, _r12), _multiply(dwx, ny, _r14), _r14), _add(_multiply(dnx, wy, _r12), _multiply(dwy, nx, _r15), _r15), _r15), _r15), _r15)
+    _s16 = _subtract(dvy, _add(_multiply(dny, _s0, _r14), _multiply(ny, _s1, _r12), _r12), _r12)
+    _s17 = _subtract(_s16, _multiply(p_ball_radius, _subtract(_add(_multiply(dnx, wz, _r14), _multiply(dwz, nx, _r16), _r16), _add(_multiply(dnz, wx, _r14), _multiply(dwx, nz, _r17), _r17), _r17), _r17), _r17)
+    _s18 = _subtract(_s2, _multiply(p_ball_radius, _subtract(_add(_multiply(dnz, wy, _r16), _multiply(dwy, nz, _r14), _r14), _add(_multiply(dny, wz, _r16), _multiply(dwz, ny, _r18), _r18), _r18), _r18), _r18)
+    _s19 = _divide(_multiply(_multiply(_k44, _s11, _r14), _add(_add(_multiply(_multiply(_k23, _s4, _r16), _s15, _r16), _multiply(_multiply(_k23, _s5, _r19), _s17, _r19), _r19), _multiply(_multiply(_k23, _s3, _r16), _s18, _r16), _r16), _r14), _multiply(_s13, _s6, _r16), _r14)
+    _s20 = _subtract(_divide(_negative(_multiply(p_ring_friction, _add(_multiply(_s10, _s1, _r9), _multiply(_s12, _s0, _r16), _r16), _r16), _r16), _s13, _r16), _s19, _r14)
+    _s21 = _multiply(_s6, _s7 * _s7, _r3) <= _multiply(_s11, _s11, _r16)
     _s22 = p_ring_friction < _inf
     _s23 = 0.0 < p_ring_friction
-    _s24 = _select(_s23, _select(_s22, _select(_s21, _k6, _s20, _r18), _k6, _r1), _k6, _r9)
+    _s24 = _select(_s23, _select(_s22, _select(_s21, _k6, _s20, _r16), _k6, _r3), _k6, _r9)
     _s25 = _select(_s23, _select(_s22, _select(_s21, _s7, _divide(_s11, _s13, _r4), _r10), _s7, _r19), _k6, _r20)
-    _s26 = _subtract(_subtract(_subtract(_subtract(_subtract(_s2, _multiply(_s3, _s24, _r21), _r21), _multiply(_s18, _s25, _r3), _r3), _multiply(_multiply(dnx, _s9, _r21), _s0, _r21), _r21), _multiply(_multiply(nx, _s9, _r3), _s1, _r3), _r3), _multiply(_multiply(nx, _s12, _r21), _s0, _r21), _r21)
-    _s27 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r3), _absolute(wy, _r22), _r22), _absolute(wz, _r3), _r3), _r3), _absolute(vx, _r22), _r22), _absolute(vy, _r3), _r3)
-    _s28 = _add(_s27, _absolute(vz, _r22), _r22)
-    _s29 = _multiply(_k33, _s28, _r3)
-    _s30 = _negative(_s29, _r23)
-    _s31 = _add(_s26, _select(_s26 < _k6, _s30, _s29, _r24), _r24)
-    _s32 = _absolute(dwx, _r21)
-    _s33 = _absolute(dwy, _r25)
-    _s34 = _select(_s32 < _s33, _s33, _s32, _r26)
-    _s35 = _absolute(dwz, _r27)
-    _s36 = _absolute(dvx, _r28)
-    _s37 = _absolute(dvy, _r29)
-    _s38 = _select(_s36 < _s37, _s37, _s36, _r30)
-    _s39 = _absolute(dvz, _r31)
-    _s40 = _add(_add(_multiply(p_ball_radius, _select(_s34 < _s35, _s35, _s34, _r32), _r32), _multiply(turn, _s28, _r22), _r22), _select(_s38 < _s39, _s39, _s38, _r32), _r32)
-    _s41 = _divide(_s40, lifting, _r31)
-    _s42 = _negative(_s41, _r30)
-    _s43 = _select(_absolute(_s31, _r29) < _s41, _select(_s31 < _k6, _s42, _s41, _r29), _s31, _r28)
-    _s44 = _subtract(_subtract(_subtract(_subtract(_subtract(_s16, _multiply(_s5, _s24, _r22), _r22), _multiply(_s17, _s25, _r15), _r15), _multiply(_multiply(dny, _s9, _r22), _s0, _r22), _r22), _multiply(_multiply(ny, _s9, _r15), _s1, _r15), _r15), _multiply(_multiply(ny, _s12, _r22), _s0, _r22), _r22)
-    _s45 = _add(_s44, _select(_s44 < _k6, _s30, _s29, _r15), _r15)
-    _s46 = _select(_absolute(_s45, _r22) < _s41, _select(_s45 < _k6, _s42, _s41, _r22), _s45, _r27)
-    _s47 = _subtract(_subtract(_subtract(_subtract(_subtract(_s14, _multiply(_s4, _s24, _r26), _r26), _multiply(_s15, _s25, _r13), _r13), _multiply(_multiply(dnz, _s9, _r26), _s0, _r26), _r26), _multiply(_multiply(nz, _s9, _r8), _s1, _r8), _r8), _multiply(_multiply(nz, _s12, _r11), _s0, _r11), _r11)
-    _s48 = _add(_s47, _select(_s47 < _k6, _s30, _s29, _r8), _r8)
-    _s49 = _select(_absolute(_s48, _r11) < _s41, _select(_s48 < _k6, _s42, _s41, _r11), _s48, _r23)
-    _s50 = _add(_add(_multiply(nx, _subtract(_s43, _s31, _r0), _r0), _multiply(ny, _subtract(_s46, _s45, _r26), _r26), _r26), _multiply(nz, _subtract(_s49, _s48, _r0), _r0), _r0)
-    _s51 = _divide(_multiply(_k112, _s24, _r9), p_ball_radius, _r9)
-    _s52 = _divide(_multiply(_k112, _s25, _r20), p_ball_radius, _r20)
-    _s53 = _add(_add(dwx, _multiply(_s51, _subtract(_multiply(ny, _s4, _r19), _multiply(nz, _s5, _r10), _r10), _r10), _r10), _multiply(_s52, _subtract(_subtract(_add(_multiply(dny, _s4, _r19), _multiply(ny, _s15, _r4), _r4), _multiply(dnz, _s5, _r19), _r19), _multiply(nz, _s17, _r4), _r4), _r4), _r4)
-    _s54 = _divide(_s29, p_ball_radius, _r3)
-    _s55 = _negative(_s54, _r10)
-    _s56 = _add(_s53, _select(_s53 < _k6, _s55, _s54, _r19), _r19)
-    _s57 = _divide(_s40, _multiply(p_ball_radius, lifting, _r4), _r4)
-    _s58 = _negative(_s57, _r32)
-    _s59 = _add(_add(dwy, _multiply(_s51, _subtract(_multiply(nz, _s3, _r1), _multiply(nx, _s4, _r18), _r18), _r18), _r18), _multiply(_s52, _subtract(_subtract(_add(_multiply(dnz, _s3, _r1), _multiply(nz, _s18, _r12), _r12), _multiply(dnx, _s4, _r6), _r6), _multiply(nx, _s15, _r14), _r14), _r14), _r14)
-    _s60 = _add(_s59, _select(_s59 < _k6, _s55, _s54, _r18), _r18)
-    _s61 = _add(_add(dwz, _multiply(_s51, _subtract(_multiply(nx, _s5, _r14), _multiply(ny, _s3, _r6), _r6), _r6), _r6), _multiply(_s52, _subtract(_subtract(_add(_multiply(dnx, _s5, _r7), _multiply(nx, _s17, _r16), _r16), _multiply(dny, _s3, _r5), _r5), _multiply(ny, _s18, _r17), _r17), _r17), _r17)
-    _s62 = _add(_s61, _select(_s61 < _k6, _s55, _s54, _r6), _r6)
-    return _s43 - _multiply(nx, _s50, _r17), _s46 - _multiply(ny, _s50, _r17), _s49 - _multiply(nz, _s50, _r0), _result(_absolute(_s56, _r0) < _s57, _select(_s56 < _k6, _s58, _s57, _r0), _s56, _r0), _result(_absolute(_s60, _r0) < _s57, _select(_s60 < _k6, _s58, _s57, _r0), _s60, _r0), _result(_absolute(_s62, _r0) < _s57, _select(_s62 < _k6, _s58, _s57, _r0), _s62, _r0)
+    _s26 = _subtract(_subtract(_s2, _add(_multiply(_s3, _s24, _r21), _multiply(_s18, _s25, _r22), _r22), _r22), _add(_add(_multiply(_multiply(dnx, _s9, _r2), _s0, _r2), _multiply(_multiply(nx, _s9, _r21), _s1, _r21), _r21), _multiply(_multiply(nx, _s12, _r2), _s0, _r2), _r2), _r2)
+    _s27 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r22), _absolute(wy, _r21), _r21), _absolute(wz, _r22), _r22), _r22), _absolute(vx, _r21), _r21), _absolute(vy, _r22), _r22)
+    _s28 = _add(_s27, _absolute(vz, _r21), _r21)
+    _s29 = _add(_k24, _multiply(_k37, _s28, _r22), _r22)
+    _s30 = _add(_absolute(_s26, _r23), _s29, _r23)
+    _s31 = _absolute(dwx, _r24)
+    _s32 = _absolute(dwy, _r25)
+    _s33 = _select(_s31 < _s32, _s32, _s31, _r26)
+    _s34 = _absolute(dwz, _r27)
+    _s35 = _absolute(dvx, _r28)
+    _s36 = _absolute(dvy, _r29)
+    _s37 = _select(_s35 < _s36, _s36, _s35, _r30)
+    _s38 = _absolute(dvz, _r31)
+    _s39 = _multiply(lifting, _add(_add(_multiply(p_ball_radius, _select(_s33 < _s34, _s34, _s33, _r32), _r32), _multiply(turn, _s28, _r21), _r21), _select(_s37 < _s38, _s38, _s37, _r32), _r32), _r32)
+    _s40 = _select(_s30 < _s39, _s39, _s30, _r31)
+    _s41 = _s26 < _k6
+    _s42 = _subtract(_s40, _s30, _r2)
+    _s43 = _subtract(_subtract(_s16, _add(_multiply(_s5, _s24, _r30), _multiply(_s17, _s25, _r29), _r29), _r29), _add(_add(_multiply(_multiply(dny, _s9, _r12), _s0, _r12), _multiply(_multiply(ny, _s9, _r30), _s1, _r30), _r30), _multiply(_multiply(ny, _s12, _r12), _s0, _r12), _r12), _r12)
+    _s44 = _add(_absolute(_s43, _r29), _s29, _r29)
+    _s45 = _select(_s44 < _s39, _s39, _s44, _r30)
+    _s46 = _subtract(_s45, _s44, _r28)
+    _s47 = _s43 < _k6
+    _s48 = _subtract(_subtract(_s14, _add(_multiply(_s4, _s24, _r12), _multiply(_s15, _s25, _r21), _r21), _r21), _add(_add(_multiply(_multiply(dnz, _s9, _r13), _s0, _r13), _multiply(_multiply(nz, _s9, _r8), _s1, _r8), _r8), _multiply(_multiply(nz, _s12, _r11), _s0, _r11), _r11), _r11)
+    _s49 = _add(_absolute(_s48, _r21), _s29, _r21)
+    _s50 = _select(_s49 < _s39, _s39, _s49, _r8)
+    _s51 = _subtract(_s50, _s49, _r0)
+    _s52 = _s48 < _k6
+    _s53 = _add(_add(_multiply(nx, _select(_s41, _negative(_s42, _r11), _s42, _r13), _r13), _multiply(ny, _select(_s47, _negative(_s46, _r11), _s46, _r2), _r2), _r2), _multiply(nz, _select(_s52, _negative(_s51, _r13), _s51, _r11), _r11), _r11)
+    _s54 = _divide(_multiply(_k114, _s24, _r9), p_ball_radius, _r9)
+    _s55 = _divide(_multiply(_k114, _s25, _r20), p_ball_radius, _r20)
+    _s56 = _add(dwx, _add(_multiply(_s54, _subtract(_multiply(ny, _s4, _r19), _multiply(nz, _s5, _r10), _r10), _r10), _multiply(_s55, _subtract(_add(_multiply(dny, _s4, _r19), _multiply(ny, _s15, _r4), _r4), _add(_multiply(dnz, _s5, _r19), _multiply(nz, _s17, _r3), _r3), _r3), _r3), _r3), _r3)
+    _s57 = 1.0 / p_ball_radius
+    _s58 = _multiply(_s57, _s29, _r22)
+    _s59 = _add(_absolute(_s56, _r10), _s58, _r10)
+    _s60 = _multiply(_s57, _s39, _r4)
+    _s61 = _select(_s59 < _s60, _s60, _s59, _r19)
+    _s62 = _add(dwy, _add(_multiply(_s54, _subtract(_multiply(nz, _s3, _r16), _multiply(nx, _s4, _r14), _r14), _r14), _multiply(_s55, _subtract(_add(_multiply(dnz, _s3, _r16), _multiply(nz, _s18, _r2), _r2), _add(_multiply(dnx, _s4, _r6), _multiply(nx, _s15, _r15), _r15), _r15), _r15), _r15), _r15)
+    _s63 = _add(_absolute(_s62, _r14), _s58, _r14)
+    _s64 = _select(_s63 < _s60, _s60, _s63, _r2)
+    _s65 = _add(dwz, _add(_multiply(_s54, _subtract(_multiply(nx, _s5, _r6), _multiply(ny, _s3, _r16), _r16), _r16), _multiply(_s55, _subtract(_add(_multiply(dnx, _s5, _r7), _multiply(nx, _s17, _r17), _r17), _add(_multiply(dny, _s3, _r5), _multiply(ny, _s18, _r18), _r18), _r18), _r18), _r18), _r18)
+    _s66 = _add(_absolute(_s65, _r16), _s58, _r16)
+    _s67 = _select(_s66 < _s60, _s60, _s66, _r22)
+    return _select(_s41, _negative(_s40, _r20), _s40, _r17) - _multiply(nx, _s53, _r5), _select(_s47, _negative(_s45, _r5), _s45, _r17) - _multiply(ny, _s53, _r20), _select(_s52, _negative(_s50, _r20), _s50, _r17) - _multiply(nz, _s53, _r11), _result(_s56 < _k6, _negative(_s61, _r3), _s61, _r0), _result(_s62 < _k6, _negative(_s64, _r15), _s64, _r0), _result(_s65 < _k6, _negative(_s67, _r18), _s67, _r0)
 
 
 def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3318,20 +3337,20 @@ def ring_curvature(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -
 def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Error of the normal, from that of the position.
 
-    derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
+    derivative of Table 2's normal. 34 operations: 6 additions, 3 subtractions, 18 multiplications, 3 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
     Returns dnx, dny, dnz, turn.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = 1.0 / _s0
     _s2 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s3 = _subtract(_s2, p_ring_radius, _r0)
-    _s4 = _divide(_k22, _s2, _r2)
-    _s5 = _multiply(_multiply(_s1, _s3, _r3), _s4, _r3)
-    _s6 = _divide(_multiply(_k40, _add(_multiply(_multiply(_k23, dx, _r4), x, _r4), _multiply(_multiply(_k23, dy, _r5), y, _r5), _r5), _r5), _s2, _r5)
-    _s7 = _add(_multiply(_multiply(_s6, _s1, _r1), _s4, _r1), _multiply(_multiply(_negative(_multiply(_s6, _multiply(_s4, _s4, _r2), _r2), _r2), _s1, _r2), _s3, _r2), _r2)
+    _s4 = _divide(_k22, _s2, _r1)
+    _s5 = _multiply(_multiply(_s1, _s3, _r2), _s4, _r2)
+    _s6 = _multiply(_add(_multiply(dx, x, _r3), _multiply(dy, y, _r4), _r4), _s4, _r4)
+    _s7 = _multiply(_s1, _add(_multiply(_s6, _s4, _r3), _multiply(_negative(_multiply(_s6, _multiply(_s4, _s4, _r1), _r1), _r1), _s3, _r1), _r1), _r1)
     _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius
-    return _multiply(dx, _s5, _r1) + _multiply(x, _s7, _r0), _multiply(dy, _s5, _r3) + _multiply(y, _s7, _r2), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
+    return _multiply(dx, _s5, _r3) + _multiply(x, _s7, _r0), _multiply(dy, _s5, _r2) + _multiply(y, _s7, _r1), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
 
 
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3377,8 +3396,8 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s33 = _add(x, _multiply(horizon, vx, _r6), _r6)
     _s34 = _add(y, _multiply(horizon, vy, _r7), _r7)
     _s35 = _select(_subtract(_add(_add(_s20, _multiply(_s33, _s33, _r6), _r6), _multiply(_s34, _s34, _r7), _r7), _s26, _r7) < _k6, _k22, _select(_subtract(_multiply(_s22, _s20 + _s26, _r7), _s30, _r7) < _k6, _k22, _k6, _r7), _r14)
-    _s36 = _select(_subtract(_multiply(_multiply(_k60, _multiply(_s32, _s32, _r9), _r9), _s27, _r9), _multiply(_multiply(_multiply(_k23, _s31, _r6), _s15, _r6), _s21, _r6), _r6) < _k6, _s35, _k6, _r6)
-    _s37 = _select(horizon < _subtract(_s12, _multiply(_k47, horizon, _r9), _r9), _k22, _select(_k6 < _s21, _select(_k6 < _s31, _s36, _k6, _r11), _k6, _r12), _r9)
+    _s36 = _select(_subtract(_multiply(_multiply(_k64, _multiply(_s32, _s32, _r9), _r9), _s27, _r9), _multiply(_multiply(_multiply(_k23, _s31, _r6), _s15, _r6), _s21, _r6), _r6) < _k6, _s35, _k6, _r6)
+    _s37 = _select(horizon < _subtract(_s12, _multiply(_k51, horizon, _r9), _r9), _k22, _select(_k6 < _s21, _select(_k6 < _s31, _s36, _k6, _r11), _k6, _r12), _r9)
     _s38 = _add(_multiply(vx, x, _r3), _multiply(vy, y, _r8), _r8)
     _s39 = _add(_multiply(_s11, _s22, _r13), _s38, _r13)
     _s40 = _select(_s39 < _k6, _select(_s19 < _add(_multiply(_s11, _add(_s38, _s39, _r13), _r13), _add(_multiply(x, x, _r8), _multiply(y, y, _r3), _r3), _r3), _s37, _k6, _r3), _k6, _r13)
@@ -3403,36 +3422,36 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = _multiply(_k44, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s10 = _multiply(_k48, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
     _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
-    _s14 = _multiply(_k41, _add(_absolute(vz, _r8), _s13, _r8), _r8)
+    _s14 = _multiply(_k45, _add(_absolute(vz, _r8), _s13, _r8), _r8)
     _s15 = _k6 <= _s11
     _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _k8, _r9)
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = _multiply(_multiply(_k41, _s1, _r10), _add(_s18, _s6, _r11), _r10)
+    _s19 = _multiply(_multiply(_k45, _s1, _r10), _add(_s18, _s6, _r11), _r10)
     _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
     _s21 = _add(_multiply(vx, x, _r12), _multiply(vy, y, _r13), _r13)
     _s22 = _sqrt(_s20, _r12)
-    _s23 = _multiply(_k41, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
+    _s23 = _multiply(_k45, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
     _s24 = _divide(_k22, _s1, _r14)
     _s25 = _k6 <= _s20
-    _s26 = _k121 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k122, _r16)
+    _s26 = _k123 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k124, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k6, _k6, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k122, _r10), _k8, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k124, _r10), _k8, _r18)
     _s35 = _k6 < _select(_s26, _s32, _k6, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k6, _k6, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k122, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k124, _r0)
     _s40 = _k6 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -3476,9 +3495,9 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(_k63, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k33, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k15 * _add(_add(_multiply(_multiply(_k124, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
-    return _k15 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k15 * _add(_multiply(_k124, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k67, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k37, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k15 * _add(_add(_multiply(_multiply(_k126, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
+    return _k15 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k15 * _add(_multiply(_k126, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3536,7 +3555,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s23 = _subtract(_add(_s16, _s17, _r8), steady, _r8)
     _s24 = _s20 < _k6
     _s25 = _multiply(_k23, _s22, _r10)
-    _s26 = _select(_k6 < _select(_k6 <= _s20, _s22, _k6, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k60, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k6 < _s23, _s23, _k6, _r14), _r15), _r12), _r11)
+    _s26 = _select(_k6 < _select(_k6 <= _s20, _s22, _k6, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k64, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k6 < _s23, _s23, _k6, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
     _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k6, _k6, _s13, _r8), _r8), _s8, _r8), _r8)
@@ -3547,13 +3566,13 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s34 = _where(_s32 < _s33, _s33, _s32)
     _s35 = _divide(_k22, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k89, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k93, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
     _s38 = _add(_multiply(_multiply(_k23, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
     _s40 = _select(_k6 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k6 < _s37, _s37, _k6, _r5), _r1), _r7), _k8, _r9)
     _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
     _s42 = _negative(_add(rate_margin, _s14, _r1), _r1)
-    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(_k6 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k25, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
+    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(_k6 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k26, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
 
 
 def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3577,73 +3596,73 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k128 * (p_ball_radius + p_wire_radius)
-    _s2 = _k129 * p_gravity
-    _s3 = _multiply(_k130, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s1 = _k130 * (p_ball_radius + p_wire_radius)
+    _s2 = _k131 * p_gravity
+    _s3 = _multiply(_k132, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = _k131 / p_gravity
+    _s5 = _k133 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k132, _add(_absolute(vz, _r4), _s6, _r4), _r4)
-    _s8 = _k133 <= _s4
-    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k134, _r5)
+    _s7 = _multiply(_k134, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s8 = _k135 <= _s4
+    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k136, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k132, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k134, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k132, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_k135, _s10, _r13)
-    _s21 = _k133 <= _s16
-    _s22 = _k136 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k134, _r14), _k137, _r15)
+    _s19 = _multiply(_k134, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k137, _s10, _r13)
+    _s21 = _k135 <= _s16
+    _s22 = _k138 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k136, _r14), _k139, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
-    _s25 = _select(_k133 < _s24, _s24, _k133, _r17)
-    _s26 = _select(_k133 < _s25, _s25, _k133, _r18)
+    _s25 = _select(_k135 < _s24, _s24, _k135, _r17)
+    _s26 = _select(_k135 < _s25, _s25, _k135, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k138 * p_ring_radius
+    _s28 = _k140 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
-    _s31 = _sqrt(_select(_s30 < _k133, _k133, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k137, _r6), _k134, _r19)
-    _s33 = _k133 < _select(_s22, _s30, _k133, _r20)
+    _s31 = _sqrt(_select(_s30 < _k135, _k135, _s30, _r9), _r9)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k139, _r6), _k136, _r19)
+    _s33 = _k135 < _select(_s22, _s30, _k135, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
-    _s36 = _sqrt(_select(_s35 < _k133, _k133, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k137, _r0)
-    _s38 = _k133 < _s35
+    _s36 = _sqrt(_select(_s35 < _k135, _k135, _s35, _r1), _r1)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k139, _r0)
+    _s38 = _k135 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k139, horizon, _r24)
+    _s41 = _multiply(_k141, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
-    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k134, _r13)
+    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k136, _r13)
     _s45 = _select(_s44 < _s34, _s34, _s44, _r8)
     _s46 = _select(_s9 < _s45, _s45, _s9, _r12)
     _s47 = _select(_s32 < _s39, _s32, _s39, _r26)
-    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k134, _r4)
+    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k136, _r4)
     _s49 = _select(_s48 < _s39, _s39, _s48, _r27)
     _s50 = _s46 <= _s47
     _s51 = _select(_s50, _s46, _select(_s49 < _s23, _s23, _s49, _r28), _r29)
-    _s52 = _result(_k133 < _s51, _s51, _k133, _r0)
-    _s53 = _select(_k133 < _s52, _s52, _k133, _r30)
+    _s52 = _result(_k135 < _s51, _s51, _k135, _r0)
+    _s53 = _select(_k135 < _s52, _s52, _k135, _r30)
     _s54 = _select(_s50, _s47, _select(_s34 < _s37, _s34, _s37, _r31), _r32)
     _s55 = _result(_s54 < _s41, _s54, _s41, _r0)
     _s56 = _s53 < _s55
     _s57 = _select(_s49 < _s45, _s45, _s49, _r33)
-    _s58 = _result(_k133 < _s57, _s57, _k133, _r0)
-    _s59 = _select(_k133 < _s58, _s58, _k133, _r34)
+    _s58 = _result(_k135 < _s57, _s57, _k135, _r0)
+    _s59 = _select(_k135 < _s58, _s58, _k135, _r34)
     _s60 = _select(_s32 < _s37, _s32, _s37, _r35)
     _s61 = _result(_s60 < _s41, _s60, _s41, _r0)
     _s62 = _s59 < _s61
-    _s63 = _select(_k133 < _s40, _s40, _k133, _r36)
+    _s63 = _select(_k135 < _s40, _s40, _k135, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k140 * _s29)), (_s11 <= ((_k140 * p_ball_radius) + (_k140 * p_wire_radius)))), (_s11 <= _k141)), (_k142 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k133, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k133, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k141)), (_k142 <= p_gravity)), (extent <= _k143)), (speed <= _k143))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k142 * _s29)), (_s11 <= ((_k142 * p_ball_radius) + (_k142 * p_wire_radius)))), (_s11 <= _k143)), (_k144 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k135, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k135, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k143)), (_k144 <= p_gravity)), (extent <= _k145)), (speed <= _k145))
 
 
 def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3675,33 +3694,33 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
-    _s0 = _k133 < leaving
+    _s0 = _k135 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k128 * _s2
+    _s3 = _k130 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k138 * p_ring_radius
+    _s5 = _k140 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(_k131 < _s7, _s7, _k131)
+    _s8 = _where(_k133 < _s7, _s7, _k133)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k151, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k152, parting, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k153, _s12, _k153, _r5)
-    _s14 = _result(_s0, _select(_k154 < _s13, _s13, _k154, _r6), _k153, _r0)
-    _s15 = _add(_multiply(_k155, _multiply(vz, vz, _r7), _r7), _multiply(_k156 * p_gravity, z, _r8), _r8) + _multiply(_k155, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k153, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k154, parting, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k155, _s12, _k155, _r5)
+    _s14 = _result(_s0, _select(_k156 < _s13, _s13, _k156, _r6), _k155, _r0)
+    _s15 = _add(_multiply(_k157, _multiply(vz, vz, _r7), _r7), _multiply(_k158 * p_gravity, z, _r8), _r8) + _multiply(_k157, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
-    _s17 = (_k129 * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = _k131 / _s6
+    _s17 = (_k131 * p_ring_radius) * _multiply(_s16, _s16, _r8)
+    _s18 = _k133 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k157 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k159 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k132, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k158, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k144, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k159 * _s20, (_k160 * _s2) * _s24, _result(_s0, _multiply(_k159, _add(_multiply(_k130, _absolute(parting, _r12), _r12), _multiply(_add(_k161, _s14, _r2), _s11, _r2), _r2), _r2), _k134, _r0), _k159 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k162 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k151 * _add(_multiply(_multiply(_k159, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k163, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k164 * p_ball_radius) + (_k164 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k133))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k134, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k160, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k146, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k161 * _s20, (_k162 * _s2) * _s24, _result(_s0, _multiply(_k161, _add(_multiply(_k132, _absolute(parting, _r12), _r12), _multiply(_add(_k163, _s14, _r2), _s11, _r2), _r2), _r2), _k136, _r0), _k161 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k164 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k153 * _add(_multiply(_multiply(_k161, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k165, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k166 * p_ball_radius) + (_k166 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k135))
 
 
 def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3748,66 +3767,66 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s7 = _add(y, _multiply(t, vy, _r5), _r5)
     _s8 = _sqrt(_add(_multiply(_s6, _s6, _r6), _multiply(_s7, _s7, _r7), _r7), _r7)
     _s9 = _add(rho_start, _s8, _r6)
-    _s10 = _divide(_k135, _multiply(_s9, _s8, _r8), _r8)
+    _s10 = _divide(_k137, _multiply(_s9, _s8, _r8), _r8)
     _s11 = _multiply(_s8, _s10, _r9)
-    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_k155, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
-    _s13 = _subtract(vz, _multiply(_k171 * p_gravity, t, _r10), _r10)
-    _s14 = _add(_add(_multiply(_multiply(_multiply(_k155, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
+    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_k157, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
+    _s13 = _subtract(vz, _multiply(_k173 * p_gravity, t, _r10), _r10)
+    _s14 = _add(_add(_multiply(_multiply(_multiply(_k157, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
     _s15 = _add(parting, _multiply(t, _subtract(_s14, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
     _s16 = _multiply(_s9, _s10, _r8)
     _s17 = _multiply(_s16, _add(_multiply(vx, _s6, _r3), _multiply(vy, _s7, _r5), _r5), _r5)
     _s18 = _subtract(_s8, p_ring_radius, _r3)
     _s19 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
     _s20 = _add(z, _multiply(t, _s13, _r10), _r10)
-    _s21 = _select(_s4, _subtract(_multiply(_k155, _s15, _r11), parting, _r11), _multiply(_k155, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
-    _s22 = _select(_s4, _add(_s3, _multiply(_k155, _s0, _r0), _r0), rate_margin, _r2)
+    _s21 = _select(_s4, _subtract(_multiply(_k157, _s15, _r11), parting, _r11), _multiply(_k157, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
+    _s22 = _select(_s4, _add(_s3, _multiply(_k157, _s0, _r0), _r0), rate_margin, _r2)
     _s23 = _negative(_add(_s21, _s22, _r4), _r4)
     _s24 = _select(_s2, _s1, flat, _r14)
     _s25 = p_ball_radius + p_wire_radius
     _s26 = _subtract(_select(_s2, _multiply(t, _s15, _r12), _subtract(_add(_multiply(_s18, _s18, _r3), _multiply(_s20, _s20, _r15), _r15), _s25 * _s25, _r15), _r3), _s24, _r3)
-    _s27 = _select(_s26 < _k133, _k133, _s26, _r15)
-    _s28 = _multiply(_k155, _add(_multiply(_k155, _s24, _r12), _s27, _r12), _r12)
+    _s27 = _select(_s26 < _k135, _k135, _s26, _r15)
+    _s28 = _multiply(_k157, _add(_multiply(_k157, _s24, _r12), _s27, _r12), _r12)
     _s29 = _subtract(_s21, _s22, _r2)
-    _s30 = _k173 * p_gravity
+    _s30 = _k175 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(swing, _multiply(_s16, _multiply(_s16, _s16, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), steady, _r17)
-    _s34 = _s29 < _k133
-    _s35 = _multiply(_k155, _s27, _r18)
-    _s36 = _select(_k133 < _select(_k133 <= _s29, _s27, _k133, _r19), _k134, _divide(_select(_s34, _add(_multiply(_k174, _s24, _r19), _s35, _r19), _multiply(_k175, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k133 < _s33, _s33, _k133, _r23), _r24), _r21), _r20)
+    _s34 = _s29 < _k135
+    _s35 = _multiply(_k157, _s27, _r18)
+    _s36 = _select(_k135 < _select(_k135 <= _s29, _s27, _k135, _r19), _k136, _divide(_select(_s34, _add(_multiply(_k176, _s24, _r19), _s35, _r19), _multiply(_k177, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k135 < _s33, _s33, _k135, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k128 * _s25
-    _s40 = _add((_k138 * p_ball_radius) + (_k138 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k133, _k133, _s19, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k130 * _s25
+    _s40 = _add((_k140 * p_ball_radius) + (_k140 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k135, _k135, _s19, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k133 < _s17, _k133, _s17, _r23), _r23), _s8, _r23), _multiply(_k176, _s42, _r7), _r7), _k146 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k135 < _s17, _k135, _s17, _r23), _r23), _s8, _r23), _multiply(_k178, _s42, _r7), _r7), _k148 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k138 * p_ring_radius
+    _s45 = _k140 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_k135, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k137, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(swing, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(steady, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k177, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k179, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
     _s51 = _negative(_s19, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k142 * p_ball_radius) + (_k142 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k133, _k133, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k178, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(steady, _add(_s52, _multiply(_k179, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k144 * p_ball_radius) + (_k144 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k135, _k135, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k180, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(steady, _add(_s52, _multiply(_k181, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k174, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
-    _s56 = _k133 < _select(_k133 < _s23, _s55, _s23, _r16)
-    _s57 = _add(_multiply(_multiply(_k155, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
+    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k176, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
+    _s56 = _k135 < _select(_k135 < _s23, _s55, _s23, _r16)
+    _s57 = _add(_multiply(_multiply(_k157, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
-    _s59 = _select(_k133 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k133 < _s50, _s50, _k133, _r2), _r4), _r8), _k134, _r15)
+    _s59 = _select(_k135 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k135 < _s50, _s50, _k135, _r2), _r4), _r8), _k136, _r15)
     _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
     _s61 = _add(t, _s60, _r2)
-    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _k133), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
+    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _k135), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
     _s63 = _logical_not(_logical_or(_s56, _s62))
     _s64 = _logical_and(_s63, (_s37 <= _s60))
     _s65 = _select(end < low1, low1, end, _r4)
     _s66 = _s65 < high1
     _s67 = _select(end < low2, low2, end, _r15)
     _s68 = _s67 < high2
-    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k134, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k136, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3848,31 +3867,32 @@ def ring_beside(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: An
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _r0)
     _s3 = 2.0 * p_ring_radius
-    _s4 = _add(_multiply(_multiply(_k23, vz, _r2), z, _r2), _divide(_multiply(_multiply(_k40, _subtract(_multiply(_k23, _s0, _r3), _s3, _r3), _r3), _add(_multiply(_multiply(_k23, vx, _r4), x, _r4), _multiply(_multiply(_k23, vy, _r5), y, _r5), _r5), _r3), _s0, _r3), _r3)
+    _s4 = _add(_multiply(_multiply(_k23, vz, _r2), z, _r2), _divide(_multiply(_multiply(_k44, _subtract(_multiply(_k23, _s0, _r3), _s3, _r3), _r3), _add(_multiply(_multiply(_k23, vx, _r4), x, _r4), _multiply(_multiply(_k23, vy, _r5), y, _r5), _r5), _r3), _s0, _r3), _r3)
     _s5 = _subtract(_divide(_s3, _s0, _r1), _k22, _r1)
-    return _subtract(_s2, p_ball_radius, _r2) - p_wire_radius, _multiply(_k40, _s4, _r3) / _s2, _select(_k6 < _s5, _s5, _k6, _r3) / (p_ball_radius + p_wire_radius)
+    return _subtract(_s2, p_ball_radius, _r2) - p_wire_radius, _multiply(_k44, _s4, _r3) / _s2, _select(_k6 < _s5, _s5, _k6, _r3) / (p_ball_radius + p_wire_radius)
 
 
 def ring_closing(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The distance, its rate and its second derivative, of a ball that rolls on something else.
 
-    derivatives of Table 2's distance. 75 operations: 12 additions, 5 subtractions, 48 multiplications, 8 divisions, 2 square roots.
+    derivatives of Table 2's distance. 73 operations: 14 additions, 3 subtractions, 50 multiplications, 2 divisions, 2 square roots, 2 negations.
     Returns gap, nearing, swerve, facing.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
-    _s0 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
-    _s1 = _sqrt(_s0, _r0)
-    _s2 = _subtract(_s1, p_ring_radius, _r2)
-    _s3 = _add(_multiply(z, z, _r3), _multiply(_s2, _s2, _r4), _r4)
-    _s4 = _sqrt(_s3, _r3)
-    _s5 = _add(_multiply(_multiply(_k23, rolled_x, _r5), x, _r5), _multiply(_multiply(_k23, rolled_y, _r6), y, _r6), _r6)
-    _s6 = _divide(_multiply(_k40, _s5, _r5), _s1, _r5)
-    _s7 = _add(_multiply(_multiply(_k23, rolled_z, _r7), z, _r7), _multiply(_multiply(_k23, _s6, _r8), _s2, _r8), _r8)
-    _s8 = _divide(_multiply(_k40, _add(_add(_multiply(_k23, _multiply(rolled_x, rolled_x, _r7), _r7), _multiply(_multiply(_k23, thrust_x, _r9), x, _r9), _r9), _add(_multiply(_k23, _multiply(rolled_y, rolled_y, _r7), _r7), _multiply(_multiply(_k23, thrust_y, _r10), y, _r10), _r10), _r10), _r10), _s1, _r10)
-    _s9 = _add(_multiply(_multiply(_k23, _s2, _r9), _subtract(_s8, _divide(_multiply(_k26, _multiply(_s5, _s5, _r6), _r6), _multiply(_s1, _s0, _r1), _r6), _r6), _r9), _multiply(_k23, _multiply(_s6, _s6, _r5), _r5), _r5)
-    _s10 = _divide(_multiply(_k40, _add(_add(_multiply(_k23, _multiply(rolled_z, rolled_z, _r9), _r9), _multiply(_multiply(_k23, thrust_z, _r6), z, _r6), _r6), _s9, _r5), _r5), _s4, _r5)
-    _s11 = _multiply(_k23, _divide(_multiply(_k40, _add(_multiply(_multiply(_k23, nx, _r6), x, _r6), _multiply(_multiply(_k23, ny, _r9), y, _r9), _r9), _r9), _s1, _r9), _r9)
-    return _subtract(_s4, p_ball_radius, _r0) - p_wire_radius, _multiply(_k40, _s7, _r0) / _s4, _s10 - _divide(_multiply(_k26, _multiply(_s7, _s7, _r8), _r8), _multiply(_s4, _s3, _r4), _r8), _multiply(_k40, _add(_multiply(_multiply(_k23, nz, _r8), z, _r8), _multiply(_s11, _s2, _r9), _r9), _r9) / _s4
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
+    _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
+    _s1 = _subtract(_s0, p_ring_radius, _r0)
+    _s2 = _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
+    _s3 = _add(_multiply(_multiply(_k23, rolled_x, _r2), x, _r2), _multiply(_multiply(_k23, rolled_y, _r4), y, _r4), _r4)
+    _s4 = _divide(_k22, _s0, _r1)
+    _s5 = _multiply(_multiply(_k44, _s3, _r2), _s4, _r2)
+    _s6 = _add(_multiply(_multiply(_k23, rolled_z, _r5), z, _r5), _multiply(_multiply(_k23, _s5, _r6), _s1, _r6), _r6)
+    _s7 = _divide(_k22, _s2, _r5)
+    _s8 = _multiply(_k44, _s6, _r7) * _s7
+    _s9 = _add(_multiply(_negative(_multiply(_s5, _multiply(_s4, _s4, _r7), _r7), _r7), _s3, _r7), _multiply(_add(_multiply(_k23, _add(_multiply(rolled_x, rolled_x, _r4), _multiply(thrust_x, x, _r8), _r8), _r8), _multiply(_k23, _add(_multiply(rolled_y, rolled_y, _r4), _multiply(thrust_y, y, _r9), _r9), _r9), _r9), _s4, _r9), _r9)
+    _s10 = _multiply(_add(_multiply(_k23, _add(_multiply(rolled_z, rolled_z, _r7), _multiply(thrust_z, z, _r8), _r8), _r8), _multiply(_k23, _add(_multiply(_s1, _multiply(_k44, _s9, _r9), _r9), _multiply(_s5, _s5, _r2), _r2), _r2), _r2), _s7, _r2)
+    _s11 = _k44 * _add(_multiply(_negative(_multiply(_s8, _multiply(_s7, _s7, _r8), _r8), _r8), _s6, _r8), _s10, _r2)
+    _s12 = _multiply(_k23, _multiply(_multiply(_k44, _add(_multiply(_multiply(_k23, nx, _r2), x, _r2), _multiply(_multiply(_k23, ny, _r8), y, _r8), _r8), _r8), _s4, _r8), _r8)
+    return _subtract(_s2, p_ball_radius, _r3) - p_wire_radius, _s8, _s11, _multiply(_k44, _add(_multiply(_multiply(_k23, nz, _r3), z, _r3), _multiply(_s12, _s1, _r8), _r8), _r8) * _s7
 
 
 def ring_off(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3898,60 +3918,72 @@ def ring_tube(p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
 def ring_turning(p_ball_radius: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, p_wire_radius: Any, x: Any, y: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The rate at which the normal turns.
 
-    derivative of Table 2's normal. 32 operations: 6 additions, 1 subtraction, 20 multiplications, 3 divisions, 1 square root, 1 negation.
+    derivative of Table 2's normal. 28 operations: 6 additions, 1 subtraction, 17 multiplications, 2 divisions, 1 square root, 1 negation.
     Returns turning_x, turning_y, turning_z.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s2 = _subtract(_s1, p_ring_radius, _r0)
-    _s3 = _divide(_k22, _s1, _r2)
-    _s4 = _multiply(_multiply(_s0, _s2, _r3), _s3, _r3)
-    _s5 = _divide(_multiply(_k40, _add(_multiply(_multiply(_k23, rolled_x, _r4), x, _r4), _multiply(_multiply(_k23, rolled_y, _r5), y, _r5), _r5), _r5), _s1, _r5)
-    _s6 = _add(_multiply(_multiply(_s5, _s0, _r1), _s3, _r1), _multiply(_multiply(_negative(_multiply(_s5, _multiply(_s3, _s3, _r2), _r2), _r2), _s0, _r2), _s2, _r2), _r2)
-    return _multiply(rolled_x, _s4, _r1) + _multiply(x, _s6, _r0), _multiply(rolled_y, _s4, _r3) + _multiply(y, _s6, _r2), rolled_z * _s0
+    _s3 = _divide(_k22, _s1, _r1)
+    _s4 = _multiply(_multiply(_s0, _s2, _r2), _s3, _r2)
+    _s5 = _multiply(_add(_multiply(rolled_x, x, _r3), _multiply(rolled_y, y, _r4), _r4), _s3, _r4)
+    _s6 = _multiply(_s0, _add(_multiply(_s5, _s3, _r3), _multiply(_negative(_multiply(_s5, _multiply(_s3, _s3, _r1), _r1), _r1), _s2, _r1), _r1), _r1)
+    return _multiply(rolled_x, _s4, _r3) + _multiply(x, _s6, _r0), _multiply(rolled_y, _s4, _r2) + _multiply(y, _s6, _r1), rolled_z * _s0
 
 
 def ring_parting(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The second to the fourth derivative of the distance along a flight.
 
-    derivatives of Table 2's distance. 120 operations: 14 additions, 11 subtractions, 74 multiplications, 18 divisions, 2 square roots, 1 negation.
+    derivatives of Table 2's distance. 148 operations: 41 additions, 2 subtractions, 94 multiplications, 2 divisions, 2 square roots, 7 negations.
     Returns lift, surge, snap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
-    _s0 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
-    _s1 = _sqrt(_s0, _r0)
-    _s2 = _subtract(_s1, p_ring_radius, _r2)
-    _s3 = _add(_multiply(z, z, _r3), _multiply(_s2, _s2, _r4), _r4)
-    _s4 = _sqrt(_s3, _r3)
-    _s5 = _add(_multiply(_k23, _multiply(vx, vx, _r5), _r5), _multiply(_k23, _multiply(vy, vy, _r6), _r6), _r6)
-    _s6 = _multiply(_s1, _s0, _r5)
-    _s7 = _add(_multiply(_multiply(_k23, vx, _r7), x, _r7), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8)
-    _s8 = _multiply(_s7, _s7, _r7)
-    _s9 = _subtract(_divide(_multiply(_k40, _s5, _r9), _s1, _r9), _divide(_multiply(_k26, _s8, _r10), _s6, _r10), _r10)
-    _s10 = _multiply(_k23, _s2, _r9)
-    _s11 = _divide(_multiply(_k40, _s7, _r11), _s1, _r11)
-    _s12 = _add(_subtract(_multiply(_k23, _multiply(vz, vz, _r12), _r12), _multiply(2.0 * p_gravity, z, _r13), _r13), _add(_multiply(_s10, _s9, _r12), _multiply(_k23, _multiply(_s11, _s11, _r14), _r14), _r14), _r14)
-    _s13 = _multiply(_s4, _s3, _r13)
-    _s14 = _add(_multiply(_multiply(_k23, vz, _r12), z, _r12), _multiply(_multiply(_k23, _s11, _r15), _s2, _r15), _r15)
-    _s15 = _multiply(_s14, _s14, _r12)
-    _s16 = _multiply(_s3, _s3, _r4)
-    _s17 = _multiply(_s4, _s16, _r2)
-    _s18 = _multiply(_s0, _s0, _r1)
-    _s19 = _multiply(_s1, _s18, _r0)
-    _s20 = _subtract(_divide(_multiply(_k183, _multiply(_s7, _s8, _r16), _r16), _s19, _r16), _divide(_multiply(_multiply(_k184, _s5, _r17), _s7, _r17), _s6, _r17), _r17)
-    _s21 = _add(_negative(_multiply(6.0 * p_gravity, vz, _r16), _r16), _add(_multiply(_multiply(_k7, _s11, _r8), _s9, _r8), _multiply(_s10, _s20, _r18), _r18), _r18)
-    _s22 = _multiply(_s10, _subtract(_subtract(_divide(_multiply(_multiply(_k185, _s5, _r16), _s8, _r16), _s19, _r16), _divide(_multiply(_k184, _multiply(_s5, _s5, _r6), _r6), _s6, _r6), _r6), _divide(_multiply(_k186, _multiply(_s8, _s8, _r7), _r7), _multiply(_s6, _s18, _r1), _r7), _r7), _r7)
-    _s23 = _multiply(_k40, _add(6.0 * (p_gravity * p_gravity), _add(_add(_multiply(_multiply(_k25, _s11, _r11), _s20, _r11), _s22, _r7), _multiply(_k7, _multiply(_s9, _s9, _r10), _r10), _r10), _r10), _r10)
-    _s24 = _subtract(_subtract(_add(_divide(_s23, _s4, _r10), _divide(_multiply(_multiply(_k185, _s15, _r7), _s12, _r7), _s17, _r7), _r7), _divide(_multiply(_k186, _multiply(_s15, _s15, _r10), _r10), _multiply(_s13, _s16, _r4), _r10), _r10), _divide(_multiply(_k184, _multiply(_s12, _s12, _r7), _r7), _s13, _r7), _r7)
-    return _divide(_multiply(_k40, _s12, _r10), _s4, _r10) - _divide(_multiply(_k26, _s15, _r4), _s13, _r4), _add(_divide(_multiply(_k183, _multiply(_s14, _s15, _r12), _r12), _s17, _r12), _divide(_multiply(_k40, _s21, _r2), _s4, _r2), _r2) - _divide(_multiply(_multiply(_k184, _s14, _r12), _s12, _r12), _s13, _r12), _s24 - _divide(_multiply(_s21, _s14, _r18), _s13, _r18)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23 = _room[:24]
+    _s0 = _add(_multiply(_multiply(_k23, vx, _r0), x, _r0), _multiply(_multiply(_k23, vy, _r1), y, _r1), _r1)
+    _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r2), _r2), _r2)
+    _s2 = _divide(_k22, _s1, _r0)
+    _s3 = _multiply(_multiply(_k44, _s0, _r3), _s2, _r3)
+    _s4 = _subtract(_s1, p_ring_radius, _r2)
+    _s5 = _multiply(_k23, _s3, _r4)
+    _s6 = _add(_multiply(_multiply(_k23, vz, _r5), z, _r5), _multiply(_s5, _s4, _r6), _r6)
+    _s7 = _divide(_k22, _sqrt(_add(_multiply(z, z, _r5), _multiply(_s4, _s4, _r7), _r7), _r7), _r7)
+    _s8 = _multiply(_multiply(_k44, _s6, _r5), _s7, _r5)
+    _s9 = _multiply(_s7, _s7, _r8)
+    _s10 = _negative(_multiply(_s8, _s9, _r9), _r9)
+    _s11 = _multiply(_s2, _s2, _r10)
+    _s12 = _negative(_multiply(_s3, _s11, _r11), _r11)
+    _s13 = _add(_multiply(_k23, _multiply(vx, vx, _r12), _r12), _multiply(_k23, _multiply(vy, vy, _r13), _r13), _r13)
+    _s14 = _multiply(_k44, _add(_multiply(_s12, _s0, _r12), _multiply(_s13, _s2, _r14), _r14), _r14)
+    _s15 = _add(_multiply(_k23, _subtract(_multiply(vz, vz, _r12), _multiply(p_gravity, z, _r15), _r15), _r15), _multiply(_k23, _add(_multiply(_s4, _s14, _r12), _multiply(_s3, _s3, _r16), _r16), _r16), _r16)
+    _s16 = _k44 * _add(_multiply(_s10, _s6, _r15), _multiply(_s15, _s7, _r12), _r12)
+    _s17 = _multiply(_s10, _s15, _r12)
+    _s18 = _multiply(_k23, _s10, _r15)
+    _s19 = _negative(_add(_multiply(_s16, _s9, _r17), _multiply(_multiply(_s18, _s8, _r18), _s7, _r18), _r18), _r18)
+    _s20 = _multiply(_s12, _s13, _r17)
+    _s21 = _multiply(_k23, _s12, _r19)
+    _s22 = _negative(_add(_multiply(_s14, _s11, _r20), _multiply(_multiply(_s21, _s3, _r21), _s2, _r21), _r21), _r21)
+    _s23 = _multiply(_k44, _add(_s20, _add(_s20, _multiply(_s0, _s22, _r20), _r20), _r20), _r20)
+    _s24 = _add(_multiply(_k23, _negative(_multiply(3.0 * p_gravity, vz, _r17), _r17), _r17), _multiply(_k23, _add(_multiply(_s5, _s14, _r4), _add(_multiply(_s3, _s14, _r22), _multiply(_s4, _s23, _r23), _r23), _r23), _r23), _r23)
+    _s25 = _k44 * _add(_add(_s17, _multiply(_s6, _s19, _r17), _r17), _add(_s17, _multiply(_s24, _s7, _r4), _r4), _r4)
+    _s26 = _multiply(_s10, _s24, _r23)
+    _s27 = _multiply(_s3, _s23, _r4)
+    _s28 = _add(_s27, _multiply(_s14, _s14, _r17), _r17)
+    _s29 = _multiply(_s13, _s22, _r13)
+    _s30 = _add(_add(_multiply(_s23, _s11, _r20), _multiply(_multiply(_s21, _s14, _r19), _s2, _r19), _r19), _multiply(_k23, _add(_add(_multiply(_multiply(_s12, _s12, _r20), _s3, _r20), _multiply(_multiply(_s12, _s14, _r14), _s2, _r14), _r14), _multiply(_multiply(_s3, _s22, _r21), _s2, _r21), _r21), _r21), _r21)
+    _s31 = _multiply(_k44, _add(_s29, _add(_s29, _add(_multiply(_s0, _negative(_s30, _r21), _r21), _s29, _r21), _r21), _r21), _r21)
+    _s32 = _add(2.0 * (3.0 * (p_gravity * p_gravity)), _multiply(_k23, _add(_multiply(_k23, _s28, _r13), _add(_add(_s27, _multiply(_s4, _s31, _r21), _r21), _s28, _r21), _r21), _r21), _r21)
+    _s33 = _multiply(_s15, _s19, _r16)
+    _s34 = _add(_s26, _s33, _r13)
+    _s35 = _add(_add(_multiply(_s25, _s9, _r8), _multiply(_multiply(_s18, _s16, _r15), _s7, _r15), _r15), _multiply(_k23, _add(_add(_multiply(_multiply(_s10, _s10, _r8), _s8, _r8), _multiply(_multiply(_s10, _s16, _r9), _s7, _r9), _r9), _multiply(_multiply(_s8, _s19, _r18), _s7, _r18), _r18), _r18), _r18)
+    _s36 = _k44 * _add(_add(_add(_s26, _multiply(_s32, _s7, _r21), _r21), _s34, _r21), _add(_s34, _add(_multiply(_s6, _negative(_s35, _r18), _r18), _s33, _r18), _r18), _r18)
+    return _s16, _s25, _s36
 
 
-def ring_round_start(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_start(p_ball_radius: Any, per_reach: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The constant terms, in the ring's coordinates.
 
-    Routh's equations. 36 operations: 7 additions, 3 subtractions, 20 multiplications, 4 divisions, 2 square roots.
-    Returns cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0, sin_0, near_0.
+    Routh's equations. 40 operations: 7 additions, 4 subtractions, 24 multiplications, 3 divisions, 2 square roots.
+    Returns cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0, sin_0, tilted_0, near_0.
     """
     _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
@@ -3959,70 +3991,72 @@ def ring_round_start(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, v
     _s2 = _divide(_k22, _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r3), _r3), _r3), _r3)
     _s3 = _s1 * _s2
     _s4 = z * _s2
-    _s5 = p_ball_radius + p_wire_radius
-    _s6 = _divide(_k22, _s0, _r1)
-    _s7 = x * _s6
-    _s8 = y * _s6
-    return _s3, _s4, _subtract(_multiply(vz, _s3, _r1), _multiply(_s4, _add(_multiply(vx, _s7, _r3), _multiply(vy, _s8, _r0), _r0), _r0), _r0) / _s5, _multiply(vy, _s7, _r0) - _multiply(vx, _s8, _r1), p_ball_radius * _add(_multiply(wz, _s4, _r1), _multiply(_s3, _add(_multiply(wx, _s7, _r0), _multiply(wy, _s8, _r3), _r3), _r3), _r3), _s7, _s8, _k22 / _add(p_ring_radius, _multiply(_s3, _s5, _r3), _r3)
+    _s5 = _divide(_k22, _s0, _r1)
+    _s6 = x * _s5
+    _s7 = y * _s5
+    _s8 = _multiply(vy, _s6, _r1) - _multiply(vx, _s7, _r3)
+    _s9 = p_ball_radius * _add(_multiply(wz, _s4, _r3), _multiply(_s3, _add(_multiply(wx, _s6, _r1), _multiply(wy, _s7, _r0), _r0), _r0), _r0)
+    return _s3, _s4, per_reach * _subtract(_multiply(vz, _s3, _r0), _multiply(_s4, _add(_multiply(vx, _s6, _r3), _multiply(vy, _s7, _r1), _r1), _r1), _r1), _s8, _s9, _s6, _s7, _multiply(_s4, _s8, _r1) - _multiply(_k60, _multiply(_s9, _s3, _r0), _r0), _k22 / _add(p_ring_radius, _multiply(_s3, p_ball_radius + p_wire_radius, _r0), _r0)
 
 
-def ring_round_moved(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_11: Any, cos_12: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_12: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_11: Any, sin_12: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_12: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_12: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_moved(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_12: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_11: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, p_ring_radius: Any, sin_0: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_12: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_12: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a ball that rolls on the ring is at time t.
 
-    Routh's equations. 214 operations: 91 additions, 3 subtractions, 114 multiplications, 3 divisions, 2 square roots, 1 negation.
+    Routh's equations. 223 operations: 83 additions, 10 subtractions, 126 multiplications, 2 divisions, 1 square root, 1 negation.
     Returns x, y, z, vx, vy, vz, wx, wy, wz, climb.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
-    _s0 = _add(cos_9, _multiply(t, _add(cos_10, _multiply(t, _add(cos_11, _multiply(cos_12, t, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s1 = _add(cos_6, _multiply(t, _add(cos_7, _multiply(t, _add(cos_8, _multiply(t, _s0, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s2 = _add(cos_3, _multiply(t, _add(cos_4, _multiply(t, _add(cos_5, _multiply(t, _s1, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s3 = _add(cos_0, _multiply(t, _add(cos_1, _multiply(t, _add(cos_2, _multiply(t, _s2, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s4 = _add(sin_9, _multiply(t, _add(sin_10, _multiply(t, _add(sin_11, _multiply(sin_12, t, _r1), _r1), _r1), _r1), _r1), _r1)
-    _s5 = _add(sin_6, _multiply(t, _add(sin_7, _multiply(t, _add(sin_8, _multiply(t, _s4, _r1), _r1), _r1), _r1), _r1), _r1)
-    _s6 = _add(sin_3, _multiply(t, _add(sin_4, _multiply(t, _add(sin_5, _multiply(t, _s5, _r1), _r1), _r1), _r1), _r1), _r1)
-    _s7 = _add(sin_0, _multiply(t, _add(sin_1, _multiply(t, _add(sin_2, _multiply(t, _s6, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s0 = _add(cosine_9, _multiply(t, _add(cosine_10, _multiply(t, _add(cosine_11, _multiply(cosine_12, t, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s1 = _add(cosine_6, _multiply(t, _add(cosine_7, _multiply(t, _add(cosine_8, _multiply(t, _s0, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s2 = _add(cosine_3, _multiply(t, _add(cosine_4, _multiply(t, _add(cosine_5, _multiply(t, _s1, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s3 = _add(cosine_0, _multiply(t, _add(cosine_1, _multiply(t, _add(cosine_2, _multiply(t, _s2, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s4 = _add(sine_9, _multiply(t, _add(sine_10, _multiply(t, _add(sine_11, _multiply(sine_12, t, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s5 = _add(sine_6, _multiply(t, _add(sine_7, _multiply(t, _add(sine_8, _multiply(t, _s4, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s6 = _add(sine_3, _multiply(t, _add(sine_4, _multiply(t, _add(sine_5, _multiply(t, _s5, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s7 = _add(sine_0, _multiply(t, _add(sine_1, _multiply(t, _add(sine_2, _multiply(t, _s6, _r1), _r1), _r1), _r1), _r1), _r1)
     _s8 = _divide(_k22, _sqrt(_add(_multiply(_s3, _s3, _r2), _multiply(_s7, _s7, _r3), _r3), _r3), _r3)
     _s9 = _multiply(_s3, _s8, _r0)
-    _s10 = _add(cosine_9, _multiply(t, _add(cosine_10, _multiply(t, _add(cosine_11, _multiply(cosine_12, t, _r2), _r2), _r2), _r2), _r2), _r2)
-    _s11 = _add(cosine_6, _multiply(t, _add(cosine_7, _multiply(t, _add(cosine_8, _multiply(t, _s10, _r2), _r2), _r2), _r2), _r2), _r2)
-    _s12 = _add(cosine_3, _multiply(t, _add(cosine_4, _multiply(t, _add(cosine_5, _multiply(t, _s11, _r2), _r2), _r2), _r2), _r2), _r2)
-    _s13 = _add(cosine_0, _multiply(t, _add(cosine_1, _multiply(t, _add(cosine_2, _multiply(t, _s12, _r2), _r2), _r2), _r2), _r2), _r2)
-    _s14 = _add(sine_9, _multiply(t, _add(sine_10, _multiply(t, _add(sine_11, _multiply(sine_12, t, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s15 = _add(sine_6, _multiply(t, _add(sine_7, _multiply(t, _add(sine_8, _multiply(t, _s14, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s16 = _add(sine_3, _multiply(t, _add(sine_4, _multiply(t, _add(sine_5, _multiply(t, _s15, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s17 = _add(sine_0, _multiply(t, _add(sine_1, _multiply(t, _add(sine_2, _multiply(t, _s16, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s18 = _divide(_k22, _sqrt(_add(_multiply(_s13, _s13, _r5), _multiply(_s17, _s17, _r6), _r6), _r6), _r6)
-    _s19 = _multiply(_s13, _s18, _r2)
-    _s20 = p_ball_radius + p_wire_radius
-    _s21 = _add(p_ring_radius, _multiply(_s19, _s20, _r5), _r5)
-    _s22 = _multiply(_s7, _s8, _r3)
-    _s23 = _multiply(_s17, _s18, _r6)
-    _s24 = _add(climb_9, _multiply(t, _add(climb_10, _multiply(t, _add(climb_11, _multiply(climb_12, t, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s25 = _add(climb_6, _multiply(t, _add(climb_7, _multiply(t, _add(climb_8, _multiply(t, _s24, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s26 = _add(climb_3, _multiply(t, _add(climb_4, _multiply(t, _add(climb_5, _multiply(t, _s25, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s27 = climb_0 + _multiply(t, _add(climb_1, _multiply(t, _add(climb_2, _multiply(t, _s26, _r4), _r4), _r4), _r4), _r4)
-    _s28 = _multiply(_s20, _s27, _r4)
-    _s29 = _negative(_multiply(_s28, _s23, _r1), _r1)
-    _s30 = _add(along_9, _multiply(t, _add(along_10, _multiply(t, _add(along_11, _multiply(along_12, t, _r7), _r7), _r7), _r7), _r7), _r7)
-    _s31 = _add(along_6, _multiply(t, _add(along_7, _multiply(t, _add(along_8, _multiply(t, _s30, _r7), _r7), _r7), _r7), _r7), _r7)
-    _s32 = _add(along_3, _multiply(t, _add(along_4, _multiply(t, _add(along_5, _multiply(t, _s31, _r7), _r7), _r7), _r7), _r7), _r7)
-    _s33 = _add(along_0, _multiply(t, _add(along_1, _multiply(t, _add(along_2, _multiply(t, _s32, _r7), _r7), _r7), _r7), _r7), _r7)
-    _s34 = 1.0 / p_ball_radius
-    _s35 = _add(turn_rate_9, _multiply(t, _add(turn_rate_10, _multiply(t, _add(turn_rate_11, _multiply(t, turn_rate_12, _r8), _r8), _r8), _r8), _r8), _r8)
-    _s36 = _add(turn_rate_6, _multiply(t, _add(turn_rate_7, _multiply(t, _add(turn_rate_8, _multiply(t, _s35, _r8), _r8), _r8), _r8), _r8), _r8)
-    _s37 = _add(turn_rate_3, _multiply(t, _add(turn_rate_4, _multiply(t, _add(turn_rate_5, _multiply(t, _s36, _r8), _r8), _r8), _r8), _r8), _r8)
-    _s38 = _add(turn_rate_0, _multiply(t, _add(turn_rate_1, _multiply(t, _add(turn_rate_2, _multiply(t, _s37, _r8), _r8), _r8), _r8), _r8), _r8)
-    _s39 = _subtract(_multiply(_s19, _s38, _r9), _multiply(_s23, _s33, _r10), _r10)
-    return _s9 * _s21, _s22 * _s21, _s23 * _s20, _multiply(_s29, _s9, _r5) - _multiply(_s22, _s33, _r9), _multiply(_s29, _s22, _r1) + _multiply(_s9, _s33, _r9), _s28 * _s19, _s34 * _add(_multiply(_s28, _s22, _r9), _multiply(_s9, _s39, _r1), _r1), _s34 * _subtract(_multiply(_s22, _s39, _r10), _multiply(_s28, _s9, _r4), _r4), _s34 * _add(_multiply(_s19, _s33, _r7), _multiply(_s23, _s38, _r8), _r8), _s27
+    _s10 = p_ball_radius + p_wire_radius
+    _s11 = _add(p_ring_radius, _multiply(_s9, _s10, _r2), _r2)
+    _s12 = _multiply(t, _add(_multiply(_k185, omega_9, _r4), _multiply(t, _add(_multiply(_k186, omega_10, _r5), _multiply(_multiply(_k187, omega_11, _r6), t, _r6), _r6), _r6), _r6), _r6)
+    _s13 = _add(_multiply(_k71, omega_6, _r4), _multiply(t, _add(_multiply(_k29, omega_7, _r5), _multiply(t, _add(_multiply(_k75, omega_8, _r7), _s12, _r6), _r6), _r6), _r6), _r6)
+    _s14 = _add(_multiply(_k27, omega_3, _r4), _multiply(t, _add(_multiply(_k65, omega_4, _r5), _multiply(t, _add(_multiply(_k68, omega_5, _r7), _multiply(t, _s13, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s15 = _add(omega_0, _multiply(t, _add(_multiply(_k44, omega_1, _r4), _multiply(t, _add(_multiply(_k61, omega_2, _r5), _multiply(t, _s14, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s16 = _multiply(t, _s15, _r6)
+    _s17 = _multiply(_s16, _s16, _r4)
+    _s18 = _subtract(_multiply(_add(_k188, _multiply(_subtract(_multiply(_k189, _s17, _r5), _k190, _r5), _s17, _r5), _r5), _s17, _r5), _k191, _r5)
+    _s19 = _add(_k22, _multiply(_subtract(_multiply(_add(_k192, _multiply(_s18, _s17, _r5), _r5), _s17, _r5), _k44, _r5), _s17, _r5), _r5)
+    _s20 = _add(_k193, _multiply(_subtract(_multiply(_subtract(_k194, _multiply(_k195, _s17, _r7), _r7), _s17, _r7), _k196, _r7), _s17, _r7), _r7)
+    _s21 = _multiply(_s16, _add(_k22, _multiply(_subtract(_multiply(_s20, _s17, _r7), _k68, _r7), _s17, _r7), _r7), _r7)
+    _s22 = _subtract(_multiply(cos_0, _s19, _r6), _multiply(sin_0, _s21, _r4), _r4)
+    _s23 = _add(_multiply(cos_0, _s21, _r7), _multiply(sin_0, _s19, _r5), _r5)
+    _s24 = _multiply(_s7, _s8, _r3)
+    _s25 = _add(climb_9, _multiply(t, _add(climb_10, _multiply(t, _add(climb_11, _multiply(climb_12, t, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s26 = _add(climb_6, _multiply(t, _add(climb_7, _multiply(t, _add(climb_8, _multiply(t, _s25, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s27 = _add(climb_3, _multiply(t, _add(climb_4, _multiply(t, _add(climb_5, _multiply(t, _s26, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s28 = climb_0 + _multiply(t, _add(climb_1, _multiply(t, _add(climb_2, _multiply(t, _s27, _r1), _r1), _r1), _r1), _r1)
+    _s29 = _multiply(_s10, _s28, _r1)
+    _s30 = _negative(_multiply(_s29, _s24, _r7), _r7)
+    _s31 = _add(along_9, _multiply(t, _add(along_10, _multiply(t, _add(along_11, _multiply(along_12, t, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s32 = _add(along_6, _multiply(t, _add(along_7, _multiply(t, _add(along_8, _multiply(t, _s31, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s33 = _add(along_3, _multiply(t, _add(along_4, _multiply(t, _add(along_5, _multiply(t, _s32, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s34 = _add(along_0, _multiply(t, _add(along_1, _multiply(t, _add(along_2, _multiply(t, _s33, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s35 = 1.0 / p_ball_radius
+    _s36 = _add(turn_rate_9, _multiply(t, _add(turn_rate_10, _multiply(t, _add(turn_rate_11, _multiply(t, turn_rate_12, _r8), _r8), _r8), _r8), _r8), _r8)
+    _s37 = _add(turn_rate_6, _multiply(t, _add(turn_rate_7, _multiply(t, _add(turn_rate_8, _multiply(t, _s36, _r8), _r8), _r8), _r8), _r8), _r8)
+    _s38 = _add(turn_rate_3, _multiply(t, _add(turn_rate_4, _multiply(t, _add(turn_rate_5, _multiply(t, _s37, _r8), _r8), _r8), _r8), _r8), _r8)
+    _s39 = _add(turn_rate_0, _multiply(t, _add(turn_rate_1, _multiply(t, _add(turn_rate_2, _multiply(t, _s38, _r8), _r8), _r8), _r8), _r8), _r8)
+    _s40 = _subtract(_multiply(_s9, _s39, _r9), _multiply(_s24, _s34, _r10), _r10)
+    return _s11 * _s22, _s11 * _s23, _s24 * _s10, _multiply(_s30, _s22, _r2) - _multiply(_s34, _s23, _r9), _multiply(_s30, _s23, _r7) + _multiply(_s34, _s22, _r9), _s29 * _s9, _s35 * _add(_multiply(_s29, _s23, _r9), _multiply(_s22, _s40, _r7), _r7), _s35 * _subtract(_multiply(_s23, _s40, _r10), _multiply(_s29, _s22, _r1), _r1), _s35 * _add(_multiply(_s9, _s34, _r6), _multiply(_s24, _s39, _r8), _r8), _s28
 
 
-def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_12: Any, cosine_0: Any, cosine_12: Any, force_0: Any, force_1: Any, force_10: Any, force_11: Any, force_2: Any, force_3: Any, force_4: Any, force_5: Any, force_6: Any, force_7: Any, force_8: Any, force_9: Any, p_gravity: Any, omega_0: Any, p_ring_radius: Any, sin_0: Any, sin_12: Any, sine_0: Any, sine_12: Any, turn_rate_0: Any, turn_rate_11: Any, turn_rate_12: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cosine_0: Any, cosine_12: Any, p_gravity: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_11: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, per_reach: Any, p_ring_radius: Any, sin_0: Any, sine_0: Any, sine_12: Any, turn_rate_0: Any, turn_rate_11: Any, turn_rate_12: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """A step of the series, and bounds of the motion in it.
 
-    Routh's equations. 268 operations: 77 additions, 4 subtractions, 126 multiplications, 6 divisions, 7 square roots, 1 negation, 43 absolute values, 2 comparisons, 2 selections.
-    Returns stride, strongest, fastest, sway, force, force_rate, force_bend, brace, vx_1, vy_1, vz_1.
+    Routh's equations. 328 operations: 95 additions, 5 subtractions, 169 multiplications, 2 divisions, 7 square roots, 1 negation, 45 absolute values, 2 comparisons, 2 selections.
+    Returns stride, missed, strongest, fastest, sway, force, force_rate, force_bend, brace, vx_1, vy_1, vz_1.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30 = _room[:31]
     _s0 = _absolute(climb_0, _r0)
     _s1 = p_ball_radius + p_wire_radius
     _s2 = _absolute(along_0, _r1)
@@ -4032,61 +4066,87 @@ def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, al
     _s6 = _absolute(along_11, _r5)
     _s7 = _absolute(climb_12, _r6)
     _s8 = _absolute(along_12, _r7)
-    _s9 = _add(_multiply(_multiply(_k26, _add(_multiply(_s5, _s1, _r8), _add(_s6, _absolute(turn_rate_11, _r9), _r9), _r9), _r9), _add(_divide(_s3, _s1, _r3), _sqrt((p_gravity / _s1)), _r3), _r9), _add(_multiply(_s7, _s1, _r3), _add(_s8, _absolute(turn_rate_12, _r8), _r8), _r8), _r8)
-    _s10 = _multiply(_s4, _add(_add(_add(_absolute(cos_12, _r9), _absolute(cosine_12, _r3), _r3), _absolute(sin_12, _r9), _r9), _absolute(sine_12, _r3), _r3), _r3)
-    _s11 = _sqrt(_sqrt(_divide(_multiply(_k41, _s4, _r2), _select(_s9 < _s10, _s10, _s9, _r9), _r2), _r2), _r2)
-    _s12 = _sqrt(_sqrt(_s11, _r9), _r9)
-    _s13 = _multiply(_s12, _sqrt(_sqrt(_s12, _r3), _r3), _r3)
-    _s14 = _add(_divide(_s11, _multiply(_k59, _multiply(_s13, _s13, _r9), _r9), _r9), _multiply(_k191, _s13, _r3), _r3)
-    _s15 = _add(_divide(_s11, _multiply(_k59, _multiply(_s14, _s14, _r9), _r9), _r9), _multiply(_k191, _s14, _r3), _r3)
-    _s16 = _result(_s15 < _k27, _s15, _k27, _r0)
-    _s17 = _absolute(climb_10, _r9)
-    _s18 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k75, _s7, _r2), _s16, _r2), _multiply(_k192, _s5, _r8), _r8), _s16, _r8), _multiply(_k193, _s17, _r2), _r2), _s16, _r2)
-    _s19 = _absolute(climb_9, _r8)
-    _s20 = _absolute(climb_8, _r10)
-    _s21 = _absolute(climb_7, _r11)
-    _s22 = _add(_multiply(_add(_multiply(_add(_s18, _multiply(_k194, _s19, _r12), _r12), _s16, _r12), _multiply(_k25, _s20, _r2), _r2), _s16, _r2), _multiply(_k69, _s21, _r12), _r12)
-    _s23 = _absolute(climb_6, _r2)
-    _s24 = _absolute(climb_5, _r13)
-    _s25 = _absolute(climb_4, _r14)
-    _s26 = _add(_multiply(_add(_multiply(_add(_multiply(_s22, _s16, _r12), _multiply(_k7, _s23, _r15), _r15), _s16, _r15), _multiply(_k63, _s24, _r12), _r12), _s16, _r12), _multiply(_k60, _s25, _r15), _r15)
-    _s27 = _absolute(climb_3, _r12)
-    _s28 = _absolute(climb_2, _r16)
-    _s29 = _absolute(climb_1, _r17)
-    _s30 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s16, _r15), _multiply(_k59, _s27, _r18), _r18), _s16, _r18), _multiply(_k23, _s28, _r15), _r15), _s16, _r15), _s29, _r15)
-    _s31 = _add(_multiply(_add(_multiply(_add(_multiply(_s7, _s16, _r6), _s5, _r6), _s16, _r6), _s17, _r6), _s16, _r6), _s19, _r6)
-    _s32 = _add(_multiply(_add(_multiply(_add(_multiply(_s31, _s16, _r6), _s20, _r6), _s16, _r6), _s21, _r6), _s16, _r6), _s23, _r6)
-    _s33 = _add(_multiply(_add(_multiply(_add(_multiply(_s32, _s16, _r6), _s24, _r6), _s16, _r6), _s25, _r6), _s16, _r6), _s27, _r6)
-    _s34 = _add(_multiply(_add(_multiply(_add(_multiply(_s33, _s16, _r6), _s28, _r6), _s16, _r6), _s29, _r6), _s16, _r6), _s0, _r6)
-    _s35 = _s1 * _add(_s30, _multiply(_s34, _s34, _r0), _r0)
-    _s36 = _absolute(along_10, _r0)
-    _s37 = _absolute(along_9, _r15)
-    _s38 = _add(_multiply(_add(_multiply(_add(_multiply(_s8, _s16, _r17), _s6, _r17), _s16, _r17), _s36, _r17), _s16, _r17), _s37, _r17)
-    _s39 = _absolute(along_8, _r16)
-    _s40 = _absolute(along_7, _r12)
-    _s41 = _absolute(along_6, _r14)
-    _s42 = _add(_multiply(_add(_multiply(_add(_multiply(_s38, _s16, _r17), _s39, _r17), _s16, _r17), _s40, _r17), _s16, _r17), _s41, _r17)
-    _s43 = _absolute(along_5, _r13)
-    _s44 = _absolute(along_4, _r2)
-    _s45 = _absolute(along_3, _r11)
-    _s46 = _add(_multiply(_add(_multiply(_add(_multiply(_s42, _s16, _r17), _s43, _r17), _s16, _r17), _s44, _r17), _s16, _r17), _s45, _r17)
-    _s47 = _absolute(along_2, _r10)
-    _s48 = _absolute(along_1, _r8)
-    _s49 = _add(_multiply(_add(_multiply(_add(_multiply(_s46, _s16, _r17), _s47, _r17), _s16, _r17), _s48, _r17), _s16, _r17), _s2, _r17)
-    _s50 = _multiply(_s1, _s34, _r6) + _s49
-    _s51 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k75, _s8, _r7), _s16, _r7), _multiply(_k192, _s6, _r5), _r5), _s16, _r5), _multiply(_k193, _s36, _r0), _r0), _s16, _r0)
-    _s52 = _add(_multiply(_add(_multiply(_add(_s51, _multiply(_k194, _s37, _r15), _r15), _s16, _r15), _multiply(_k25, _s39, _r16), _r16), _s16, _r16), _multiply(_k69, _s40, _r12), _r12)
-    _s53 = _add(_multiply(_add(_multiply(_add(_multiply(_s52, _s16, _r12), _multiply(_k7, _s41, _r14), _r14), _s16, _r14), _multiply(_k63, _s43, _r13), _r13), _s16, _r13), _multiply(_k60, _s44, _r2), _r2)
-    _s54 = _add(_multiply(_add(_multiply(_add(_multiply(_s53, _s16, _r2), _multiply(_k59, _s45, _r11), _r11), _s16, _r11), _multiply(_k23, _s47, _r10), _r10), _s16, _r10), _s48, _r10)
-    _s55 = _s35 + _add(_multiply(_multiply(_s49, 1.0 / (p_ring_radius - _s1), _r17), _s50, _r17), _s54, _r10)
-    _s56 = _add(_multiply(_add(_multiply(_multiply(_k195, _absolute(force_11, _r10), _r10), _s16, _r10), _multiply(_k196, _absolute(force_10, _r17), _r17), _r17), _s16, _r17), _multiply(_k197, _absolute(force_9, _r10), _r10), _r10)
-    _s57 = _multiply(_add(_multiply(_add(_multiply(_s56, _s16, _r10), _multiply(_k198, _absolute(force_8, _r17), _r17), _r17), _s16, _r17), _multiply(_k78, _absolute(force_7, _r10), _r10), _r10), _s16, _r10)
-    _s58 = _multiply(_add(_multiply(_add(_s57, _multiply(_k77, _absolute(force_6, _r17), _r17), _r17), _s16, _r17), _multiply(_k76, _absolute(force_5, _r10), _r10), _r10), _s16, _r10)
-    _s59 = _multiply(_add(_multiply(_add(_s58, _multiply(_k75, _absolute(force_4, _r17), _r17), _r17), _s16, _r17), _multiply(_k7, _absolute(force_3, _r10), _r10), _r10), _s16, _r10)
-    _s60 = _multiply(_multiply(climb_0, climb_0, _r3), _s1, _r3)
-    _s61 = _negative(_add(_add(_multiply(along_0, omega_0, _r17), _multiply(cosine_0, _s60, _r8), _r8), _multiply(_multiply(climb_1, sine_0, _r17), _s1, _r17), _r17), _r17)
-    _s62 = _subtract(along_1, _multiply(omega_0, _multiply(_multiply(climb_0, sine_0, _r8), _s1, _r8), _r8), _r8)
-    return _s16, _s55, _s50, _s35, force_0, force_1, _s59 + _multiply(_k23, _absolute(force_2, _r11), _r11), (0.8 * p_gravity) * _multiply(climb_0, cosine_0, _r11), _multiply(cos_0, _s61, _r11) - _multiply(sin_0, _s62, _r10), _multiply(cos_0, _s62, _r8) + _multiply(sin_0, _s61, _r17), _multiply(_multiply(climb_1, cosine_0, _r17), _s1, _r17) - _multiply(sine_0, _s60, _r3)
+    _s9 = _add(_multiply(_multiply(_k27, _add(_multiply(per_reach, _s3, _r3), _sqrt(_multiply(p_gravity, per_reach, _r8), _r8), _r8), _r8), _add(_multiply(_s5, _s1, _r3), _add(_s6, _absolute(turn_rate_11, _r9), _r9), _r9), _r8), _add(_multiply(_s7, _s1, _r9), _add(_s8, _absolute(turn_rate_12, _r3), _r3), _r3), _r3)
+    _s10 = _absolute(omega_0, _r8)
+    _s11 = _multiply(omega_0, omega_0, _r9)
+    _s12 = _multiply(_multiply(_k64, _s10, _r10), _multiply(_k39, _s11, _r11), _r10)
+    _s13 = _multiply(_s12, _s12, _r10)
+    _s14 = _multiply(_s4, _add(_add(_absolute(cosine_12, _r11), _absolute(sine_12, _r12), _r12), _multiply(_k209, _multiply(_s13, _s13, _r10), _r10), _r10), _r10)
+    _s15 = _sqrt(_sqrt(_divide(_multiply(_k209, _s4, _r12), _select(_s9 < _s14, _s14, _s9, _r11), _r12), _r12), _r12)
+    _s16 = _sqrt(_sqrt(_s15, _r11), _r11)
+    _s17 = _multiply(_multiply(_k210, _s16, _r10), _sqrt(_sqrt(_s16, _r11), _r11), _r10)
+    _s18 = _multiply(_s17, _multiply(_s17, _s17, _r11), _r11)
+    _s19 = _multiply(_divide(_add(_s18, _multiply(_k23, _s15, _r3), _r3), _add(_multiply(_k23, _s18, _r11), _s15, _r11), _r11), _s17, _r11)
+    _s20 = _result(_s19 < _k28, _s19, _k28, _r0)
+    _s21 = _absolute(climb_10, _r10)
+    _s22 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s7, _r3), _s20, _r3), _multiply(_k211, _s5, _r12), _r12), _s20, _r12), _multiply(_k212, _s21, _r3), _r3), _s20, _r3)
+    _s23 = _absolute(climb_9, _r12)
+    _s24 = _absolute(climb_8, _r13)
+    _s25 = _absolute(climb_7, _r14)
+    _s26 = _add(_multiply(_add(_multiply(_add(_s22, _multiply(_k213, _s23, _r15), _r15), _s20, _r15), _multiply(_k26, _s24, _r3), _r3), _s20, _r3), _multiply(_k73, _s25, _r15), _r15)
+    _s27 = _absolute(climb_6, _r3)
+    _s28 = _absolute(climb_5, _r16)
+    _s29 = _absolute(climb_4, _r17)
+    _s30 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s20, _r15), _multiply(_k7, _s27, _r18), _r18), _s20, _r18), _multiply(_k67, _s28, _r15), _r15), _s20, _r15), _multiply(_k64, _s29, _r18), _r18)
+    _s31 = _absolute(climb_3, _r15)
+    _s32 = _absolute(climb_2, _r19)
+    _s33 = _absolute(climb_1, _r20)
+    _s34 = _add(_multiply(_add(_multiply(_add(_multiply(_s30, _s20, _r18), _multiply(_k63, _s31, _r21), _r21), _s20, _r21), _multiply(_k23, _s32, _r18), _r18), _s20, _r18), _s33, _r18)
+    _s35 = _add(_multiply(_add(_multiply(_add(_multiply(_s7, _s20, _r6), _s5, _r6), _s20, _r6), _s21, _r6), _s20, _r6), _s23, _r6)
+    _s36 = _add(_multiply(_add(_multiply(_add(_multiply(_s35, _s20, _r6), _s24, _r6), _s20, _r6), _s25, _r6), _s20, _r6), _s27, _r6)
+    _s37 = _add(_multiply(_add(_multiply(_add(_multiply(_s36, _s20, _r6), _s28, _r6), _s20, _r6), _s29, _r6), _s20, _r6), _s31, _r6)
+    _s38 = _add(_multiply(_add(_multiply(_add(_multiply(_s37, _s20, _r6), _s32, _r6), _s20, _r6), _s33, _r6), _s20, _r6), _s0, _r6)
+    _s39 = _s1 * _add(_s34, _multiply(_s38, _s38, _r0), _r0)
+    _s40 = _absolute(omega_11, _r0)
+    _s41 = _absolute(omega_10, _r20)
+    _s42 = _absolute(omega_9, _r19)
+    _s43 = _absolute(omega_8, _r15)
+    _s44 = _add(_multiply(_add(_multiply(_add(_multiply(_s40, _s20, _r17), _s41, _r17), _s20, _r17), _s42, _r17), _s20, _r17), _s43, _r17)
+    _s45 = _absolute(omega_7, _r16)
+    _s46 = _absolute(omega_6, _r3)
+    _s47 = _absolute(omega_5, _r14)
+    _s48 = _add(_multiply(_add(_multiply(_add(_multiply(_s44, _s20, _r17), _s45, _r17), _s20, _r17), _s46, _r17), _s20, _r17), _s47, _r17)
+    _s49 = _absolute(omega_4, _r13)
+    _s50 = _absolute(omega_3, _r12)
+    _s51 = _absolute(omega_2, _r10)
+    _s52 = _add(_multiply(_add(_multiply(_add(_multiply(_s48, _s20, _r17), _s49, _r17), _s20, _r17), _s50, _r17), _s20, _r17), _s51, _r17)
+    _s53 = _absolute(omega_1, _r4)
+    _s54 = _add(_multiply(_add(_multiply(_s52, _s20, _r17), _s53, _r17), _s20, _r17), _s10, _r17)
+    _s55 = _absolute(along_10, _r8)
+    _s56 = _absolute(along_9, _r21)
+    _s57 = _add(_multiply(_add(_multiply(_add(_multiply(_s8, _s20, _r22), _s6, _r22), _s20, _r22), _s55, _r22), _s20, _r22), _s56, _r22)
+    _s58 = _absolute(along_8, _r23)
+    _s59 = _absolute(along_7, _r24)
+    _s60 = _absolute(along_6, _r25)
+    _s61 = _add(_multiply(_add(_multiply(_add(_multiply(_s57, _s20, _r22), _s58, _r22), _s20, _r22), _s59, _r22), _s20, _r22), _s60, _r22)
+    _s62 = _absolute(along_5, _r26)
+    _s63 = _absolute(along_4, _r27)
+    _s64 = _absolute(along_3, _r28)
+    _s65 = _add(_multiply(_add(_multiply(_add(_multiply(_s61, _s20, _r22), _s62, _r22), _s20, _r22), _s63, _r22), _s20, _r22), _s64, _r22)
+    _s66 = _absolute(along_2, _r29)
+    _s67 = _absolute(along_1, _r30)
+    _s68 = _add(_multiply(_add(_multiply(_add(_multiply(_s65, _s20, _r22), _s66, _r22), _s20, _r22), _s67, _r22), _s20, _r22), _s2, _r22)
+    _s69 = _multiply(_s1, _s38, _r1) + _s68
+    _s70 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s8, _r7), _s20, _r7), _multiply(_k211, _s6, _r5), _r5), _s20, _r5), _multiply(_k212, _s55, _r8), _r8), _s20, _r8)
+    _s71 = _add(_multiply(_add(_multiply(_add(_s70, _multiply(_k213, _s56, _r21), _r21), _s20, _r21), _multiply(_k26, _s58, _r23), _r23), _s20, _r23), _multiply(_k73, _s59, _r24), _r24)
+    _s72 = _add(_multiply(_add(_multiply(_add(_multiply(_s71, _s20, _r24), _multiply(_k7, _s60, _r25), _r25), _s20, _r25), _multiply(_k67, _s62, _r26), _r26), _s20, _r26), _multiply(_k64, _s63, _r27), _r27)
+    _s73 = _add(_multiply(_add(_multiply(_add(_multiply(_s72, _s20, _r27), _multiply(_k63, _s64, _r28), _r28), _s20, _r28), _multiply(_k23, _s66, _r29), _r29), _s20, _r29), _s67, _r29)
+    _s74 = _multiply(_multiply(climb_0, climb_0, _r30), _s1, _r30)
+    _s75 = _multiply(along_0, omega_0, _r28)
+    _s76 = 2.2 * p_gravity
+    _s77 = 3.0 * p_ring_radius
+    _s78 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k211, _s40, _r0), _s20, _r0), _multiply(_k212, _s41, _r20), _r20), _s20, _r20), _multiply(_k213, _s42, _r19), _r19), _s20, _r19)
+    _s79 = _add(_multiply(_add(_multiply(_add(_s78, _multiply(_k26, _s43, _r15), _r15), _s20, _r15), _multiply(_k73, _s45, _r16), _r16), _s20, _r16), _multiply(_k7, _s46, _r3), _r3)
+    _s80 = _add(_multiply(_add(_multiply(_add(_multiply(_s79, _s20, _r3), _multiply(_k67, _s47, _r14), _r14), _s20, _r14), _multiply(_k64, _s49, _r13), _r13), _s20, _r13), _multiply(_k63, _s50, _r12), _r12)
+    _s81 = _multiply(_s38, _s20, _r13)
+    _s82 = _add(_absolute(sine_0, _r14), _s81, _r14)
+    _s83 = _multiply(_multiply(_s54, _add(_multiply(_add(_multiply(_s80, _s20, _r12), _multiply(_k23, _s51, _r10), _r10), _s20, _r10), _s53, _r10), _r10), _s82, _r10)
+    _s84 = _multiply(_s77, _multiply(_s54, _s54, _r4), _r4)
+    _s85 = _add(_absolute(cosine_0, _r11), _s81, _r11)
+    _s86 = _multiply(_add(_multiply(6.0 * p_ring_radius, _s83, _r10), _multiply(_s38, _add(_multiply(_s76, _s82, _r13), _multiply(_s84, _s85, _r12), _r12), _r12), _r12), _s38, _r12) + _multiply(_s34, _add(_multiply(_s76, _s85, _r11), _multiply(_s84, _s82, _r4), _r4), _r4)
+    _s87 = _negative(_add(_add(_s75, _multiply(cosine_0, _s74, _r4), _r4), _multiply(_multiply(climb_1, sine_0, _r12), _s1, _r12), _r12), _r12)
+    _s88 = _subtract(along_1, _multiply(omega_0, _multiply(_multiply(climb_0, sine_0, _r4), _s1, _r4), _r4), _r4)
+    return _s20, _k99 * _s4, _s39 + _add(_multiply(_s54, _s69, _r17), _s73, _r29), _s69, _s39, _subtract(_multiply(p_gravity, sine_0, _r29), _s74, _r29) - _multiply(cosine_0, _s75, _r28), climb_0 * _add(_multiply(cosine_0, _s76, _r28), _multiply(sine_0, _multiply(_s77, _s11, _r9), _r9), _r9), _s86, (0.8 * p_gravity) * _multiply(climb_0, cosine_0, _r9), _multiply(cos_0, _s87, _r9) - _multiply(sin_0, _s88, _r28), _multiply(cos_0, _s88, _r4) + _multiply(sin_0, _s87, _r12), _multiply(_multiply(climb_1, cosine_0, _r12), _s1, _r12) - _multiply(sine_0, _s74, _r30)
 
 
 def ring_round_pulled(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, omega_0: Any, omega_1: Any, turn_rate_0: Any, turn_rate_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4096,11 +4156,11 @@ def ring_round_pulled(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, 
     Returns drag, drag_rate, strain, strain_rate.
     """
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
-    _s0 = _multiply(_k56, _multiply(climb_0, turn_rate_0, _r0), _r0)
+    _s0 = _multiply(_k60, _multiply(climb_0, turn_rate_0, _r0), _r0)
     _s1 = _add(p_gravity, _multiply(omega_0, turn_rate_0, _r1), _r1)
-    _s2 = _multiply(_k56, _multiply(cosine_0, _s1, _r2), _r2)
-    _s3 = _multiply(_s2, _multiply(_k56, _add(_multiply(cosine_0, _add(_multiply(omega_0, turn_rate_1, _r3), _multiply(omega_1, turn_rate_0, _r4), _r4), _r4), _multiply(cosine_1, _s1, _r1), _r1), _r1), _r1)
-    _s4 = _k23 * _add(_multiply(_s0, _multiply(_k56, _add(_multiply(climb_0, turn_rate_1, _r4), _multiply(climb_1, turn_rate_0, _r3), _r3), _r3), _r3), _s3, _r1)
+    _s2 = _multiply(_k60, _multiply(cosine_0, _s1, _r2), _r2)
+    _s3 = _multiply(_s2, _multiply(_k60, _add(_multiply(cosine_0, _add(_multiply(omega_0, turn_rate_1, _r3), _multiply(omega_1, turn_rate_0, _r4), _r4), _r4), _multiply(cosine_1, _s1, _r1), _r1), _r1), _r1)
+    _s4 = _k23 * _add(_multiply(_s0, _multiply(_k60, _add(_multiply(climb_0, turn_rate_1, _r4), _multiply(climb_1, turn_rate_0, _r3), _r3), _r3), _r3), _s3, _r1)
     return _multiply(_s0, _s0, _r0) + _multiply(_s2, _s2, _r2), _s4, -_inf, 0.0
 
 
@@ -4113,371 +4173,267 @@ def ring_swung(p_ball_radius: Any, berth: Any, circled: Any, climb: Any, climb_0
     _r0, _r1, _r2 = _room[:3]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _multiply(stride, stride, _r0)
-    _s2 = _logical_and(((0.000244140625 * _s0) < _subtract(berth, _multiply(_multiply(_k70, sway, _r1), _s1, _r1), _r1)), ((0.00390625 * p_gravity) < _subtract(_add(force, _multiply(stride, _select(force_rate < _k6, force_rate, _k6, _r1), _r1), _r1), _multiply(_multiply(_k40, force_bend, _r2), _s1, _r2), _r2)))
-    _s3 = _logical_and(_s2, (which == _k46))
+    _s2 = _logical_and(((0.000244140625 * _s0) < _subtract(berth, _multiply(_multiply(_k29, sway, _r1), _s1, _r1), _r1)), ((0.00390625 * p_gravity) < _subtract(_add(force, _multiply(stride, _select(force_rate < _k6, force_rate, _k6, _r1), _r1), _r1), _multiply(_multiply(_k44, force_bend, _r2), _s1, _r2), _r2)))
+    _s3 = _logical_and(_s2, (which == _k50))
     _s4 = _logical_and((_multiply(climb, climb_0, _r2) < _k6), (_multiply(0.015625 * p_gravity, stride, _r2) < _multiply(_absolute(_subtract(climb, climb_0, _r1), _r1), _s0, _r1)))
     _s5 = _logical_and(_logical_and(_s3, _s4), (_k6 < circled))
     _s6 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), 1.0 / _s0, _r1), _r1)
-    _s7 = _logical_not((_multiply(_s6, _multiply(_k206, _add(_multiply(fastest, velocity_error, _r2), _multiply(position_error, _s6, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
+    _s7 = _logical_not((_multiply(_s6, _multiply(_k220, _add(_multiply(fastest, velocity_error, _r2), _multiply(position_error, _s6, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
     return _result(_s3, _select(_s4, _k22, circled, _r0), _k6, _r0), _s5, _result(_logical_and(_s5, _s7), _k6, doubt, _r0)
 
 
-def ring_round_0(along_0: Any, p_ball_radius: Any, climb_0: Any, cos_0: Any, cosine_0: Any, p_gravity: Any, near_0: Any, p_ring_radius: Any, sin_0: Any, sine_0: Any, turn_rate_0: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_0(along_0: Any, p_ball_radius: Any, climb_0: Any, cosine_0: Any, p_gravity: Any, near_0: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, tilted_0: Any, turn_rate_0: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 1, from those before.
 
-    Routh's equations. 32 operations: 2 additions, 4 subtractions, 22 multiplications, 1 division, 3 negations.
-    Returns omega_0, around_0, tilted_0, pressed_0, force_0, cosine_1, sine_1, climb_1, along_1, turn_rate_1, cos_1, sin_1.
+    Routh's equations. 23 operations: 3 additions, 1 subtraction, 17 multiplications, 2 negations.
+    Returns omega_0, around_0, cosine_1, sine_1, climb_1, along_1, turn_rate_1, tilted_1.
     """
     _r0, _r1 = _room[:2]
     _s0 = along_0 * near_0
     _s1 = climb_0 * _s0
-    _s2 = _multiply(along_0, sine_0, _r0) - _multiply(_k56, _multiply(cosine_0, turn_rate_0, _r1), _r1)
-    _s3 = along_0 * cosine_0
-    _s4 = p_ball_radius + p_wire_radius
-    return _s0, _s1, _s2, _s3, _subtract(_multiply(p_gravity, sine_0, _r1), _multiply(_multiply(climb_0, climb_0, _r0), _s4, _r0), _r0) - _multiply(_s3, _s0, _r1), -_multiply(climb_0, sine_0, _r1), climb_0 * cosine_0, -_divide(_add(_multiply(_multiply(_k209, cosine_0, _r1), p_gravity, _r1), _multiply(_s0, _s2, _r0), _r0), _s4, _r0), _multiply(_multiply(sine_0, _s1, _r0), _s4, _r0) - _multiply(_k56, _multiply(climb_0, turn_rate_0, _r1), _r1), p_ring_radius * _s1, -_multiply(sin_0, _s0, _r1), cos_0 * _s0
+    _s2 = p_ball_radius + p_wire_radius
+    return _s0, _s1, -_multiply(climb_0, sine_0, _r0), climb_0 * cosine_0, -_multiply(per_reach, _add(_multiply(_multiply(_k223, cosine_0, _r0), p_gravity, _r0), _multiply(tilted_0, _s0, _r1), _r1), _r1), _multiply(_multiply(sine_0, _s1, _r1), _s2, _r1) - _multiply(_k60, _multiply(climb_0, turn_rate_0, _r0), _r0), p_ring_radius * _s1, _multiply(0.6 * p_ring_radius, _multiply(cosine_0, _s1, _r0), _r0) + _multiply(_s1, _s2, _r1)
 
 
-def ring_round_1(along_0: Any, along_1: Any, around_0: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, cos_0: Any, cos_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, near_0: Any, omega_0: Any, pressed_0: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sine_0: Any, sine_1: Any, tilted_0: Any, turn_rate_0: Any, turn_rate_1: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_1(along_1: Any, around_0: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, near_0: Any, omega_0: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, tilted_0: Any, tilted_1: Any, turn_rate_0: Any, turn_rate_1: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 2, from those before.
 
-    Routh's equations. 70 operations: 15 additions, 4 subtractions, 46 multiplications, 1 division, 4 negations.
-    Returns near_1, omega_1, around_1, tilted_1, pressed_1, force_1, cosine_2, sine_2, climb_2, along_2, turn_rate_2, cos_2, sin_2.
+    Routh's equations. 46 operations: 10 additions, 2 subtractions, 32 multiplications, 2 negations.
+    Returns omega_1, around_1, cosine_2, sine_2, climb_2, along_2, turn_rate_2, tilted_2.
     """
-    _r0, _r1, _r2 = _room[:3]
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = -_multiply(_multiply(near_0, _multiply(cosine_1, near_0, _r0), _r0), _s0, _r0)
-    _s2 = _multiply(along_0, _s1, _r0) + _multiply(along_1, near_0, _r1)
-    _s3 = _multiply(climb_0, _s2, _r1) + _multiply(climb_1, omega_0, _r0)
-    _s4 = _add(_multiply(along_0, sine_1, _r0), _multiply(along_1, sine_0, _r1), _r1) - _multiply(_k56, _add(_multiply(cosine_0, turn_rate_1, _r0), _multiply(cosine_1, turn_rate_0, _r2), _r2), _r2)
-    _s5 = _multiply(along_0, cosine_1, _r2) + _multiply(along_1, cosine_0, _r1)
-    _s6 = -_divide(_multiply(_k40, _add(_multiply(_multiply(_k209, cosine_1, _r1), p_gravity, _r1), _add(_multiply(omega_0, _s4, _r2), _multiply(tilted_0, _s2, _r0), _r0), _r0), _r0), _s0, _r0)
-    return _s1, _s2, _s3, _s4, _s5, _subtract(_multiply(p_gravity, sine_1, _r0), _multiply(_multiply(_multiply(_k23, climb_0, _r1), climb_1, _r1), _s0, _r1), _r1) - _add(_multiply(omega_0, _s5, _r0), _multiply(pressed_0, _s2, _r2), _r2), -_multiply(_k40, _add(_multiply(climb_0, sine_1, _r2), _multiply(climb_1, sine_0, _r1), _r1), _r1), _k40 * _add(_multiply(climb_0, cosine_1, _r1), _multiply(climb_1, cosine_0, _r2), _r2), _s6, _k40 * _subtract(_multiply(_s0, _add(_multiply(around_0, sine_1, _r2), _multiply(sine_0, _s3, _r1), _r1), _r1), _multiply(_k56, _add(_multiply(climb_0, turn_rate_1, _r2), _multiply(climb_1, turn_rate_0, _r0), _r0), _r0), _r0), (0.5 * p_ring_radius) * _s3, -_multiply(_k40, _add(_multiply(omega_0, sin_1, _r0), _multiply(sin_0, _s2, _r1), _r1), _r1), _k40 * _add(_multiply(cos_0, _s2, _r1), _multiply(cos_1, omega_0, _r0), _r0)
+    _s1 = near_0 * _subtract(along_1, _multiply(_multiply(cosine_1, omega_0, _r0), _s0, _r0), _r0)
+    _s2 = _multiply(climb_0, _s1, _r0) + _multiply(climb_1, omega_0, _r1)
+    return _s1, _s2, -_multiply(_k44, _add(_multiply(climb_0, sine_1, _r1), _multiply(climb_1, sine_0, _r0), _r0), _r0), _k44 * _add(_multiply(climb_0, cosine_1, _r0), _multiply(climb_1, cosine_0, _r1), _r1), -_multiply(_multiply(_k44, per_reach, _r1), _add(_multiply(_multiply(_k223, cosine_1, _r0), p_gravity, _r0), _add(_multiply(omega_0, tilted_1, _r2), _multiply(tilted_0, _s1, _r3), _r3), _r3), _r1), _k44 * _subtract(_multiply(_s0, _add(_multiply(around_0, sine_1, _r1), _multiply(sine_0, _s2, _r3), _r3), _r3), _multiply(_k60, _add(_multiply(climb_0, turn_rate_1, _r1), _multiply(climb_1, turn_rate_0, _r0), _r0), _r0), _r0), (0.5 * p_ring_radius) * _s2, _k44 * _add(_multiply(0.6 * p_ring_radius, _add(_multiply(around_0, cosine_1, _r0), _multiply(cosine_0, _s2, _r3), _r3), _r3), _multiply(_s0, _s2, _r0), _r0)
 
 
-def ring_round_2(along_0: Any, along_1: Any, along_2: Any, around_0: Any, around_1: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, cos_0: Any, cos_1: Any, cos_2: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, p_gravity: Any, near_0: Any, near_1: Any, omega_0: Any, omega_1: Any, pressed_0: Any, pressed_1: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sine_0: Any, sine_1: Any, sine_2: Any, tilted_0: Any, tilted_1: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_2(along_2: Any, around_0: Any, around_1: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 3, from those before.
 
-    Routh's equations. 100 operations: 30 additions, 4 subtractions, 61 multiplications, 1 division, 4 negations.
-    Returns near_2, omega_2, around_2, tilted_2, pressed_2, force_2, cosine_3, sine_3, climb_3, along_3, turn_rate_3, cos_3, sin_3.
+    Routh's equations. 62 operations: 18 additions, 2 subtractions, 40 multiplications, 2 negations.
+    Returns omega_2, around_2, cosine_3, sine_3, climb_3, along_3, turn_rate_3, tilted_3.
     """
     _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_multiply(cosine_1, near_1, _r1), _multiply(cosine_2, near_0, _r2), _r2), _r0)
-    _s2 = _add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_1, _r2), _r2) + _multiply(along_2, near_0, _r0)
-    _s3 = _add(_multiply(climb_0, _s2, _r0), _multiply(climb_1, omega_1, _r2), _r2) + _multiply(climb_2, omega_0, _r0)
-    _s4 = _add(_add(_multiply(along_0, sine_2, _r0), _multiply(along_1, sine_1, _r2), _r2), _multiply(along_2, sine_0, _r0), _r0) - _multiply(_k56, _add(_add(_multiply(cosine_0, turn_rate_2, _r2), _multiply(cosine_1, turn_rate_1, _r1), _r1), _multiply(cosine_2, turn_rate_0, _r2), _r2), _r2)
-    _s5 = _add(_multiply(along_0, cosine_2, _r2), _multiply(along_1, cosine_1, _r0), _r0) + _multiply(along_2, cosine_0, _r2)
-    _s6 = _subtract(_multiply(p_gravity, sine_2, _r2), _multiply(_s0, _add(_multiply(climb_1, climb_1, _r0), _multiply(_multiply(_k23, climb_0, _r1), climb_2, _r1), _r1), _r1), _r1) - _add(_add(_multiply(omega_0, _s5, _r2), _multiply(omega_1, pressed_1, _r0), _r0), _multiply(pressed_0, _s2, _r2), _r2)
-    _s7 = _divide(_multiply(_k57, _add(_multiply(_multiply(_k209, cosine_2, _r2), p_gravity, _r2), _add(_add(_multiply(omega_0, _s4, _r1), _multiply(omega_1, tilted_1, _r0), _r0), _multiply(tilted_0, _s2, _r1), _r1), _r1), _r1), _s0, _r1)
-    _s8 = _k57 * _subtract(_multiply(_s0, _add(_add(_multiply(around_0, sine_2, _r2), _multiply(around_1, sine_1, _r0), _r0), _multiply(sine_0, _s3, _r2), _r2), _r2), _multiply(_k56, _add(_add(_multiply(climb_0, turn_rate_2, _r0), _multiply(climb_1, turn_rate_1, _r3), _r3), _multiply(climb_2, turn_rate_0, _r0), _r0), _r0), _r0)
-    return _s1, _s2, _s3, _s4, _s5, _s6, -_multiply(_k57, _add(_add(_multiply(climb_0, sine_2, _r0), _multiply(climb_1, sine_1, _r2), _r2), _multiply(climb_2, sine_0, _r0), _r0), _r0), _k57 * _add(_add(_multiply(climb_0, cosine_2, _r0), _multiply(climb_1, cosine_1, _r2), _r2), _multiply(climb_2, cosine_0, _r0), _r0), -_s7, _s8, (0.3333333333333333 * p_ring_radius) * _s3, -_multiply(_k57, _add(_add(_multiply(omega_0, sin_2, _r1), _multiply(omega_1, sin_1, _r0), _r0), _multiply(sin_0, _s2, _r1), _r1), _r1), _k57 * _add(_add(_multiply(cos_0, _s2, _r1), _multiply(cos_1, omega_1, _r0), _r0), _multiply(cos_2, omega_0, _r1), _r1)
+    _s1 = near_0 * _subtract(along_2, _multiply(_s0, _add(_multiply(cosine_1, omega_1, _r0), _multiply(cosine_2, omega_0, _r1), _r1), _r1), _r1)
+    _s2 = _add(_multiply(climb_0, _s1, _r1), _multiply(climb_1, omega_1, _r0), _r0) + _multiply(climb_2, omega_0, _r1)
+    _s3 = -_multiply(_multiply(_k61, per_reach, _r1), _add(_multiply(_multiply(_k223, cosine_2, _r0), p_gravity, _r0), _add(_add(_multiply(omega_0, tilted_2, _r2), _multiply(omega_1, tilted_1, _r3), _r3), _multiply(tilted_0, _s1, _r2), _r2), _r2), _r1)
+    _s4 = _k61 * _subtract(_multiply(_s0, _add(_add(_multiply(around_0, sine_2, _r1), _multiply(around_1, sine_1, _r2), _r2), _multiply(sine_0, _s2, _r1), _r1), _r1), _multiply(_k60, _add(_add(_multiply(climb_0, turn_rate_2, _r2), _multiply(climb_1, turn_rate_1, _r0), _r0), _multiply(climb_2, turn_rate_0, _r2), _r2), _r2), _r2)
+    _s5 = _k61 * _add(_multiply(0.6 * p_ring_radius, _add(_add(_multiply(around_0, cosine_2, _r2), _multiply(around_1, cosine_1, _r1), _r1), _multiply(cosine_0, _s2, _r2), _r2), _r2), _multiply(_s0, _s2, _r1), _r1)
+    return _s1, _s2, -_multiply(_k61, _add(_add(_multiply(climb_0, sine_2, _r1), _multiply(climb_1, sine_1, _r2), _r2), _multiply(climb_2, sine_0, _r1), _r1), _r1), _k61 * _add(_add(_multiply(climb_0, cosine_2, _r1), _multiply(climb_1, cosine_1, _r2), _r2), _multiply(climb_2, cosine_0, _r1), _r1), _s3, _s4, (0.3333333333333333 * p_ring_radius) * _s2, _s5
 
 
-def ring_round_3(along_0: Any, along_1: Any, along_2: Any, along_3: Any, around_0: Any, around_1: Any, around_2: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, omega_0: Any, omega_1: Any, omega_2: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_3(along_3: Any, around_0: Any, around_1: Any, around_2: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 4, from those before.
 
-    Routh's equations. 129 operations: 44 additions, 4 subtractions, 76 multiplications, 1 division, 4 negations.
-    Returns near_3, omega_3, around_3, tilted_3, pressed_3, force_3, cosine_4, sine_4, climb_4, along_4, turn_rate_4, cos_4, sin_4.
+    Routh's equations. 78 operations: 26 additions, 2 subtractions, 48 multiplications, 2 negations.
+    Returns omega_3, around_3, cosine_4, sine_4, climb_4, along_4, turn_rate_4, tilted_4.
     """
-    _r0, _r1, _r2, _r3 = _room[:4]
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_multiply(cosine_1, near_2, _r1), _multiply(cosine_2, near_1, _r2), _r2), _multiply(cosine_3, near_0, _r1), _r1), _r0)
-    _s2 = _add(_add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_2, _r1), _r1), _multiply(along_2, near_1, _r0), _r0) + _multiply(along_3, near_0, _r1)
-    _s3 = _add(_add(_multiply(climb_0, _s2, _r1), _multiply(climb_1, omega_2, _r0), _r0), _multiply(climb_2, omega_1, _r1), _r1) + _multiply(climb_3, omega_0, _r0)
-    _s4 = _add(_add(_add(_multiply(along_0, sine_3, _r0), _multiply(along_1, sine_2, _r1), _r1), _multiply(along_2, sine_1, _r0), _r0), _multiply(along_3, sine_0, _r1), _r1) - _multiply(_k56, _add(_add(_add(_multiply(cosine_0, turn_rate_3, _r0), _multiply(cosine_1, turn_rate_2, _r2), _r2), _multiply(cosine_2, turn_rate_1, _r0), _r0), _multiply(cosine_3, turn_rate_0, _r2), _r2), _r2)
-    _s5 = _add(_add(_multiply(along_0, cosine_3, _r2), _multiply(along_1, cosine_2, _r1), _r1), _multiply(along_2, cosine_1, _r2), _r2) + _multiply(along_3, cosine_0, _r1)
-    _s6 = _subtract(_multiply(p_gravity, sine_3, _r1), _multiply(_s0, _add(_multiply(_multiply(_k23, climb_0, _r2), climb_3, _r2), _multiply(_multiply(_k23, climb_1, _r0), climb_2, _r0), _r0), _r0), _r0) - _add(_add(_add(_multiply(omega_0, _s5, _r1), _multiply(omega_1, pressed_2, _r2), _r2), _multiply(omega_2, pressed_1, _r1), _r1), _multiply(pressed_0, _s2, _r2), _r2)
-    _s7 = -_multiply(_k26, _add(_add(_add(_multiply(climb_0, sine_3, _r2), _multiply(climb_1, sine_2, _r0), _r0), _multiply(climb_2, sine_1, _r2), _r2), _multiply(climb_3, sine_0, _r0), _r0), _r0)
-    _s8 = _multiply(_k26, _add(_multiply(_multiply(_k209, cosine_3, _r0), p_gravity, _r0), _add(_add(_add(_multiply(omega_0, _s4, _r2), _multiply(omega_1, tilted_2, _r1), _r1), _multiply(omega_2, tilted_1, _r2), _r2), _multiply(tilted_0, _s2, _r1), _r1), _r1), _r1)
-    _s9 = _subtract(_multiply(_s0, _add(_add(_add(_multiply(around_0, sine_3, _r0), _multiply(around_1, sine_2, _r2), _r2), _multiply(around_2, sine_1, _r0), _r0), _multiply(sine_0, _s3, _r2), _r2), _r2), _multiply(_k56, _add(_add(_add(_multiply(climb_0, turn_rate_3, _r0), _multiply(climb_1, turn_rate_2, _r3), _r3), _multiply(climb_2, turn_rate_1, _r0), _r0), _multiply(climb_3, turn_rate_0, _r3), _r3), _r3), _r3)
-    _s10 = -_multiply(_k26, _add(_add(_add(_multiply(omega_0, sin_3, _r2), _multiply(omega_1, sin_2, _r0), _r0), _multiply(omega_2, sin_1, _r2), _r2), _multiply(sin_0, _s2, _r0), _r0), _r0)
-    return _s1, _s2, _s3, _s4, _s5, _s6, _s7, _k26 * _add(_add(_add(_multiply(climb_0, cosine_3, _r0), _multiply(climb_1, cosine_2, _r2), _r2), _multiply(climb_2, cosine_1, _r0), _r0), _multiply(climb_3, cosine_0, _r2), _r2), -_divide(_s8, _s0, _r1), _k26 * _s9, (0.25 * p_ring_radius) * _s3, _s10, _k26 * _add(_add(_add(_multiply(cos_0, _s2, _r3), _multiply(cos_1, omega_2, _r1), _r1), _multiply(cos_2, omega_1, _r3), _r3), _multiply(cos_3, omega_0, _r1), _r1)
+    _s1 = near_0 * _subtract(along_3, _multiply(_s0, _add(_add(_multiply(cosine_1, omega_2, _r0), _multiply(cosine_2, omega_1, _r1), _r1), _multiply(cosine_3, omega_0, _r0), _r0), _r0), _r0)
+    _s2 = _add(_add(_multiply(climb_0, _s1, _r0), _multiply(climb_1, omega_2, _r1), _r1), _multiply(climb_2, omega_1, _r0), _r0) + _multiply(climb_3, omega_0, _r1)
+    _s3 = -_multiply(_k27, _add(_add(_add(_multiply(climb_0, sine_3, _r1), _multiply(climb_1, sine_2, _r0), _r0), _multiply(climb_2, sine_1, _r1), _r1), _multiply(climb_3, sine_0, _r0), _r0), _r0)
+    _s4 = _multiply(_multiply(_k27, per_reach, _r0), _add(_multiply(_multiply(_k223, cosine_3, _r1), p_gravity, _r1), _add(_add(_add(_multiply(omega_0, tilted_3, _r2), _multiply(omega_1, tilted_2, _r3), _r3), _multiply(omega_2, tilted_1, _r2), _r2), _multiply(tilted_0, _s1, _r3), _r3), _r3), _r0)
+    _s5 = _subtract(_multiply(_s0, _add(_add(_add(_multiply(around_0, sine_3, _r3), _multiply(around_1, sine_2, _r1), _r1), _multiply(around_2, sine_1, _r3), _r3), _multiply(sine_0, _s2, _r1), _r1), _r1), _multiply(_k60, _add(_add(_add(_multiply(climb_0, turn_rate_3, _r3), _multiply(climb_1, turn_rate_2, _r2), _r2), _multiply(climb_2, turn_rate_1, _r3), _r3), _multiply(climb_3, turn_rate_0, _r2), _r2), _r2), _r2)
+    _s6 = _add(_multiply(0.6 * p_ring_radius, _add(_add(_add(_multiply(around_0, cosine_3, _r1), _multiply(around_1, cosine_2, _r3), _r3), _multiply(around_2, cosine_1, _r1), _r1), _multiply(cosine_0, _s2, _r3), _r3), _r3), _multiply(_s0, _s2, _r1), _r1)
+    return _s1, _s2, _s3, _k27 * _add(_add(_add(_multiply(climb_0, cosine_3, _r3), _multiply(climb_1, cosine_2, _r4), _r4), _multiply(climb_2, cosine_1, _r3), _r3), _multiply(climb_3, cosine_0, _r4), _r4), -_s4, _k27 * _s5, (0.25 * p_ring_radius) * _s2, _k27 * _s6
 
 
-def ring_round_4(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_4(along_4: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 5, from those before.
 
-    Routh's equations. 159 operations: 59 additions, 4 subtractions, 91 multiplications, 1 division, 4 negations.
-    Returns near_4, omega_4, around_4, tilted_4, pressed_4, force_4, cosine_5, sine_5, climb_5, along_5, turn_rate_5, cos_5, sin_5.
+    Routh's equations. 94 operations: 34 additions, 2 subtractions, 56 multiplications, 2 negations.
+    Returns omega_4, around_4, cosine_5, sine_5, climb_5, along_5, turn_rate_5, tilted_5.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_multiply(cosine_1, near_3, _r1), _multiply(cosine_2, near_2, _r2), _r2), _multiply(cosine_3, near_1, _r1), _r1), _multiply(cosine_4, near_0, _r2), _r2), _r0)
-    _s2 = _add(_add(_add(_multiply(along_0, _s1, _r0), _multiply(along_1, near_3, _r2), _r2), _multiply(along_2, near_2, _r0), _r0), _multiply(along_3, near_1, _r2), _r2) + _multiply(along_4, near_0, _r0)
-    _s3 = _add(_add(_add(_multiply(climb_0, _s2, _r0), _multiply(climb_1, omega_3, _r2), _r2), _multiply(climb_2, omega_2, _r0), _r0), _multiply(climb_3, omega_1, _r2), _r2) + _multiply(climb_4, omega_0, _r0)
-    _s4 = _multiply(_k56, _add(_add(_add(_add(_multiply(cosine_0, turn_rate_4, _r0), _multiply(cosine_1, turn_rate_3, _r2), _r2), _multiply(cosine_2, turn_rate_2, _r0), _r0), _multiply(cosine_3, turn_rate_1, _r2), _r2), _multiply(cosine_4, turn_rate_0, _r0), _r0), _r0)
-    _s5 = _add(_add(_add(_add(_multiply(along_0, sine_4, _r2), _multiply(along_1, sine_3, _r1), _r1), _multiply(along_2, sine_2, _r2), _r2), _multiply(along_3, sine_1, _r1), _r1), _multiply(along_4, sine_0, _r2), _r2) - _s4
-    _s6 = _add(_add(_add(_multiply(along_0, cosine_4, _r0), _multiply(along_1, cosine_3, _r2), _r2), _multiply(along_2, cosine_2, _r0), _r0), _multiply(along_3, cosine_1, _r2), _r2) + _multiply(along_4, cosine_0, _r0)
-    _s7 = _subtract(_multiply(p_gravity, sine_4, _r0), _multiply(_s0, _add(_add(_multiply(climb_2, climb_2, _r2), _multiply(_multiply(_k23, climb_0, _r1), climb_4, _r1), _r1), _multiply(_multiply(_k23, climb_1, _r2), climb_3, _r2), _r2), _r2), _r2)
-    _s8 = _s7 - _add(_add(_add(_add(_multiply(omega_0, _s6, _r0), _multiply(omega_1, pressed_3, _r1), _r1), _multiply(omega_2, pressed_2, _r0), _r0), _multiply(omega_3, pressed_1, _r1), _r1), _multiply(pressed_0, _s2, _r0), _r0)
-    _s9 = _multiply(_k61, _add(_add(_add(_add(_multiply(climb_0, sine_4, _r0), _multiply(climb_1, sine_3, _r2), _r2), _multiply(climb_2, sine_2, _r0), _r0), _multiply(climb_3, sine_1, _r2), _r2), _multiply(climb_4, sine_0, _r0), _r0), _r0)
-    _s10 = _k61 * _add(_add(_add(_add(_multiply(climb_0, cosine_4, _r2), _multiply(climb_1, cosine_3, _r1), _r1), _multiply(climb_2, cosine_2, _r2), _r2), _multiply(climb_3, cosine_1, _r1), _r1), _multiply(climb_4, cosine_0, _r2), _r2)
-    _s11 = _add(_multiply(_multiply(_k209, cosine_4, _r2), p_gravity, _r2), _add(_add(_add(_add(_multiply(omega_0, _s5, _r1), _multiply(omega_1, tilted_3, _r3), _r3), _multiply(omega_2, tilted_2, _r1), _r1), _multiply(omega_3, tilted_1, _r3), _r3), _multiply(tilted_0, _s2, _r1), _r1), _r1)
-    _s12 = _multiply(_s0, _add(_add(_add(_add(_multiply(around_0, sine_4, _r2), _multiply(around_1, sine_3, _r3), _r3), _multiply(around_2, sine_2, _r2), _r2), _multiply(around_3, sine_1, _r3), _r3), _multiply(sine_0, _s3, _r2), _r2), _r2)
-    _s13 = _multiply(_k56, _add(_add(_add(_add(_multiply(climb_0, turn_rate_4, _r3), _multiply(climb_1, turn_rate_3, _r4), _r4), _multiply(climb_2, turn_rate_2, _r3), _r3), _multiply(climb_3, turn_rate_1, _r4), _r4), _multiply(climb_4, turn_rate_0, _r3), _r3), _r3)
-    _s14 = _multiply(_k61, _add(_add(_add(_add(_multiply(omega_0, sin_4, _r4), _multiply(omega_1, sin_3, _r5), _r5), _multiply(omega_2, sin_2, _r4), _r4), _multiply(omega_3, sin_1, _r5), _r5), _multiply(sin_0, _s2, _r4), _r4), _r4)
-    _s15 = _k61 * _add(_add(_add(_add(_multiply(cos_0, _s2, _r5), _multiply(cos_1, omega_3, _r6), _r6), _multiply(cos_2, omega_2, _r5), _r5), _multiply(cos_3, omega_1, _r6), _r6), _multiply(cos_4, omega_0, _r5), _r5)
-    return _s1, _s2, _s3, _s5, _s6, _s8, -_s9, _s10, -_divide(_multiply(_k61, _s11, _r1), _s0, _r1), _k61 * _subtract(_s12, _s13, _r3), (0.2 * p_ring_radius) * _s3, -_s14, _s15
+    _s1 = _subtract(along_4, _multiply(_s0, _add(_add(_add(_multiply(cosine_1, omega_3, _r0), _multiply(cosine_2, omega_2, _r1), _r1), _multiply(cosine_3, omega_1, _r0), _r0), _multiply(cosine_4, omega_0, _r1), _r1), _r1), _r1)
+    _s2 = near_0 * _s1
+    _s3 = _add(_add(_add(_multiply(climb_0, _s2, _r1), _multiply(climb_1, omega_3, _r0), _r0), _multiply(climb_2, omega_2, _r1), _r1), _multiply(climb_3, omega_1, _r0), _r0) + _multiply(climb_4, omega_0, _r1)
+    _s4 = _multiply(_k65, _add(_add(_add(_add(_multiply(climb_0, sine_4, _r1), _multiply(climb_1, sine_3, _r0), _r0), _multiply(climb_2, sine_2, _r1), _r1), _multiply(climb_3, sine_1, _r0), _r0), _multiply(climb_4, sine_0, _r1), _r1), _r1)
+    _s5 = _k65 * _add(_add(_add(_add(_multiply(climb_0, cosine_4, _r0), _multiply(climb_1, cosine_3, _r2), _r2), _multiply(climb_2, cosine_2, _r0), _r0), _multiply(climb_3, cosine_1, _r2), _r2), _multiply(climb_4, cosine_0, _r0), _r0)
+    _s6 = _add(_multiply(_multiply(_k223, cosine_4, _r0), p_gravity, _r0), _add(_add(_add(_add(_multiply(omega_0, tilted_4, _r2), _multiply(omega_1, tilted_3, _r3), _r3), _multiply(omega_2, tilted_2, _r2), _r2), _multiply(omega_3, tilted_1, _r3), _r3), _multiply(tilted_0, _s2, _r2), _r2), _r2)
+    _s7 = _multiply(_s0, _add(_add(_add(_add(_multiply(around_0, sine_4, _r0), _multiply(around_1, sine_3, _r3), _r3), _multiply(around_2, sine_2, _r0), _r0), _multiply(around_3, sine_1, _r3), _r3), _multiply(sine_0, _s3, _r0), _r0), _r0)
+    _s8 = _multiply(_k60, _add(_add(_add(_add(_multiply(climb_0, turn_rate_4, _r3), _multiply(climb_1, turn_rate_3, _r4), _r4), _multiply(climb_2, turn_rate_2, _r3), _r3), _multiply(climb_3, turn_rate_1, _r4), _r4), _multiply(climb_4, turn_rate_0, _r3), _r3), _r3)
+    _s9 = _multiply(0.6 * p_ring_radius, _add(_add(_add(_add(_multiply(around_0, cosine_4, _r4), _multiply(around_1, cosine_3, _r5), _r5), _multiply(around_2, cosine_2, _r4), _r4), _multiply(around_3, cosine_1, _r5), _r5), _multiply(cosine_0, _s3, _r4), _r4), _r4)
+    return _s2, _s3, -_s4, _s5, -_multiply(_multiply(_k65, per_reach, _r1), _s6, _r1), _k65 * _subtract(_s7, _s8, _r3), (0.2 * p_ring_radius) * _s3, _k65 * _add(_s9, _multiply(_s0, _s3, _r3), _r3)
 
 
-def ring_round_5(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_5(along_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 6, from those before.
 
-    Routh's equations. 188 operations: 73 additions, 4 subtractions, 106 multiplications, 1 division, 4 negations.
-    Returns near_5, omega_5, around_5, tilted_5, pressed_5, force_5, cosine_6, sine_6, climb_6, along_6, turn_rate_6, cos_6, sin_6.
+    Routh's equations. 110 operations: 42 additions, 2 subtractions, 64 multiplications, 2 negations.
+    Returns omega_5, around_5, cosine_6, sine_6, climb_6, along_6, turn_rate_6, tilted_6.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = _multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_add(_multiply(cosine_1, near_4, _r1), _multiply(cosine_2, near_3, _r2), _r2), _multiply(cosine_3, near_2, _r1), _r1), _multiply(cosine_4, near_1, _r2), _r2), _multiply(cosine_5, near_0, _r1), _r1), _r0)
-    _s2 = -_s1
-    _s3 = _add(_add(_add(_add(_multiply(along_0, _s2, _r0), _multiply(along_1, near_4, _r1), _r1), _multiply(along_2, near_3, _r0), _r0), _multiply(along_3, near_2, _r1), _r1), _multiply(along_4, near_1, _r0), _r0) + _multiply(along_5, near_0, _r1)
-    _s4 = _add(_add(_add(_add(_multiply(climb_0, _s3, _r1), _multiply(climb_1, omega_4, _r0), _r0), _multiply(climb_2, omega_3, _r1), _r1), _multiply(climb_3, omega_2, _r0), _r0), _multiply(climb_4, omega_1, _r1), _r1) + _multiply(climb_5, omega_0, _r0)
-    _s5 = _add(_add(_add(_add(_add(_multiply(along_0, sine_5, _r0), _multiply(along_1, sine_4, _r1), _r1), _multiply(along_2, sine_3, _r0), _r0), _multiply(along_3, sine_2, _r1), _r1), _multiply(along_4, sine_1, _r0), _r0), _multiply(along_5, sine_0, _r1), _r1)
-    _s6 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_5, _r0), _multiply(cosine_1, turn_rate_4, _r2), _r2), _multiply(cosine_2, turn_rate_3, _r0), _r0), _multiply(cosine_3, turn_rate_2, _r2), _r2), _multiply(cosine_4, turn_rate_1, _r0), _r0), _multiply(cosine_5, turn_rate_0, _r2), _r2)
-    _s7 = _s5 - _multiply(_k56, _s6, _r2)
-    _s8 = _add(_add(_add(_add(_multiply(along_0, cosine_5, _r2), _multiply(along_1, cosine_4, _r1), _r1), _multiply(along_2, cosine_3, _r2), _r2), _multiply(along_3, cosine_2, _r1), _r1), _multiply(along_4, cosine_1, _r2), _r2) + _multiply(along_5, cosine_0, _r1)
-    _s9 = _subtract(_multiply(p_gravity, sine_5, _r1), _multiply(_s0, _add(_add(_multiply(_multiply(_k23, climb_0, _r2), climb_5, _r2), _multiply(_multiply(_k23, climb_1, _r0), climb_4, _r0), _r0), _multiply(_multiply(_k23, climb_2, _r2), climb_3, _r2), _r2), _r2), _r2)
-    _s10 = _add(_add(_add(_add(_add(_multiply(omega_0, _s8, _r1), _multiply(omega_1, pressed_4, _r0), _r0), _multiply(omega_2, pressed_3, _r1), _r1), _multiply(omega_3, pressed_2, _r0), _r0), _multiply(omega_4, pressed_1, _r1), _r1), _multiply(pressed_0, _s3, _r0), _r0)
-    _s11 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_5, _r1), _multiply(climb_1, sine_4, _r3), _r3), _multiply(climb_2, sine_3, _r1), _r1), _multiply(climb_3, sine_2, _r3), _r3), _multiply(climb_4, sine_1, _r1), _r1), _multiply(climb_5, sine_0, _r3), _r3)
-    _s12 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_5, _r1), _multiply(climb_1, cosine_4, _r4), _r4), _multiply(climb_2, cosine_3, _r1), _r1), _multiply(climb_3, cosine_2, _r4), _r4), _multiply(climb_4, cosine_1, _r1), _r1), _multiply(climb_5, cosine_0, _r4), _r4)
-    _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s7, _r1), _multiply(omega_1, tilted_4, _r5), _r5), _multiply(omega_2, tilted_3, _r1), _r1), _multiply(omega_3, tilted_2, _r5), _r5), _multiply(omega_4, tilted_1, _r1), _r1), _multiply(tilted_0, _s3, _r5), _r5)
-    _s14 = -_divide(_multiply(_k64, _add(_multiply(_multiply(_k209, cosine_5, _r1), p_gravity, _r1), _s13, _r5), _r5), _s0, _r5)
-    _s15 = _add(_add(_add(_add(_add(_multiply(around_0, sine_5, _r5), _multiply(around_1, sine_4, _r1), _r1), _multiply(around_2, sine_3, _r5), _r5), _multiply(around_3, sine_2, _r1), _r1), _multiply(around_4, sine_1, _r5), _r5), _multiply(sine_0, _s4, _r1), _r1)
-    _s16 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_5, _r5), _multiply(climb_1, turn_rate_4, _r6), _r6), _multiply(climb_2, turn_rate_3, _r5), _r5), _multiply(climb_3, turn_rate_2, _r6), _r6), _multiply(climb_4, turn_rate_1, _r5), _r5), _multiply(climb_5, turn_rate_0, _r6), _r6)
-    _s17 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_5, _r5), _multiply(omega_1, sin_4, _r7), _r7), _multiply(omega_2, sin_3, _r5), _r5), _multiply(omega_3, sin_2, _r7), _r7), _multiply(omega_4, sin_1, _r5), _r5), _multiply(sin_0, _s3, _r7), _r7)
-    _s18 = _add(_add(_add(_add(_add(_multiply(cos_0, _s3, _r5), _multiply(cos_1, omega_4, _r8), _r8), _multiply(cos_2, omega_3, _r5), _r5), _multiply(cos_3, omega_2, _r8), _r8), _multiply(cos_4, omega_1, _r5), _r5), _multiply(cos_5, omega_0, _r8), _r8)
-    return _s2, _s3, _s4, _s7, _s8, _s9 - _s10, -_multiply(_k64, _s11, _r3), _k64 * _s12, _s14, _k64 * _subtract(_multiply(_s0, _s15, _r1), _multiply(_k56, _s16, _r6), _r6), (0.16666666666666666 * p_ring_radius) * _s4, -_multiply(_k64, _s17, _r7), _k64 * _s18
+    _s1 = _multiply(_s0, _add(_add(_add(_add(_multiply(cosine_1, omega_4, _r0), _multiply(cosine_2, omega_3, _r1), _r1), _multiply(cosine_3, omega_2, _r0), _r0), _multiply(cosine_4, omega_1, _r1), _r1), _multiply(cosine_5, omega_0, _r0), _r0), _r0)
+    _s2 = near_0 * _subtract(along_5, _s1, _r0)
+    _s3 = _add(_add(_add(_add(_multiply(climb_0, _s2, _r0), _multiply(climb_1, omega_4, _r1), _r1), _multiply(climb_2, omega_3, _r0), _r0), _multiply(climb_3, omega_2, _r1), _r1), _multiply(climb_4, omega_1, _r0), _r0) + _multiply(climb_5, omega_0, _r1)
+    _s4 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_5, _r1), _multiply(climb_1, sine_4, _r0), _r0), _multiply(climb_2, sine_3, _r1), _r1), _multiply(climb_3, sine_2, _r0), _r0), _multiply(climb_4, sine_1, _r1), _r1), _multiply(climb_5, sine_0, _r0), _r0)
+    _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_5, _r1), _multiply(climb_1, cosine_4, _r2), _r2), _multiply(climb_2, cosine_3, _r1), _r1), _multiply(climb_3, cosine_2, _r2), _r2), _multiply(climb_4, cosine_1, _r1), _r1), _multiply(climb_5, cosine_0, _r2), _r2)
+    _s6 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_5, _r1), _multiply(omega_1, tilted_4, _r3), _r3), _multiply(omega_2, tilted_3, _r1), _r1), _multiply(omega_3, tilted_2, _r3), _r3), _multiply(omega_4, tilted_1, _r1), _r1), _multiply(tilted_0, _s2, _r3), _r3)
+    _s7 = _add(_add(_add(_add(_add(_multiply(around_0, sine_5, _r1), _multiply(around_1, sine_4, _r4), _r4), _multiply(around_2, sine_3, _r1), _r1), _multiply(around_3, sine_2, _r4), _r4), _multiply(around_4, sine_1, _r1), _r1), _multiply(sine_0, _s3, _r4), _r4)
+    _s8 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_5, _r1), _multiply(climb_1, turn_rate_4, _r5), _r5), _multiply(climb_2, turn_rate_3, _r1), _r1), _multiply(climb_3, turn_rate_2, _r5), _r5), _multiply(climb_4, turn_rate_1, _r1), _r1), _multiply(climb_5, turn_rate_0, _r5), _r5)
+    _s9 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_5, _r1), _multiply(around_1, cosine_4, _r6), _r6), _multiply(around_2, cosine_3, _r1), _r1), _multiply(around_3, cosine_2, _r6), _r6), _multiply(around_4, cosine_1, _r1), _r1), _multiply(cosine_0, _s3, _r6), _r6)
+    return _s2, _s3, -_multiply(_k68, _s4, _r0), _k68 * _s5, -_multiply(_multiply(_k68, per_reach, _r2), _add(_multiply(_multiply(_k223, cosine_5, _r0), p_gravity, _r0), _s6, _r3), _r2), _k68 * _subtract(_multiply(_s0, _s7, _r4), _multiply(_k60, _s8, _r5), _r5), (0.16666666666666666 * p_ring_radius) * _s3, _k68 * _add(_multiply(0.6 * p_ring_radius, _s9, _r6), _multiply(_s0, _s3, _r5), _r5)
 
 
-def ring_round_6(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_6(along_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 7, from those before.
 
-    Routh's equations. 218 operations: 88 additions, 4 subtractions, 121 multiplications, 1 division, 4 negations.
-    Returns near_6, omega_6, around_6, tilted_6, pressed_6, force_6, cosine_7, sine_7, climb_7, along_7, turn_rate_7, cos_7, sin_7.
+    Routh's equations. 126 operations: 50 additions, 2 subtractions, 72 multiplications, 2 negations.
+    Returns omega_6, around_6, cosine_7, sine_7, climb_7, along_7, turn_rate_7, tilted_7.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_5, _r0), _multiply(cosine_2, near_4, _r1), _r1), _multiply(cosine_3, near_3, _r0), _r0), _multiply(cosine_4, near_2, _r1), _r1), _multiply(cosine_5, near_1, _r0), _r0), _multiply(cosine_6, near_0, _r1), _r1)
-    _s2 = -_multiply(_multiply(near_0, _s0, _r0), _s1, _r0)
-    _s3 = _add(_add(_add(_add(_add(_multiply(along_0, _s2, _r0), _multiply(along_1, near_5, _r1), _r1), _multiply(along_2, near_4, _r0), _r0), _multiply(along_3, near_3, _r1), _r1), _multiply(along_4, near_2, _r0), _r0), _multiply(along_5, near_1, _r1), _r1)
-    _s4 = _s3 + _multiply(along_6, near_0, _r0)
-    _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, _s4, _r0), _multiply(climb_1, omega_5, _r1), _r1), _multiply(climb_2, omega_4, _r0), _r0), _multiply(climb_3, omega_3, _r1), _r1), _multiply(climb_4, omega_2, _r0), _r0), _multiply(climb_5, omega_1, _r1), _r1)
-    _s6 = _s5 + _multiply(climb_6, omega_0, _r0)
-    _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_6, _r0), _multiply(along_1, sine_5, _r1), _r1), _multiply(along_2, sine_4, _r0), _r0), _multiply(along_3, sine_3, _r1), _r1), _multiply(along_4, sine_2, _r0), _r0), _multiply(along_5, sine_1, _r1), _r1)
-    _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_6, _r0), _multiply(cosine_1, turn_rate_5, _r2), _r2), _multiply(cosine_2, turn_rate_4, _r0), _r0), _multiply(cosine_3, turn_rate_3, _r2), _r2), _multiply(cosine_4, turn_rate_2, _r0), _r0), _multiply(cosine_5, turn_rate_1, _r2), _r2)
-    _s9 = _add(_s7, _multiply(along_6, sine_0, _r0), _r0) - _multiply(_k56, _add(_s8, _multiply(cosine_6, turn_rate_0, _r1), _r1), _r1)
-    _s10 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_6, _r1), _multiply(along_1, cosine_5, _r0), _r0), _multiply(along_2, cosine_4, _r1), _r1), _multiply(along_3, cosine_3, _r0), _r0), _multiply(along_4, cosine_2, _r1), _r1), _multiply(along_5, cosine_1, _r0), _r0)
-    _s11 = _s10 + _multiply(along_6, cosine_0, _r1)
-    _s12 = _multiply(_s0, _add(_add(_add(_multiply(climb_3, climb_3, _r1), _multiply(_multiply(_k23, climb_0, _r0), climb_6, _r0), _r0), _multiply(_multiply(_k23, climb_1, _r1), climb_5, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r0), climb_4, _r0), _r0), _r0)
-    _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s11, _r1), _multiply(omega_1, pressed_5, _r2), _r2), _multiply(omega_2, pressed_4, _r1), _r1), _multiply(omega_3, pressed_3, _r2), _r2), _multiply(omega_4, pressed_2, _r1), _r1), _multiply(omega_5, pressed_1, _r2), _r2)
-    _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_6, _r1), _multiply(climb_1, sine_5, _r3), _r3), _multiply(climb_2, sine_4, _r1), _r1), _multiply(climb_3, sine_3, _r3), _r3), _multiply(climb_4, sine_2, _r1), _r1), _multiply(climb_5, sine_1, _r3), _r3)
-    _s15 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_6, _r1), _multiply(climb_1, cosine_5, _r4), _r4), _multiply(climb_2, cosine_4, _r1), _r1), _multiply(climb_3, cosine_3, _r4), _r4), _multiply(climb_4, cosine_2, _r1), _r1), _multiply(climb_5, cosine_1, _r4), _r4)
-    _s16 = _add(_add(_add(_add(_add(_multiply(omega_0, _s9, _r1), _multiply(omega_1, tilted_5, _r5), _r5), _multiply(omega_2, tilted_4, _r1), _r1), _multiply(omega_3, tilted_3, _r5), _r5), _multiply(omega_4, tilted_2, _r1), _r1), _multiply(omega_5, tilted_1, _r5), _r5)
-    _s17 = -_divide(_multiply(_k67, _add(_multiply(_multiply(_k209, cosine_6, _r1), p_gravity, _r1), _add(_s16, _multiply(tilted_0, _s4, _r6), _r6), _r6), _r6), _s0, _r6)
-    _s18 = _add(_add(_add(_add(_add(_multiply(around_0, sine_6, _r6), _multiply(around_1, sine_5, _r1), _r1), _multiply(around_2, sine_4, _r6), _r6), _multiply(around_3, sine_3, _r1), _r1), _multiply(around_4, sine_2, _r6), _r6), _multiply(around_5, sine_1, _r1), _r1)
-    _s19 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_6, _r6), _multiply(climb_1, turn_rate_5, _r5), _r5), _multiply(climb_2, turn_rate_4, _r6), _r6), _multiply(climb_3, turn_rate_3, _r5), _r5), _multiply(climb_4, turn_rate_2, _r6), _r6), _multiply(climb_5, turn_rate_1, _r5), _r5)
-    _s20 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_6, _r6), _multiply(omega_1, sin_5, _r7), _r7), _multiply(omega_2, sin_4, _r6), _r6), _multiply(omega_3, sin_3, _r7), _r7), _multiply(omega_4, sin_2, _r6), _r6), _multiply(omega_5, sin_1, _r7), _r7)
-    _s21 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r6), _multiply(cos_1, omega_5, _r8), _r8), _multiply(cos_2, omega_4, _r6), _r6), _multiply(cos_3, omega_3, _r8), _r8), _multiply(cos_4, omega_2, _r6), _r6), _multiply(cos_5, omega_1, _r8), _r8)
-    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_6, _r6), _s12, _r0) - _add(_s13, _multiply(pressed_0, _s4, _r6), _r6), -_multiply(_k67, _add(_s14, _multiply(climb_6, sine_0, _r6), _r6), _r6), _k67 * _add(_s15, _multiply(climb_6, cosine_0, _r6), _r6), _s17, _k67 * _subtract(_multiply(_s0, _add(_s18, _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(_k56, _add(_s19, _multiply(climb_6, turn_rate_0, _r1), _r1), _r1), _r1), (0.14285714285714285 * p_ring_radius) * _s6, -_multiply(_k67, _add(_s20, _multiply(sin_0, _s4, _r1), _r1), _r1), _k67 * _add(_s21, _multiply(cos_6, omega_0, _r1), _r1)
+    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, omega_5, _r0), _multiply(cosine_2, omega_4, _r1), _r1), _multiply(cosine_3, omega_3, _r0), _r0), _multiply(cosine_4, omega_2, _r1), _r1), _multiply(cosine_5, omega_1, _r0), _r0), _multiply(cosine_6, omega_0, _r1), _r1)
+    _s2 = near_0 * _subtract(along_6, _multiply(_s0, _s1, _r1), _r1)
+    _s3 = _add(_add(_add(_add(_add(_multiply(climb_0, _s2, _r1), _multiply(climb_1, omega_5, _r0), _r0), _multiply(climb_2, omega_4, _r1), _r1), _multiply(climb_3, omega_3, _r0), _r0), _multiply(climb_4, omega_2, _r1), _r1), _multiply(climb_5, omega_1, _r0), _r0)
+    _s4 = _s3 + _multiply(climb_6, omega_0, _r1)
+    _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_6, _r1), _multiply(climb_1, sine_5, _r0), _r0), _multiply(climb_2, sine_4, _r1), _r1), _multiply(climb_3, sine_3, _r0), _r0), _multiply(climb_4, sine_2, _r1), _r1), _multiply(climb_5, sine_1, _r0), _r0)
+    _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_6, _r1), _multiply(climb_1, cosine_5, _r2), _r2), _multiply(climb_2, cosine_4, _r1), _r1), _multiply(climb_3, cosine_3, _r2), _r2), _multiply(climb_4, cosine_2, _r1), _r1), _multiply(climb_5, cosine_1, _r2), _r2)
+    _s7 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_6, _r1), _multiply(omega_1, tilted_5, _r3), _r3), _multiply(omega_2, tilted_4, _r1), _r1), _multiply(omega_3, tilted_3, _r3), _r3), _multiply(omega_4, tilted_2, _r1), _r1), _multiply(omega_5, tilted_1, _r3), _r3)
+    _s8 = _add(_add(_add(_add(_add(_multiply(around_0, sine_6, _r1), _multiply(around_1, sine_5, _r4), _r4), _multiply(around_2, sine_4, _r1), _r1), _multiply(around_3, sine_3, _r4), _r4), _multiply(around_4, sine_2, _r1), _r1), _multiply(around_5, sine_1, _r4), _r4)
+    _s9 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_6, _r1), _multiply(climb_1, turn_rate_5, _r5), _r5), _multiply(climb_2, turn_rate_4, _r1), _r1), _multiply(climb_3, turn_rate_3, _r5), _r5), _multiply(climb_4, turn_rate_2, _r1), _r1), _multiply(climb_5, turn_rate_1, _r5), _r5)
+    _s10 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_6, _r1), _multiply(around_1, cosine_5, _r6), _r6), _multiply(around_2, cosine_4, _r1), _r1), _multiply(around_3, cosine_3, _r6), _r6), _multiply(around_4, cosine_2, _r1), _r1), _multiply(around_5, cosine_1, _r6), _r6)
+    return _s2, _s4, -_multiply(_k71, _add(_s5, _multiply(climb_6, sine_0, _r1), _r1), _r1), _k71 * _add(_s6, _multiply(climb_6, cosine_0, _r1), _r1), -_multiply(_multiply(_k71, per_reach, _r1), _add(_multiply(_multiply(_k223, cosine_6, _r2), p_gravity, _r2), _add(_s7, _multiply(tilted_0, _s2, _r0), _r0), _r0), _r1), _k71 * _subtract(_multiply(_s0, _add(_s8, _multiply(sine_0, _s4, _r1), _r1), _r1), _multiply(_k60, _add(_s9, _multiply(climb_6, turn_rate_0, _r4), _r4), _r4), _r4), (0.14285714285714285 * p_ring_radius) * _s4, _k71 * _add(_multiply(0.6 * p_ring_radius, _add(_s10, _multiply(cosine_0, _s4, _r4), _r4), _r4), _multiply(_s0, _s4, _r6), _r6)
 
 
-def ring_round_7(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_7(along_7: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 8, from those before.
 
-    Routh's equations. 247 operations: 102 additions, 4 subtractions, 136 multiplications, 1 division, 4 negations.
-    Returns near_7, omega_7, around_7, tilted_7, pressed_7, force_7, cosine_8, sine_8, climb_8, along_8, turn_rate_8, cos_8, sin_8.
+    Routh's equations. 142 operations: 58 additions, 2 subtractions, 80 multiplications, 2 negations.
+    Returns omega_7, around_7, cosine_8, sine_8, climb_8, along_8, turn_rate_8, tilted_8.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_6, _r0), _multiply(cosine_2, near_5, _r1), _r1), _multiply(cosine_3, near_4, _r0), _r0), _multiply(cosine_4, near_3, _r1), _r1), _multiply(cosine_5, near_2, _r0), _r0), _multiply(cosine_6, near_1, _r1), _r1)
-    _s2 = -_multiply(_multiply(near_0, _s0, _r0), _add(_s1, _multiply(cosine_7, near_0, _r2), _r2), _r0)
-    _s3 = _add(_add(_add(_add(_add(_multiply(along_0, _s2, _r0), _multiply(along_1, near_6, _r2), _r2), _multiply(along_2, near_5, _r0), _r0), _multiply(along_3, near_4, _r2), _r2), _multiply(along_4, near_3, _r0), _r0), _multiply(along_5, near_2, _r2), _r2)
-    _s4 = _add(_s3, _multiply(along_6, near_1, _r0), _r0) + _multiply(along_7, near_0, _r2)
-    _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, _s4, _r2), _multiply(climb_1, omega_6, _r0), _r0), _multiply(climb_2, omega_5, _r2), _r2), _multiply(climb_3, omega_4, _r0), _r0), _multiply(climb_4, omega_3, _r2), _r2), _multiply(climb_5, omega_2, _r0), _r0)
-    _s6 = _add(_s5, _multiply(climb_6, omega_1, _r2), _r2) + _multiply(climb_7, omega_0, _r0)
-    _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_7, _r0), _multiply(along_1, sine_6, _r2), _r2), _multiply(along_2, sine_5, _r0), _r0), _multiply(along_3, sine_4, _r2), _r2), _multiply(along_4, sine_3, _r0), _r0), _multiply(along_5, sine_2, _r2), _r2)
-    _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_7, _r0), _multiply(cosine_1, turn_rate_6, _r1), _r1), _multiply(cosine_2, turn_rate_5, _r0), _r0), _multiply(cosine_3, turn_rate_4, _r1), _r1), _multiply(cosine_4, turn_rate_3, _r0), _r0), _multiply(cosine_5, turn_rate_2, _r1), _r1)
-    _s9 = _add(_add(_s7, _multiply(along_6, sine_1, _r0), _r0), _multiply(along_7, sine_0, _r2), _r2) - _multiply(_k56, _add(_add(_s8, _multiply(cosine_6, turn_rate_1, _r0), _r0), _multiply(cosine_7, turn_rate_0, _r1), _r1), _r1)
-    _s10 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_7, _r1), _multiply(along_1, cosine_6, _r2), _r2), _multiply(along_2, cosine_5, _r1), _r1), _multiply(along_3, cosine_4, _r2), _r2), _multiply(along_4, cosine_3, _r1), _r1), _multiply(along_5, cosine_2, _r2), _r2)
-    _s11 = _add(_s10, _multiply(along_6, cosine_1, _r1), _r1) + _multiply(along_7, cosine_0, _r2)
-    _s12 = _multiply(_s0, _add(_add(_add(_multiply(_multiply(_k23, climb_0, _r2), climb_7, _r2), _multiply(_multiply(_k23, climb_1, _r1), climb_6, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r2), climb_5, _r2), _r2), _multiply(_multiply(_k23, climb_3, _r1), climb_4, _r1), _r1), _r1)
-    _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s11, _r2), _multiply(omega_1, pressed_6, _r0), _r0), _multiply(omega_2, pressed_5, _r2), _r2), _multiply(omega_3, pressed_4, _r0), _r0), _multiply(omega_4, pressed_3, _r2), _r2), _multiply(omega_5, pressed_2, _r0), _r0)
-    _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_7, _r2), _multiply(climb_1, sine_6, _r3), _r3), _multiply(climb_2, sine_5, _r2), _r2), _multiply(climb_3, sine_4, _r3), _r3), _multiply(climb_4, sine_3, _r2), _r2), _multiply(climb_5, sine_2, _r3), _r3)
-    _s15 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_7, _r2), _multiply(climb_1, cosine_6, _r4), _r4), _multiply(climb_2, cosine_5, _r2), _r2), _multiply(climb_3, cosine_4, _r4), _r4), _multiply(climb_4, cosine_3, _r2), _r2), _multiply(climb_5, cosine_2, _r4), _r4)
-    _s16 = _add(_add(_add(_add(_add(_multiply(omega_0, _s9, _r2), _multiply(omega_1, tilted_6, _r5), _r5), _multiply(omega_2, tilted_5, _r2), _r2), _multiply(omega_3, tilted_4, _r5), _r5), _multiply(omega_4, tilted_3, _r2), _r2), _multiply(omega_5, tilted_2, _r5), _r5)
-    _s17 = _divide(_multiply(_k70, _add(_multiply(_multiply(_k209, cosine_7, _r2), p_gravity, _r2), _add(_add(_s16, _multiply(omega_6, tilted_1, _r6), _r6), _multiply(tilted_0, _s4, _r5), _r5), _r5), _r5), _s0, _r5)
-    _s18 = _add(_add(_add(_add(_add(_multiply(around_0, sine_7, _r2), _multiply(around_1, sine_6, _r6), _r6), _multiply(around_2, sine_5, _r2), _r2), _multiply(around_3, sine_4, _r6), _r6), _multiply(around_4, sine_3, _r2), _r2), _multiply(around_5, sine_2, _r6), _r6)
-    _s19 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_7, _r2), _multiply(climb_1, turn_rate_6, _r7), _r7), _multiply(climb_2, turn_rate_5, _r2), _r2), _multiply(climb_3, turn_rate_4, _r7), _r7), _multiply(climb_4, turn_rate_3, _r2), _r2), _multiply(climb_5, turn_rate_2, _r7), _r7)
-    _s20 = _k70 * _subtract(_multiply(_s0, _add(_add(_s18, _multiply(around_6, sine_1, _r2), _r2), _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(_k56, _add(_add(_s19, _multiply(climb_6, turn_rate_1, _r2), _r2), _multiply(climb_7, turn_rate_0, _r7), _r7), _r7), _r7)
-    _s21 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_7, _r7), _multiply(omega_1, sin_6, _r6), _r6), _multiply(omega_2, sin_5, _r7), _r7), _multiply(omega_3, sin_4, _r6), _r6), _multiply(omega_4, sin_3, _r7), _r7), _multiply(omega_5, sin_2, _r6), _r6)
-    _s22 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r7), _multiply(cos_1, omega_6, _r2), _r2), _multiply(cos_2, omega_5, _r7), _r7), _multiply(cos_3, omega_4, _r2), _r2), _multiply(cos_4, omega_3, _r7), _r7), _multiply(cos_5, omega_2, _r2), _r2)
-    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_7, _r7), _s12, _r1) - _add(_add(_s13, _multiply(omega_6, pressed_1, _r7), _r7), _multiply(pressed_0, _s4, _r0), _r0), -_multiply(_k70, _add(_add(_s14, _multiply(climb_6, sine_1, _r0), _r0), _multiply(climb_7, sine_0, _r3), _r3), _r3), _k70 * _add(_add(_s15, _multiply(climb_6, cosine_1, _r3), _r3), _multiply(climb_7, cosine_0, _r4), _r4), -_s17, _s20, (0.125 * p_ring_radius) * _s6, -_multiply(_k70, _add(_add(_s21, _multiply(omega_6, sin_1, _r5), _r5), _multiply(sin_0, _s4, _r6), _r6), _r6), _k70 * _add(_add(_s22, _multiply(cos_6, omega_1, _r6), _r6), _multiply(cos_7, omega_0, _r2), _r2)
+    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, omega_6, _r0), _multiply(cosine_2, omega_5, _r1), _r1), _multiply(cosine_3, omega_4, _r0), _r0), _multiply(cosine_4, omega_3, _r1), _r1), _multiply(cosine_5, omega_2, _r0), _r0), _multiply(cosine_6, omega_1, _r1), _r1)
+    _s2 = near_0 * _subtract(along_7, _multiply(_s0, _add(_s1, _multiply(cosine_7, omega_0, _r0), _r0), _r0), _r0)
+    _s3 = _add(_add(_add(_add(_add(_multiply(climb_0, _s2, _r0), _multiply(climb_1, omega_6, _r1), _r1), _multiply(climb_2, omega_5, _r0), _r0), _multiply(climb_3, omega_4, _r1), _r1), _multiply(climb_4, omega_3, _r0), _r0), _multiply(climb_5, omega_2, _r1), _r1)
+    _s4 = _add(_s3, _multiply(climb_6, omega_1, _r0), _r0) + _multiply(climb_7, omega_0, _r1)
+    _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_7, _r1), _multiply(climb_1, sine_6, _r0), _r0), _multiply(climb_2, sine_5, _r1), _r1), _multiply(climb_3, sine_4, _r0), _r0), _multiply(climb_4, sine_3, _r1), _r1), _multiply(climb_5, sine_2, _r0), _r0)
+    _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_7, _r1), _multiply(climb_1, cosine_6, _r2), _r2), _multiply(climb_2, cosine_5, _r1), _r1), _multiply(climb_3, cosine_4, _r2), _r2), _multiply(climb_4, cosine_3, _r1), _r1), _multiply(climb_5, cosine_2, _r2), _r2)
+    _s7 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_7, _r1), _multiply(omega_1, tilted_6, _r3), _r3), _multiply(omega_2, tilted_5, _r1), _r1), _multiply(omega_3, tilted_4, _r3), _r3), _multiply(omega_4, tilted_3, _r1), _r1), _multiply(omega_5, tilted_2, _r3), _r3)
+    _s8 = -_multiply(_multiply(_k29, per_reach, _r1), _add(_multiply(_multiply(_k223, cosine_7, _r4), p_gravity, _r4), _add(_add(_s7, _multiply(omega_6, tilted_1, _r5), _r5), _multiply(tilted_0, _s2, _r3), _r3), _r3), _r1)
+    _s9 = _add(_add(_add(_add(_add(_multiply(around_0, sine_7, _r1), _multiply(around_1, sine_6, _r3), _r3), _multiply(around_2, sine_5, _r1), _r1), _multiply(around_3, sine_4, _r3), _r3), _multiply(around_4, sine_3, _r1), _r1), _multiply(around_5, sine_2, _r3), _r3)
+    _s10 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_7, _r1), _multiply(climb_1, turn_rate_6, _r4), _r4), _multiply(climb_2, turn_rate_5, _r1), _r1), _multiply(climb_3, turn_rate_4, _r4), _r4), _multiply(climb_4, turn_rate_3, _r1), _r1), _multiply(climb_5, turn_rate_2, _r4), _r4)
+    _s11 = _k29 * _subtract(_multiply(_s0, _add(_add(_s9, _multiply(around_6, sine_1, _r1), _r1), _multiply(sine_0, _s4, _r3), _r3), _r3), _multiply(_k60, _add(_add(_s10, _multiply(climb_6, turn_rate_1, _r1), _r1), _multiply(climb_7, turn_rate_0, _r4), _r4), _r4), _r4)
+    _s12 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_7, _r4), _multiply(around_1, cosine_6, _r3), _r3), _multiply(around_2, cosine_5, _r4), _r4), _multiply(around_3, cosine_4, _r3), _r3), _multiply(around_4, cosine_3, _r4), _r4), _multiply(around_5, cosine_2, _r3), _r3)
+    _s13 = _k29 * _add(_multiply(0.6 * p_ring_radius, _add(_add(_s12, _multiply(around_6, cosine_1, _r4), _r4), _multiply(cosine_0, _s4, _r3), _r3), _r3), _multiply(_s0, _s4, _r4), _r4)
+    return _s2, _s4, -_multiply(_k29, _add(_add(_s5, _multiply(climb_6, sine_1, _r4), _r4), _multiply(climb_7, sine_0, _r0), _r0), _r0), _k29 * _add(_add(_s6, _multiply(climb_6, cosine_1, _r0), _r0), _multiply(climb_7, cosine_0, _r2), _r2), _s8, _s11, (0.125 * p_ring_radius) * _s4, _s13
 
 
-def ring_round_8(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_8(along_8: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 9, from those before.
 
-    Routh's equations. 277 operations: 117 additions, 4 subtractions, 151 multiplications, 1 division, 4 negations.
-    Returns near_8, omega_8, around_8, tilted_8, pressed_8, force_8, cosine_9, sine_9, climb_9, along_9, turn_rate_9, cos_9, sin_9.
+    Routh's equations. 158 operations: 66 additions, 2 subtractions, 88 multiplications, 2 negations.
+    Returns omega_8, around_8, cosine_9, sine_9, climb_9, along_9, turn_rate_9, tilted_9.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_7, _r0), _multiply(cosine_2, near_6, _r1), _r1), _multiply(cosine_3, near_5, _r0), _r0), _multiply(cosine_4, near_4, _r1), _r1), _multiply(cosine_5, near_3, _r0), _r0), _multiply(cosine_6, near_2, _r1), _r1)
-    _s2 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_s1, _multiply(cosine_7, near_1, _r2), _r2), _multiply(cosine_8, near_0, _r1), _r1), _r0)
-    _s3 = _add(_add(_add(_add(_add(_multiply(along_0, _s2, _r0), _multiply(along_1, near_7, _r1), _r1), _multiply(along_2, near_6, _r0), _r0), _multiply(along_3, near_5, _r1), _r1), _multiply(along_4, near_4, _r0), _r0), _multiply(along_5, near_3, _r1), _r1)
-    _s4 = _add(_add(_s3, _multiply(along_6, near_2, _r0), _r0), _multiply(along_7, near_1, _r1), _r1) + _multiply(along_8, near_0, _r0)
-    _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, _s4, _r0), _multiply(climb_1, omega_7, _r1), _r1), _multiply(climb_2, omega_6, _r0), _r0), _multiply(climb_3, omega_5, _r1), _r1), _multiply(climb_4, omega_4, _r0), _r0), _multiply(climb_5, omega_3, _r1), _r1)
-    _s6 = _add(_add(_s5, _multiply(climb_6, omega_2, _r0), _r0), _multiply(climb_7, omega_1, _r1), _r1) + _multiply(climb_8, omega_0, _r0)
-    _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_8, _r0), _multiply(along_1, sine_7, _r1), _r1), _multiply(along_2, sine_6, _r0), _r0), _multiply(along_3, sine_5, _r1), _r1), _multiply(along_4, sine_4, _r0), _r0), _multiply(along_5, sine_3, _r1), _r1)
-    _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_8, _r0), _multiply(cosine_1, turn_rate_7, _r2), _r2), _multiply(cosine_2, turn_rate_6, _r0), _r0), _multiply(cosine_3, turn_rate_5, _r2), _r2), _multiply(cosine_4, turn_rate_4, _r0), _r0), _multiply(cosine_5, turn_rate_3, _r2), _r2)
-    _s9 = _add(_add(_add(_s7, _multiply(along_6, sine_2, _r0), _r0), _multiply(along_7, sine_1, _r1), _r1), _multiply(along_8, sine_0, _r0), _r0) - _multiply(_k56, _add(_add(_add(_s8, _multiply(cosine_6, turn_rate_2, _r1), _r1), _multiply(cosine_7, turn_rate_1, _r2), _r2), _multiply(cosine_8, turn_rate_0, _r1), _r1), _r1)
-    _s10 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_8, _r1), _multiply(along_1, cosine_7, _r0), _r0), _multiply(along_2, cosine_6, _r1), _r1), _multiply(along_3, cosine_5, _r0), _r0), _multiply(along_4, cosine_4, _r1), _r1), _multiply(along_5, cosine_3, _r0), _r0)
-    _s11 = _add(_add(_s10, _multiply(along_6, cosine_2, _r1), _r1), _multiply(along_7, cosine_1, _r0), _r0) + _multiply(along_8, cosine_0, _r1)
-    _s12 = _add(_add(_add(_add(_multiply(climb_4, climb_4, _r1), _multiply(_multiply(_k23, climb_0, _r0), climb_8, _r0), _r0), _multiply(_multiply(_k23, climb_1, _r1), climb_7, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r0), climb_6, _r0), _r0), _multiply(_multiply(_k23, climb_3, _r1), climb_5, _r1), _r1)
-    _s13 = _add(_add(_add(_add(_add(_multiply(omega_0, _s11, _r0), _multiply(omega_1, pressed_7, _r2), _r2), _multiply(omega_2, pressed_6, _r0), _r0), _multiply(omega_3, pressed_5, _r2), _r2), _multiply(omega_4, pressed_4, _r0), _r0), _multiply(omega_5, pressed_3, _r2), _r2)
-    _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_8, _r0), _multiply(climb_1, sine_7, _r3), _r3), _multiply(climb_2, sine_6, _r0), _r0), _multiply(climb_3, sine_5, _r3), _r3), _multiply(climb_4, sine_4, _r0), _r0), _multiply(climb_5, sine_3, _r3), _r3)
-    _s15 = -_multiply(_k73, _add(_add(_add(_s14, _multiply(climb_6, sine_2, _r0), _r0), _multiply(climb_7, sine_1, _r3), _r3), _multiply(climb_8, sine_0, _r0), _r0), _r0)
-    _s16 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_8, _r0), _multiply(climb_1, cosine_7, _r3), _r3), _multiply(climb_2, cosine_6, _r0), _r0), _multiply(climb_3, cosine_5, _r3), _r3), _multiply(climb_4, cosine_4, _r0), _r0), _multiply(climb_5, cosine_3, _r3), _r3)
-    _s17 = _add(_add(_add(_add(_add(_multiply(omega_0, _s9, _r0), _multiply(omega_1, tilted_7, _r4), _r4), _multiply(omega_2, tilted_6, _r0), _r0), _multiply(omega_3, tilted_5, _r4), _r4), _multiply(omega_4, tilted_4, _r0), _r0), _multiply(omega_5, tilted_3, _r4), _r4)
-    _s18 = _multiply(_k73, _add(_multiply(_multiply(_k209, cosine_8, _r0), p_gravity, _r0), _add(_add(_add(_s17, _multiply(omega_6, tilted_2, _r5), _r5), _multiply(omega_7, tilted_1, _r4), _r4), _multiply(tilted_0, _s4, _r5), _r5), _r5), _r5)
-    _s19 = _add(_add(_add(_add(_add(_multiply(around_0, sine_8, _r0), _multiply(around_1, sine_7, _r4), _r4), _multiply(around_2, sine_6, _r0), _r0), _multiply(around_3, sine_5, _r4), _r4), _multiply(around_4, sine_4, _r0), _r0), _multiply(around_5, sine_3, _r4), _r4)
-    _s20 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_8, _r0), _multiply(climb_1, turn_rate_7, _r6), _r6), _multiply(climb_2, turn_rate_6, _r0), _r0), _multiply(climb_3, turn_rate_5, _r6), _r6), _multiply(climb_4, turn_rate_4, _r0), _r0), _multiply(climb_5, turn_rate_3, _r6), _r6)
-    _s21 = _subtract(_multiply(_s0, _add(_add(_add(_s19, _multiply(around_6, sine_2, _r0), _r0), _multiply(around_7, sine_1, _r4), _r4), _multiply(sine_0, _s6, _r0), _r0), _r0), _multiply(_k56, _add(_add(_add(_s20, _multiply(climb_6, turn_rate_2, _r4), _r4), _multiply(climb_7, turn_rate_1, _r6), _r6), _multiply(climb_8, turn_rate_0, _r4), _r4), _r4), _r4)
-    _s22 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_8, _r0), _multiply(omega_1, sin_7, _r6), _r6), _multiply(omega_2, sin_6, _r0), _r0), _multiply(omega_3, sin_5, _r6), _r6), _multiply(omega_4, sin_4, _r0), _r0), _multiply(omega_5, sin_3, _r6), _r6)
-    _s23 = -_multiply(_k73, _add(_add(_add(_s22, _multiply(omega_6, sin_2, _r0), _r0), _multiply(omega_7, sin_1, _r6), _r6), _multiply(sin_0, _s4, _r0), _r0), _r0)
-    _s24 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r0), _multiply(cos_1, omega_7, _r6), _r6), _multiply(cos_2, omega_6, _r0), _r0), _multiply(cos_3, omega_5, _r6), _r6), _multiply(cos_4, omega_4, _r0), _r0), _multiply(cos_5, omega_3, _r6), _r6)
-    return _s2, _s4, _s6, _s9, _s11, _subtract(_multiply(p_gravity, sine_8, _r0), _multiply(_s0, _s12, _r1), _r1) - _add(_add(_add(_s13, _multiply(omega_6, pressed_2, _r0), _r0), _multiply(omega_7, pressed_1, _r2), _r2), _multiply(pressed_0, _s4, _r0), _r0), _s15, _k73 * _add(_add(_add(_s16, _multiply(climb_6, cosine_2, _r0), _r0), _multiply(climb_7, cosine_1, _r3), _r3), _multiply(climb_8, cosine_0, _r0), _r0), -_divide(_s18, _s0, _r5), _k73 * _s21, (0.1111111111111111 * p_ring_radius) * _s6, _s23, _k73 * _add(_add(_add(_s24, _multiply(cos_6, omega_2, _r4), _r4), _multiply(cos_7, omega_1, _r6), _r6), _multiply(cos_8, omega_0, _r4), _r4)
+    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, omega_7, _r0), _multiply(cosine_2, omega_6, _r1), _r1), _multiply(cosine_3, omega_5, _r0), _r0), _multiply(cosine_4, omega_4, _r1), _r1), _multiply(cosine_5, omega_3, _r0), _r0), _multiply(cosine_6, omega_2, _r1), _r1)
+    _s2 = near_0 * _subtract(along_8, _multiply(_s0, _add(_add(_s1, _multiply(cosine_7, omega_1, _r0), _r0), _multiply(cosine_8, omega_0, _r1), _r1), _r1), _r1)
+    _s3 = _add(_add(_add(_add(_add(_multiply(climb_0, _s2, _r1), _multiply(climb_1, omega_7, _r0), _r0), _multiply(climb_2, omega_6, _r1), _r1), _multiply(climb_3, omega_5, _r0), _r0), _multiply(climb_4, omega_4, _r1), _r1), _multiply(climb_5, omega_3, _r0), _r0)
+    _s4 = _add(_add(_s3, _multiply(climb_6, omega_2, _r1), _r1), _multiply(climb_7, omega_1, _r0), _r0) + _multiply(climb_8, omega_0, _r1)
+    _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_8, _r1), _multiply(climb_1, sine_7, _r0), _r0), _multiply(climb_2, sine_6, _r1), _r1), _multiply(climb_3, sine_5, _r0), _r0), _multiply(climb_4, sine_4, _r1), _r1), _multiply(climb_5, sine_3, _r0), _r0)
+    _s6 = -_multiply(_k75, _add(_add(_add(_s5, _multiply(climb_6, sine_2, _r1), _r1), _multiply(climb_7, sine_1, _r0), _r0), _multiply(climb_8, sine_0, _r1), _r1), _r1)
+    _s7 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_8, _r1), _multiply(climb_1, cosine_7, _r0), _r0), _multiply(climb_2, cosine_6, _r1), _r1), _multiply(climb_3, cosine_5, _r0), _r0), _multiply(climb_4, cosine_4, _r1), _r1), _multiply(climb_5, cosine_3, _r0), _r0)
+    _s8 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_8, _r1), _multiply(omega_1, tilted_7, _r2), _r2), _multiply(omega_2, tilted_6, _r1), _r1), _multiply(omega_3, tilted_5, _r2), _r2), _multiply(omega_4, tilted_4, _r1), _r1), _multiply(omega_5, tilted_3, _r2), _r2)
+    _s9 = _multiply(_multiply(_k75, per_reach, _r1), _add(_multiply(_multiply(_k223, cosine_8, _r3), p_gravity, _r3), _add(_add(_add(_s8, _multiply(omega_6, tilted_2, _r4), _r4), _multiply(omega_7, tilted_1, _r2), _r2), _multiply(tilted_0, _s2, _r4), _r4), _r4), _r1)
+    _s10 = _add(_add(_add(_add(_add(_multiply(around_0, sine_8, _r4), _multiply(around_1, sine_7, _r3), _r3), _multiply(around_2, sine_6, _r4), _r4), _multiply(around_3, sine_5, _r3), _r3), _multiply(around_4, sine_4, _r4), _r4), _multiply(around_5, sine_3, _r3), _r3)
+    _s11 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_8, _r4), _multiply(climb_1, turn_rate_7, _r2), _r2), _multiply(climb_2, turn_rate_6, _r4), _r4), _multiply(climb_3, turn_rate_5, _r2), _r2), _multiply(climb_4, turn_rate_4, _r4), _r4), _multiply(climb_5, turn_rate_3, _r2), _r2)
+    _s12 = _subtract(_multiply(_s0, _add(_add(_add(_s10, _multiply(around_6, sine_2, _r4), _r4), _multiply(around_7, sine_1, _r3), _r3), _multiply(sine_0, _s4, _r4), _r4), _r4), _multiply(_k60, _add(_add(_add(_s11, _multiply(climb_6, turn_rate_2, _r3), _r3), _multiply(climb_7, turn_rate_1, _r2), _r2), _multiply(climb_8, turn_rate_0, _r3), _r3), _r3), _r3)
+    _s13 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_8, _r4), _multiply(around_1, cosine_7, _r2), _r2), _multiply(around_2, cosine_6, _r4), _r4), _multiply(around_3, cosine_5, _r2), _r2), _multiply(around_4, cosine_4, _r4), _r4), _multiply(around_5, cosine_3, _r2), _r2)
+    _s14 = _add(_multiply(0.6 * p_ring_radius, _add(_add(_add(_s13, _multiply(around_6, cosine_2, _r4), _r4), _multiply(around_7, cosine_1, _r2), _r2), _multiply(cosine_0, _s4, _r4), _r4), _r4), _multiply(_s0, _s4, _r2), _r2)
+    return _s2, _s4, _s6, _k75 * _add(_add(_add(_s7, _multiply(climb_6, cosine_2, _r4), _r4), _multiply(climb_7, cosine_1, _r0), _r0), _multiply(climb_8, cosine_0, _r4), _r4), -_s9, _k75 * _s12, (0.1111111111111111 * p_ring_radius) * _s4, _k75 * _s14
 
 
-def ring_round_9(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_9(along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 10, from those before.
 
-    Routh's equations. 306 operations: 131 additions, 4 subtractions, 166 multiplications, 1 division, 4 negations.
-    Returns near_9, omega_9, around_9, tilted_9, pressed_9, force_9, cosine_10, sine_10, climb_10, along_10, turn_rate_10, cos_10, sin_10.
+    Routh's equations. 174 operations: 74 additions, 2 subtractions, 96 multiplications, 2 negations.
+    Returns omega_9, around_9, cosine_10, sine_10, climb_10, along_10, turn_rate_10, tilted_10.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_8, _r0), _multiply(cosine_2, near_7, _r1), _r1), _multiply(cosine_3, near_6, _r0), _r0), _multiply(cosine_4, near_5, _r1), _r1), _multiply(cosine_5, near_4, _r0), _r0), _multiply(cosine_6, near_3, _r1), _r1)
-    _s2 = -_multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_s1, _multiply(cosine_7, near_2, _r2), _r2), _multiply(cosine_8, near_1, _r1), _r1), _multiply(cosine_9, near_0, _r2), _r2), _r0)
-    _s3 = _add(_add(_add(_add(_add(_multiply(along_0, _s2, _r0), _multiply(along_1, near_8, _r2), _r2), _multiply(along_2, near_7, _r0), _r0), _multiply(along_3, near_6, _r2), _r2), _multiply(along_4, near_5, _r0), _r0), _multiply(along_5, near_4, _r2), _r2)
-    _s4 = _add(_add(_add(_s3, _multiply(along_6, near_3, _r0), _r0), _multiply(along_7, near_2, _r2), _r2), _multiply(along_8, near_1, _r0), _r0) + _multiply(along_9, near_0, _r2)
-    _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, _s4, _r2), _multiply(climb_1, omega_8, _r0), _r0), _multiply(climb_2, omega_7, _r2), _r2), _multiply(climb_3, omega_6, _r0), _r0), _multiply(climb_4, omega_5, _r2), _r2), _multiply(climb_5, omega_4, _r0), _r0)
-    _s6 = _add(_add(_add(_s5, _multiply(climb_6, omega_3, _r2), _r2), _multiply(climb_7, omega_2, _r0), _r0), _multiply(climb_8, omega_1, _r2), _r2) + _multiply(climb_9, omega_0, _r0)
-    _s7 = _add(_add(_add(_add(_add(_multiply(along_0, sine_9, _r0), _multiply(along_1, sine_8, _r2), _r2), _multiply(along_2, sine_7, _r0), _r0), _multiply(along_3, sine_6, _r2), _r2), _multiply(along_4, sine_5, _r0), _r0), _multiply(along_5, sine_4, _r2), _r2)
-    _s8 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_9, _r0), _multiply(cosine_1, turn_rate_8, _r1), _r1), _multiply(cosine_2, turn_rate_7, _r0), _r0), _multiply(cosine_3, turn_rate_6, _r1), _r1), _multiply(cosine_4, turn_rate_5, _r0), _r0), _multiply(cosine_5, turn_rate_4, _r1), _r1)
-    _s9 = _multiply(_k56, _add(_add(_add(_add(_s8, _multiply(cosine_6, turn_rate_3, _r0), _r0), _multiply(cosine_7, turn_rate_2, _r1), _r1), _multiply(cosine_8, turn_rate_1, _r0), _r0), _multiply(cosine_9, turn_rate_0, _r1), _r1), _r1)
-    _s10 = _add(_add(_add(_add(_s7, _multiply(along_6, sine_3, _r0), _r0), _multiply(along_7, sine_2, _r2), _r2), _multiply(along_8, sine_1, _r0), _r0), _multiply(along_9, sine_0, _r2), _r2) - _s9
-    _s11 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_9, _r1), _multiply(along_1, cosine_8, _r2), _r2), _multiply(along_2, cosine_7, _r1), _r1), _multiply(along_3, cosine_6, _r2), _r2), _multiply(along_4, cosine_5, _r1), _r1), _multiply(along_5, cosine_4, _r2), _r2)
-    _s12 = _add(_add(_add(_s11, _multiply(along_6, cosine_3, _r1), _r1), _multiply(along_7, cosine_2, _r2), _r2), _multiply(along_8, cosine_1, _r1), _r1) + _multiply(along_9, cosine_0, _r2)
-    _s13 = _add(_add(_add(_add(_multiply(_multiply(_k23, climb_0, _r2), climb_9, _r2), _multiply(_multiply(_k23, climb_1, _r1), climb_8, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r2), climb_7, _r2), _r2), _multiply(_multiply(_k23, climb_3, _r1), climb_6, _r1), _r1), _multiply(_multiply(_k23, climb_4, _r2), climb_5, _r2), _r2)
-    _s14 = _add(_add(_add(_add(_add(_multiply(omega_0, _s12, _r1), _multiply(omega_1, pressed_8, _r0), _r0), _multiply(omega_2, pressed_7, _r1), _r1), _multiply(omega_3, pressed_6, _r0), _r0), _multiply(omega_4, pressed_5, _r1), _r1), _multiply(omega_5, pressed_4, _r0), _r0)
-    _s15 = _subtract(_multiply(p_gravity, sine_9, _r1), _multiply(_s0, _s13, _r2), _r2) - _add(_add(_add(_add(_s14, _multiply(omega_6, pressed_3, _r1), _r1), _multiply(omega_7, pressed_2, _r0), _r0), _multiply(omega_8, pressed_1, _r1), _r1), _multiply(pressed_0, _s4, _r0), _r0)
-    _s16 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_9, _r0), _multiply(climb_1, sine_8, _r2), _r2), _multiply(climb_2, sine_7, _r0), _r0), _multiply(climb_3, sine_6, _r2), _r2), _multiply(climb_4, sine_5, _r0), _r0), _multiply(climb_5, sine_4, _r2), _r2)
-    _s17 = _multiply(_k210, _add(_add(_add(_add(_s16, _multiply(climb_6, sine_3, _r0), _r0), _multiply(climb_7, sine_2, _r2), _r2), _multiply(climb_8, sine_1, _r0), _r0), _multiply(climb_9, sine_0, _r2), _r2), _r2)
-    _s18 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_9, _r0), _multiply(climb_1, cosine_8, _r1), _r1), _multiply(climb_2, cosine_7, _r0), _r0), _multiply(climb_3, cosine_6, _r1), _r1), _multiply(climb_4, cosine_5, _r0), _r0), _multiply(climb_5, cosine_4, _r1), _r1)
-    _s19 = _k210 * _add(_add(_add(_add(_s18, _multiply(climb_6, cosine_3, _r0), _r0), _multiply(climb_7, cosine_2, _r1), _r1), _multiply(climb_8, cosine_1, _r0), _r0), _multiply(climb_9, cosine_0, _r1), _r1)
-    _s20 = _add(_add(_add(_add(_add(_multiply(omega_0, _s10, _r1), _multiply(omega_1, tilted_8, _r0), _r0), _multiply(omega_2, tilted_7, _r1), _r1), _multiply(omega_3, tilted_6, _r0), _r0), _multiply(omega_4, tilted_5, _r1), _r1), _multiply(omega_5, tilted_4, _r0), _r0)
-    _s21 = _add(_multiply(_multiply(_k209, cosine_9, _r1), p_gravity, _r1), _add(_add(_add(_add(_s20, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r0), _r0), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s4, _r0), _r0), _r0)
-    _s22 = _add(_add(_add(_add(_add(_multiply(around_0, sine_9, _r1), _multiply(around_1, sine_8, _r3), _r3), _multiply(around_2, sine_7, _r1), _r1), _multiply(around_3, sine_6, _r3), _r3), _multiply(around_4, sine_5, _r1), _r1), _multiply(around_5, sine_4, _r3), _r3)
-    _s23 = _multiply(_s0, _add(_add(_add(_add(_s22, _multiply(around_6, sine_3, _r1), _r1), _multiply(around_7, sine_2, _r3), _r3), _multiply(around_8, sine_1, _r1), _r1), _multiply(sine_0, _s6, _r3), _r3), _r3)
-    _s24 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_9, _r1), _multiply(climb_1, turn_rate_8, _r4), _r4), _multiply(climb_2, turn_rate_7, _r1), _r1), _multiply(climb_3, turn_rate_6, _r4), _r4), _multiply(climb_4, turn_rate_5, _r1), _r1), _multiply(climb_5, turn_rate_4, _r4), _r4)
-    _s25 = _multiply(_k56, _add(_add(_add(_add(_s24, _multiply(climb_6, turn_rate_3, _r1), _r1), _multiply(climb_7, turn_rate_2, _r4), _r4), _multiply(climb_8, turn_rate_1, _r1), _r1), _multiply(climb_9, turn_rate_0, _r4), _r4), _r4)
-    _s26 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_9, _r1), _multiply(omega_1, sin_8, _r5), _r5), _multiply(omega_2, sin_7, _r1), _r1), _multiply(omega_3, sin_6, _r5), _r5), _multiply(omega_4, sin_5, _r1), _r1), _multiply(omega_5, sin_4, _r5), _r5)
-    _s27 = _multiply(_k210, _add(_add(_add(_add(_s26, _multiply(omega_6, sin_3, _r1), _r1), _multiply(omega_7, sin_2, _r5), _r5), _multiply(omega_8, sin_1, _r1), _r1), _multiply(sin_0, _s4, _r5), _r5), _r5)
-    _s28 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r1), _multiply(cos_1, omega_8, _r6), _r6), _multiply(cos_2, omega_7, _r1), _r1), _multiply(cos_3, omega_6, _r6), _r6), _multiply(cos_4, omega_5, _r1), _r1), _multiply(cos_5, omega_4, _r6), _r6)
-    _s29 = _k210 * _add(_add(_add(_add(_s28, _multiply(cos_6, omega_3, _r1), _r1), _multiply(cos_7, omega_2, _r6), _r6), _multiply(cos_8, omega_1, _r1), _r1), _multiply(cos_9, omega_0, _r6), _r6)
-    return _s2, _s4, _s6, _s10, _s12, _s15, -_s17, _s19, -_divide(_multiply(_k210, _s21, _r0), _s0, _r0), _k210 * _subtract(_s23, _s25, _r4), (0.1 * p_ring_radius) * _s6, -_s27, _s29
+    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, omega_8, _r0), _multiply(cosine_2, omega_7, _r1), _r1), _multiply(cosine_3, omega_6, _r0), _r0), _multiply(cosine_4, omega_5, _r1), _r1), _multiply(cosine_5, omega_4, _r0), _r0), _multiply(cosine_6, omega_3, _r1), _r1)
+    _s2 = _subtract(along_9, _multiply(_s0, _add(_add(_add(_s1, _multiply(cosine_7, omega_2, _r0), _r0), _multiply(cosine_8, omega_1, _r1), _r1), _multiply(cosine_9, omega_0, _r0), _r0), _r0), _r0)
+    _s3 = near_0 * _s2
+    _s4 = _add(_add(_add(_add(_add(_multiply(climb_0, _s3, _r0), _multiply(climb_1, omega_8, _r1), _r1), _multiply(climb_2, omega_7, _r0), _r0), _multiply(climb_3, omega_6, _r1), _r1), _multiply(climb_4, omega_5, _r0), _r0), _multiply(climb_5, omega_4, _r1), _r1)
+    _s5 = _add(_add(_add(_s4, _multiply(climb_6, omega_3, _r0), _r0), _multiply(climb_7, omega_2, _r1), _r1), _multiply(climb_8, omega_1, _r0), _r0) + _multiply(climb_9, omega_0, _r1)
+    _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_9, _r1), _multiply(climb_1, sine_8, _r0), _r0), _multiply(climb_2, sine_7, _r1), _r1), _multiply(climb_3, sine_6, _r0), _r0), _multiply(climb_4, sine_5, _r1), _r1), _multiply(climb_5, sine_4, _r0), _r0)
+    _s7 = _multiply(_k185, _add(_add(_add(_add(_s6, _multiply(climb_6, sine_3, _r1), _r1), _multiply(climb_7, sine_2, _r0), _r0), _multiply(climb_8, sine_1, _r1), _r1), _multiply(climb_9, sine_0, _r0), _r0), _r0)
+    _s8 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_9, _r1), _multiply(climb_1, cosine_8, _r2), _r2), _multiply(climb_2, cosine_7, _r1), _r1), _multiply(climb_3, cosine_6, _r2), _r2), _multiply(climb_4, cosine_5, _r1), _r1), _multiply(climb_5, cosine_4, _r2), _r2)
+    _s9 = _k185 * _add(_add(_add(_add(_s8, _multiply(climb_6, cosine_3, _r1), _r1), _multiply(climb_7, cosine_2, _r2), _r2), _multiply(climb_8, cosine_1, _r1), _r1), _multiply(climb_9, cosine_0, _r2), _r2)
+    _s10 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_9, _r2), _multiply(omega_1, tilted_8, _r1), _r1), _multiply(omega_2, tilted_7, _r2), _r2), _multiply(omega_3, tilted_6, _r1), _r1), _multiply(omega_4, tilted_5, _r2), _r2), _multiply(omega_5, tilted_4, _r1), _r1)
+    _s11 = _add(_multiply(_multiply(_k223, cosine_9, _r2), p_gravity, _r2), _add(_add(_add(_add(_s10, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r1), _r1), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s3, _r1), _r1), _r1)
+    _s12 = _add(_add(_add(_add(_add(_multiply(around_0, sine_9, _r2), _multiply(around_1, sine_8, _r3), _r3), _multiply(around_2, sine_7, _r2), _r2), _multiply(around_3, sine_6, _r3), _r3), _multiply(around_4, sine_5, _r2), _r2), _multiply(around_5, sine_4, _r3), _r3)
+    _s13 = _multiply(_s0, _add(_add(_add(_add(_s12, _multiply(around_6, sine_3, _r2), _r2), _multiply(around_7, sine_2, _r3), _r3), _multiply(around_8, sine_1, _r2), _r2), _multiply(sine_0, _s5, _r3), _r3), _r3)
+    _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_9, _r2), _multiply(climb_1, turn_rate_8, _r4), _r4), _multiply(climb_2, turn_rate_7, _r2), _r2), _multiply(climb_3, turn_rate_6, _r4), _r4), _multiply(climb_4, turn_rate_5, _r2), _r2), _multiply(climb_5, turn_rate_4, _r4), _r4)
+    _s15 = _multiply(_k60, _add(_add(_add(_add(_s14, _multiply(climb_6, turn_rate_3, _r2), _r2), _multiply(climb_7, turn_rate_2, _r4), _r4), _multiply(climb_8, turn_rate_1, _r2), _r2), _multiply(climb_9, turn_rate_0, _r4), _r4), _r4)
+    _s16 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_9, _r2), _multiply(around_1, cosine_8, _r5), _r5), _multiply(around_2, cosine_7, _r2), _r2), _multiply(around_3, cosine_6, _r5), _r5), _multiply(around_4, cosine_5, _r2), _r2), _multiply(around_5, cosine_4, _r5), _r5)
+    _s17 = _multiply(0.6 * p_ring_radius, _add(_add(_add(_add(_s16, _multiply(around_6, cosine_3, _r2), _r2), _multiply(around_7, cosine_2, _r5), _r5), _multiply(around_8, cosine_1, _r2), _r2), _multiply(cosine_0, _s5, _r5), _r5), _r5)
+    return _s3, _s5, -_s7, _s9, -_multiply(_multiply(_k185, per_reach, _r0), _s11, _r0), _k185 * _subtract(_s13, _s15, _r4), (0.1 * p_ring_radius) * _s5, _k185 * _add(_s17, _multiply(_s0, _s5, _r4), _r4)
 
 
-def ring_round_10(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_10(along_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 11, from those before.
 
-    Routh's equations. 336 operations: 146 additions, 4 subtractions, 181 multiplications, 1 division, 4 negations.
-    Returns near_10, omega_10, around_10, tilted_10, pressed_10, force_10, cosine_11, sine_11, climb_11, along_11, turn_rate_11, cos_11, sin_11.
+    Routh's equations. 190 operations: 82 additions, 2 subtractions, 104 multiplications, 2 negations.
+    Returns omega_10, around_10, cosine_11, sine_11, climb_11, along_11, turn_rate_11, tilted_11.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_9, _r0), _multiply(cosine_10, near_0, _r1), _r1), _multiply(cosine_2, near_8, _r0), _r0), _multiply(cosine_3, near_7, _r1), _r1), _multiply(cosine_4, near_6, _r0), _r0), _multiply(cosine_5, near_5, _r1), _r1)
-    _s2 = _multiply(_multiply(near_0, _s0, _r0), _add(_add(_add(_add(_s1, _multiply(cosine_6, near_4, _r2), _r2), _multiply(cosine_7, near_3, _r1), _r1), _multiply(cosine_8, near_2, _r2), _r2), _multiply(cosine_9, near_1, _r1), _r1), _r0)
-    _s3 = -_s2
-    _s4 = _add(_add(_add(_add(_add(_multiply(along_0, _s3, _r0), _multiply(along_1, near_9, _r1), _r1), _multiply(along_10, near_0, _r0), _r0), _multiply(along_2, near_8, _r1), _r1), _multiply(along_3, near_7, _r0), _r0), _multiply(along_4, near_6, _r1), _r1)
-    _s5 = _add(_add(_add(_add(_s4, _multiply(along_5, near_5, _r0), _r0), _multiply(along_6, near_4, _r1), _r1), _multiply(along_7, near_3, _r0), _r0), _multiply(along_8, near_2, _r1), _r1) + _multiply(along_9, near_1, _r0)
-    _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, _s5, _r0), _multiply(climb_1, omega_9, _r1), _r1), _multiply(climb_10, omega_0, _r0), _r0), _multiply(climb_2, omega_8, _r1), _r1), _multiply(climb_3, omega_7, _r0), _r0), _multiply(climb_4, omega_6, _r1), _r1)
-    _s7 = _add(_add(_add(_add(_s6, _multiply(climb_5, omega_5, _r0), _r0), _multiply(climb_6, omega_4, _r1), _r1), _multiply(climb_7, omega_3, _r0), _r0), _multiply(climb_8, omega_2, _r1), _r1) + _multiply(climb_9, omega_1, _r0)
-    _s8 = _add(_add(_add(_add(_add(_multiply(along_0, sine_10, _r0), _multiply(along_1, sine_9, _r1), _r1), _multiply(along_10, sine_0, _r0), _r0), _multiply(along_2, sine_8, _r1), _r1), _multiply(along_3, sine_7, _r0), _r0), _multiply(along_4, sine_6, _r1), _r1)
-    _s9 = _add(_add(_add(_add(_add(_s8, _multiply(along_5, sine_5, _r0), _r0), _multiply(along_6, sine_4, _r1), _r1), _multiply(along_7, sine_3, _r0), _r0), _multiply(along_8, sine_2, _r1), _r1), _multiply(along_9, sine_1, _r0), _r0)
-    _s10 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_10, _r1), _multiply(cosine_1, turn_rate_9, _r2), _r2), _multiply(cosine_10, turn_rate_0, _r1), _r1), _multiply(cosine_2, turn_rate_8, _r2), _r2), _multiply(cosine_3, turn_rate_7, _r1), _r1), _multiply(cosine_4, turn_rate_6, _r2), _r2)
-    _s11 = _add(_add(_add(_add(_add(_s10, _multiply(cosine_5, turn_rate_5, _r1), _r1), _multiply(cosine_6, turn_rate_4, _r2), _r2), _multiply(cosine_7, turn_rate_3, _r1), _r1), _multiply(cosine_8, turn_rate_2, _r2), _r2), _multiply(cosine_9, turn_rate_1, _r1), _r1)
-    _s12 = _s9 - _multiply(_k56, _s11, _r1)
-    _s13 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_10, _r1), _multiply(along_1, cosine_9, _r0), _r0), _multiply(along_10, cosine_0, _r1), _r1), _multiply(along_2, cosine_8, _r0), _r0), _multiply(along_3, cosine_7, _r1), _r1), _multiply(along_4, cosine_6, _r0), _r0)
-    _s14 = _add(_add(_add(_add(_s13, _multiply(along_5, cosine_5, _r1), _r1), _multiply(along_6, cosine_4, _r0), _r0), _multiply(along_7, cosine_3, _r1), _r1), _multiply(along_8, cosine_2, _r0), _r0) + _multiply(along_9, cosine_1, _r1)
-    _s15 = _add(_add(_add(_add(_multiply(climb_5, climb_5, _r1), _multiply(_multiply(_k23, climb_0, _r0), climb_10, _r0), _r0), _multiply(_multiply(_k23, climb_1, _r1), climb_9, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r0), climb_8, _r0), _r0), _multiply(_multiply(_k23, climb_3, _r1), climb_7, _r1), _r1)
-    _s16 = _add(_add(_add(_add(_add(_multiply(omega_0, _s14, _r0), _multiply(omega_1, pressed_9, _r2), _r2), _multiply(omega_2, pressed_8, _r0), _r0), _multiply(omega_3, pressed_7, _r2), _r2), _multiply(omega_4, pressed_6, _r0), _r0), _multiply(omega_5, pressed_5, _r2), _r2)
-    _s17 = _add(_add(_add(_add(_add(_s16, _multiply(omega_6, pressed_4, _r0), _r0), _multiply(omega_7, pressed_3, _r2), _r2), _multiply(omega_8, pressed_2, _r0), _r0), _multiply(omega_9, pressed_1, _r2), _r2), _multiply(pressed_0, _s5, _r0), _r0)
-    _s18 = _subtract(_multiply(p_gravity, sine_10, _r2), _multiply(_s0, _add(_s15, _multiply(_multiply(_k23, climb_4, _r3), climb_6, _r3), _r3), _r3), _r3) - _s17
-    _s19 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_10, _r0), _multiply(climb_1, sine_9, _r3), _r3), _multiply(climb_10, sine_0, _r0), _r0), _multiply(climb_2, sine_8, _r3), _r3), _multiply(climb_3, sine_7, _r0), _r0), _multiply(climb_4, sine_6, _r3), _r3)
-    _s20 = _add(_add(_add(_add(_add(_s19, _multiply(climb_5, sine_5, _r0), _r0), _multiply(climb_6, sine_4, _r3), _r3), _multiply(climb_7, sine_3, _r0), _r0), _multiply(climb_8, sine_2, _r3), _r3), _multiply(climb_9, sine_1, _r0), _r0)
-    _s21 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_10, _r3), _multiply(climb_1, cosine_9, _r2), _r2), _multiply(climb_10, cosine_0, _r3), _r3), _multiply(climb_2, cosine_8, _r2), _r2), _multiply(climb_3, cosine_7, _r3), _r3), _multiply(climb_4, cosine_6, _r2), _r2)
-    _s22 = _add(_add(_add(_add(_add(_s21, _multiply(climb_5, cosine_5, _r3), _r3), _multiply(climb_6, cosine_4, _r2), _r2), _multiply(climb_7, cosine_3, _r3), _r3), _multiply(climb_8, cosine_2, _r2), _r2), _multiply(climb_9, cosine_1, _r3), _r3)
-    _s23 = _add(_add(_add(_add(_add(_multiply(omega_0, _s12, _r2), _multiply(omega_1, tilted_9, _r1), _r1), _multiply(omega_2, tilted_8, _r2), _r2), _multiply(omega_3, tilted_7, _r1), _r1), _multiply(omega_4, tilted_6, _r2), _r2), _multiply(omega_5, tilted_5, _r1), _r1)
-    _s24 = _add(_add(_add(_add(_add(_s23, _multiply(omega_6, tilted_4, _r2), _r2), _multiply(omega_7, tilted_3, _r1), _r1), _multiply(omega_8, tilted_2, _r2), _r2), _multiply(omega_9, tilted_1, _r1), _r1), _multiply(tilted_0, _s5, _r2), _r2)
-    _s25 = -_divide(_multiply(_k212, _add(_multiply(_multiply(_k209, cosine_10, _r1), p_gravity, _r1), _s24, _r2), _r2), _s0, _r2)
-    _s26 = _add(_add(_add(_add(_add(_multiply(around_0, sine_10, _r2), _multiply(around_1, sine_9, _r1), _r1), _multiply(around_2, sine_8, _r2), _r2), _multiply(around_3, sine_7, _r1), _r1), _multiply(around_4, sine_6, _r2), _r2), _multiply(around_5, sine_5, _r1), _r1)
-    _s27 = _add(_add(_add(_add(_add(_s26, _multiply(around_6, sine_4, _r2), _r2), _multiply(around_7, sine_3, _r1), _r1), _multiply(around_8, sine_2, _r2), _r2), _multiply(around_9, sine_1, _r1), _r1), _multiply(sine_0, _s7, _r2), _r2)
-    _s28 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_10, _r1), _multiply(climb_1, turn_rate_9, _r4), _r4), _multiply(climb_10, turn_rate_0, _r1), _r1), _multiply(climb_2, turn_rate_8, _r4), _r4), _multiply(climb_3, turn_rate_7, _r1), _r1), _multiply(climb_4, turn_rate_6, _r4), _r4)
-    _s29 = _add(_add(_add(_add(_add(_s28, _multiply(climb_5, turn_rate_5, _r1), _r1), _multiply(climb_6, turn_rate_4, _r4), _r4), _multiply(climb_7, turn_rate_3, _r1), _r1), _multiply(climb_8, turn_rate_2, _r4), _r4), _multiply(climb_9, turn_rate_1, _r1), _r1)
-    _s30 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_10, _r4), _multiply(omega_1, sin_9, _r5), _r5), _multiply(omega_2, sin_8, _r4), _r4), _multiply(omega_3, sin_7, _r5), _r5), _multiply(omega_4, sin_6, _r4), _r4), _multiply(omega_5, sin_5, _r5), _r5)
-    _s31 = _add(_add(_add(_add(_add(_s30, _multiply(omega_6, sin_4, _r4), _r4), _multiply(omega_7, sin_3, _r5), _r5), _multiply(omega_8, sin_2, _r4), _r4), _multiply(omega_9, sin_1, _r5), _r5), _multiply(sin_0, _s5, _r4), _r4)
-    _s32 = _add(_add(_add(_add(_add(_multiply(cos_0, _s5, _r5), _multiply(cos_1, omega_9, _r6), _r6), _multiply(cos_10, omega_0, _r5), _r5), _multiply(cos_2, omega_8, _r6), _r6), _multiply(cos_3, omega_7, _r5), _r5), _multiply(cos_4, omega_6, _r6), _r6)
-    _s33 = _add(_add(_add(_add(_add(_s32, _multiply(cos_5, omega_5, _r5), _r5), _multiply(cos_6, omega_4, _r6), _r6), _multiply(cos_7, omega_3, _r5), _r5), _multiply(cos_8, omega_2, _r6), _r6), _multiply(cos_9, omega_1, _r5), _r5)
-    return _s3, _s5, _s7, _s12, _s14, _s18, -_multiply(_k212, _s20, _r0), _k212 * _s22, _s25, _k212 * _subtract(_multiply(_s0, _s27, _r2), _multiply(_k56, _s29, _r1), _r1), (0.09090909090909091 * p_ring_radius) * _s7, -_multiply(_k212, _s31, _r4), _k212 * _s33
+    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, omega_9, _r0), _multiply(cosine_10, omega_0, _r1), _r1), _multiply(cosine_2, omega_8, _r0), _r0), _multiply(cosine_3, omega_7, _r1), _r1), _multiply(cosine_4, omega_6, _r0), _r0), _multiply(cosine_5, omega_5, _r1), _r1)
+    _s2 = _multiply(_s0, _add(_add(_add(_add(_s1, _multiply(cosine_6, omega_4, _r0), _r0), _multiply(cosine_7, omega_3, _r1), _r1), _multiply(cosine_8, omega_2, _r0), _r0), _multiply(cosine_9, omega_1, _r1), _r1), _r1)
+    _s3 = near_0 * _subtract(along_10, _s2, _r1)
+    _s4 = _add(_add(_add(_add(_add(_multiply(climb_0, _s3, _r1), _multiply(climb_1, omega_9, _r0), _r0), _multiply(climb_10, omega_0, _r1), _r1), _multiply(climb_2, omega_8, _r0), _r0), _multiply(climb_3, omega_7, _r1), _r1), _multiply(climb_4, omega_6, _r0), _r0)
+    _s5 = _add(_add(_add(_add(_s4, _multiply(climb_5, omega_5, _r1), _r1), _multiply(climb_6, omega_4, _r0), _r0), _multiply(climb_7, omega_3, _r1), _r1), _multiply(climb_8, omega_2, _r0), _r0) + _multiply(climb_9, omega_1, _r1)
+    _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_10, _r1), _multiply(climb_1, sine_9, _r0), _r0), _multiply(climb_10, sine_0, _r1), _r1), _multiply(climb_2, sine_8, _r0), _r0), _multiply(climb_3, sine_7, _r1), _r1), _multiply(climb_4, sine_6, _r0), _r0)
+    _s7 = _add(_add(_add(_add(_add(_s6, _multiply(climb_5, sine_5, _r1), _r1), _multiply(climb_6, sine_4, _r0), _r0), _multiply(climb_7, sine_3, _r1), _r1), _multiply(climb_8, sine_2, _r0), _r0), _multiply(climb_9, sine_1, _r1), _r1)
+    _s8 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_10, _r0), _multiply(climb_1, cosine_9, _r2), _r2), _multiply(climb_10, cosine_0, _r0), _r0), _multiply(climb_2, cosine_8, _r2), _r2), _multiply(climb_3, cosine_7, _r0), _r0), _multiply(climb_4, cosine_6, _r2), _r2)
+    _s9 = _add(_add(_add(_add(_add(_s8, _multiply(climb_5, cosine_5, _r0), _r0), _multiply(climb_6, cosine_4, _r2), _r2), _multiply(climb_7, cosine_3, _r0), _r0), _multiply(climb_8, cosine_2, _r2), _r2), _multiply(climb_9, cosine_1, _r0), _r0)
+    _s10 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_10, _r2), _multiply(omega_1, tilted_9, _r3), _r3), _multiply(omega_2, tilted_8, _r2), _r2), _multiply(omega_3, tilted_7, _r3), _r3), _multiply(omega_4, tilted_6, _r2), _r2), _multiply(omega_5, tilted_5, _r3), _r3)
+    _s11 = _add(_add(_add(_add(_add(_s10, _multiply(omega_6, tilted_4, _r2), _r2), _multiply(omega_7, tilted_3, _r3), _r3), _multiply(omega_8, tilted_2, _r2), _r2), _multiply(omega_9, tilted_1, _r3), _r3), _multiply(tilted_0, _s3, _r2), _r2)
+    _s12 = _add(_add(_add(_add(_add(_multiply(around_0, sine_10, _r3), _multiply(around_1, sine_9, _r4), _r4), _multiply(around_2, sine_8, _r3), _r3), _multiply(around_3, sine_7, _r4), _r4), _multiply(around_4, sine_6, _r3), _r3), _multiply(around_5, sine_5, _r4), _r4)
+    _s13 = _add(_add(_add(_add(_add(_s12, _multiply(around_6, sine_4, _r3), _r3), _multiply(around_7, sine_3, _r4), _r4), _multiply(around_8, sine_2, _r3), _r3), _multiply(around_9, sine_1, _r4), _r4), _multiply(sine_0, _s5, _r3), _r3)
+    _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_10, _r4), _multiply(climb_1, turn_rate_9, _r5), _r5), _multiply(climb_10, turn_rate_0, _r4), _r4), _multiply(climb_2, turn_rate_8, _r5), _r5), _multiply(climb_3, turn_rate_7, _r4), _r4), _multiply(climb_4, turn_rate_6, _r5), _r5)
+    _s15 = _add(_add(_add(_add(_add(_s14, _multiply(climb_5, turn_rate_5, _r4), _r4), _multiply(climb_6, turn_rate_4, _r5), _r5), _multiply(climb_7, turn_rate_3, _r4), _r4), _multiply(climb_8, turn_rate_2, _r5), _r5), _multiply(climb_9, turn_rate_1, _r4), _r4)
+    _s16 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_10, _r5), _multiply(around_1, cosine_9, _r6), _r6), _multiply(around_2, cosine_8, _r5), _r5), _multiply(around_3, cosine_7, _r6), _r6), _multiply(around_4, cosine_6, _r5), _r5), _multiply(around_5, cosine_5, _r6), _r6)
+    _s17 = _add(_add(_add(_add(_add(_s16, _multiply(around_6, cosine_4, _r5), _r5), _multiply(around_7, cosine_3, _r6), _r6), _multiply(around_8, cosine_2, _r5), _r5), _multiply(around_9, cosine_1, _r6), _r6), _multiply(cosine_0, _s5, _r5), _r5)
+    return _s3, _s5, -_multiply(_k186, _s7, _r1), _k186 * _s9, -_multiply(_multiply(_k186, per_reach, _r0), _add(_multiply(_multiply(_k223, cosine_10, _r1), p_gravity, _r1), _s11, _r2), _r0), _k186 * _subtract(_multiply(_s0, _s13, _r3), _multiply(_k60, _s15, _r4), _r4), (0.09090909090909091 * p_ring_radius) * _s5, _k186 * _add(_multiply(0.6 * p_ring_radius, _s17, _r5), _multiply(_s0, _s5, _r4), _r4)
 
 
-def ring_round_11(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_10: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_11: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_10: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_10: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_11: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_round_11(along_11: Any, around_0: Any, around_1: Any, around_10: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_11: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The terms of order 12, from those before.
 
-    Routh's equations. 365 operations: 160 additions, 4 subtractions, 196 multiplications, 1 division, 4 negations.
-    Returns near_11, omega_11, around_11, tilted_11, pressed_11, force_11, cosine_12, sine_12, climb_12, along_12, turn_rate_12, cos_12, sin_12.
+    Routh's equations. 206 operations: 90 additions, 2 subtractions, 112 multiplications, 2 negations.
+    Returns omega_11, around_11, cosine_12, sine_12, climb_12, along_12, turn_rate_12, tilted_12.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, near_10, _r0), _multiply(cosine_10, near_1, _r1), _r1), _multiply(cosine_11, near_0, _r0), _r0), _multiply(cosine_2, near_9, _r1), _r1), _multiply(cosine_3, near_8, _r0), _r0), _multiply(cosine_4, near_7, _r1), _r1)
-    _s2 = _add(_add(_add(_add(_add(_s1, _multiply(cosine_5, near_6, _r0), _r0), _multiply(cosine_6, near_5, _r1), _r1), _multiply(cosine_7, near_4, _r0), _r0), _multiply(cosine_8, near_3, _r1), _r1), _multiply(cosine_9, near_2, _r0), _r0)
-    _s3 = -_multiply(_multiply(near_0, _s0, _r1), _s2, _r1)
-    _s4 = _add(_add(_add(_add(_add(_multiply(along_0, _s3, _r1), _multiply(along_1, near_10, _r0), _r0), _multiply(along_10, near_1, _r1), _r1), _multiply(along_11, near_0, _r0), _r0), _multiply(along_2, near_9, _r1), _r1), _multiply(along_3, near_8, _r0), _r0)
-    _s5 = _add(_add(_add(_add(_add(_s4, _multiply(along_4, near_7, _r1), _r1), _multiply(along_5, near_6, _r0), _r0), _multiply(along_6, near_5, _r1), _r1), _multiply(along_7, near_4, _r0), _r0), _multiply(along_8, near_3, _r1), _r1)
-    _s6 = _s5 + _multiply(along_9, near_2, _r0)
-    _s7 = _add(_add(_add(_add(_add(_multiply(climb_0, _s6, _r0), _multiply(climb_1, omega_10, _r1), _r1), _multiply(climb_10, omega_1, _r0), _r0), _multiply(climb_11, omega_0, _r1), _r1), _multiply(climb_2, omega_9, _r0), _r0), _multiply(climb_3, omega_8, _r1), _r1)
-    _s8 = _add(_add(_add(_add(_add(_s7, _multiply(climb_4, omega_7, _r0), _r0), _multiply(climb_5, omega_6, _r1), _r1), _multiply(climb_6, omega_5, _r0), _r0), _multiply(climb_7, omega_4, _r1), _r1), _multiply(climb_8, omega_3, _r0), _r0)
-    _s9 = _s8 + _multiply(climb_9, omega_2, _r1)
-    _s10 = _add(_add(_add(_add(_add(_multiply(along_0, sine_11, _r1), _multiply(along_1, sine_10, _r0), _r0), _multiply(along_10, sine_1, _r1), _r1), _multiply(along_11, sine_0, _r0), _r0), _multiply(along_2, sine_9, _r1), _r1), _multiply(along_3, sine_8, _r0), _r0)
-    _s11 = _add(_add(_add(_add(_add(_s10, _multiply(along_4, sine_7, _r1), _r1), _multiply(along_5, sine_6, _r0), _r0), _multiply(along_6, sine_5, _r1), _r1), _multiply(along_7, sine_4, _r0), _r0), _multiply(along_8, sine_3, _r1), _r1)
-    _s12 = _add(_add(_add(_add(_add(_multiply(cosine_0, turn_rate_11, _r0), _multiply(cosine_1, turn_rate_10, _r2), _r2), _multiply(cosine_10, turn_rate_1, _r0), _r0), _multiply(cosine_11, turn_rate_0, _r2), _r2), _multiply(cosine_2, turn_rate_9, _r0), _r0), _multiply(cosine_3, turn_rate_8, _r2), _r2)
-    _s13 = _add(_add(_add(_add(_add(_s12, _multiply(cosine_4, turn_rate_7, _r0), _r0), _multiply(cosine_5, turn_rate_6, _r2), _r2), _multiply(cosine_6, turn_rate_5, _r0), _r0), _multiply(cosine_7, turn_rate_4, _r2), _r2), _multiply(cosine_8, turn_rate_3, _r0), _r0)
-    _s14 = _add(_s11, _multiply(along_9, sine_2, _r2), _r2) - _multiply(_k56, _add(_s13, _multiply(cosine_9, turn_rate_2, _r1), _r1), _r1)
-    _s15 = _add(_add(_add(_add(_add(_multiply(along_0, cosine_11, _r1), _multiply(along_1, cosine_10, _r2), _r2), _multiply(along_10, cosine_1, _r1), _r1), _multiply(along_11, cosine_0, _r2), _r2), _multiply(along_2, cosine_9, _r1), _r1), _multiply(along_3, cosine_8, _r2), _r2)
-    _s16 = _add(_add(_add(_add(_add(_s15, _multiply(along_4, cosine_7, _r1), _r1), _multiply(along_5, cosine_6, _r2), _r2), _multiply(along_6, cosine_5, _r1), _r1), _multiply(along_7, cosine_4, _r2), _r2), _multiply(along_8, cosine_3, _r1), _r1)
-    _s17 = _s16 + _multiply(along_9, cosine_2, _r2)
-    _s18 = _add(_add(_add(_add(_multiply(_multiply(_k23, climb_0, _r2), climb_11, _r2), _multiply(_multiply(_k23, climb_1, _r1), climb_10, _r1), _r1), _multiply(_multiply(_k23, climb_2, _r2), climb_9, _r2), _r2), _multiply(_multiply(_k23, climb_3, _r1), climb_8, _r1), _r1), _multiply(_multiply(_k23, climb_4, _r2), climb_7, _r2), _r2)
-    _s19 = _add(_add(_add(_add(_add(_multiply(omega_0, _s17, _r1), _multiply(omega_1, pressed_10, _r0), _r0), _multiply(omega_10, pressed_1, _r1), _r1), _multiply(omega_2, pressed_9, _r0), _r0), _multiply(omega_3, pressed_8, _r1), _r1), _multiply(omega_4, pressed_7, _r0), _r0)
-    _s20 = _add(_add(_add(_add(_add(_s19, _multiply(omega_5, pressed_6, _r1), _r1), _multiply(omega_6, pressed_5, _r0), _r0), _multiply(omega_7, pressed_4, _r1), _r1), _multiply(omega_8, pressed_3, _r0), _r0), _multiply(omega_9, pressed_2, _r1), _r1)
-    _s21 = _subtract(_multiply(p_gravity, sine_11, _r0), _multiply(_s0, _add(_s18, _multiply(_multiply(_k23, climb_5, _r3), climb_6, _r3), _r3), _r3), _r3) - _add(_s20, _multiply(pressed_0, _s6, _r0), _r0)
-    _s22 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_11, _r0), _multiply(climb_1, sine_10, _r3), _r3), _multiply(climb_10, sine_1, _r0), _r0), _multiply(climb_11, sine_0, _r3), _r3), _multiply(climb_2, sine_9, _r0), _r0), _multiply(climb_3, sine_8, _r3), _r3)
-    _s23 = _add(_add(_add(_add(_add(_s22, _multiply(climb_4, sine_7, _r0), _r0), _multiply(climb_5, sine_6, _r3), _r3), _multiply(climb_6, sine_5, _r0), _r0), _multiply(climb_7, sine_4, _r3), _r3), _multiply(climb_8, sine_3, _r0), _r0)
-    _s24 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_11, _r3), _multiply(climb_1, cosine_10, _r1), _r1), _multiply(climb_10, cosine_1, _r3), _r3), _multiply(climb_11, cosine_0, _r1), _r1), _multiply(climb_2, cosine_9, _r3), _r3), _multiply(climb_3, cosine_8, _r1), _r1)
-    _s25 = _add(_add(_add(_add(_add(_s24, _multiply(climb_4, cosine_7, _r3), _r3), _multiply(climb_5, cosine_6, _r1), _r1), _multiply(climb_6, cosine_5, _r3), _r3), _multiply(climb_7, cosine_4, _r1), _r1), _multiply(climb_8, cosine_3, _r3), _r3)
-    _s26 = _add(_add(_add(_add(_add(_multiply(omega_0, _s14, _r1), _multiply(omega_1, tilted_10, _r2), _r2), _multiply(omega_10, tilted_1, _r1), _r1), _multiply(omega_2, tilted_9, _r2), _r2), _multiply(omega_3, tilted_8, _r1), _r1), _multiply(omega_4, tilted_7, _r2), _r2)
-    _s27 = _add(_add(_add(_add(_add(_s26, _multiply(omega_5, tilted_6, _r1), _r1), _multiply(omega_6, tilted_5, _r2), _r2), _multiply(omega_7, tilted_4, _r1), _r1), _multiply(omega_8, tilted_3, _r2), _r2), _multiply(omega_9, tilted_2, _r1), _r1)
-    _s28 = -_divide(_multiply(_k214, _add(_multiply(_multiply(_k209, cosine_11, _r2), p_gravity, _r2), _add(_s27, _multiply(tilted_0, _s6, _r4), _r4), _r4), _r4), _s0, _r4)
-    _s29 = _add(_add(_add(_add(_add(_multiply(around_0, sine_11, _r4), _multiply(around_1, sine_10, _r2), _r2), _multiply(around_10, sine_1, _r4), _r4), _multiply(around_2, sine_9, _r2), _r2), _multiply(around_3, sine_8, _r4), _r4), _multiply(around_4, sine_7, _r2), _r2)
-    _s30 = _add(_add(_add(_add(_add(_s29, _multiply(around_5, sine_6, _r4), _r4), _multiply(around_6, sine_5, _r2), _r2), _multiply(around_7, sine_4, _r4), _r4), _multiply(around_8, sine_3, _r2), _r2), _multiply(around_9, sine_2, _r4), _r4)
-    _s31 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_11, _r2), _multiply(climb_1, turn_rate_10, _r1), _r1), _multiply(climb_10, turn_rate_1, _r2), _r2), _multiply(climb_11, turn_rate_0, _r1), _r1), _multiply(climb_2, turn_rate_9, _r2), _r2), _multiply(climb_3, turn_rate_8, _r1), _r1)
-    _s32 = _add(_add(_add(_add(_add(_s31, _multiply(climb_4, turn_rate_7, _r2), _r2), _multiply(climb_5, turn_rate_6, _r1), _r1), _multiply(climb_6, turn_rate_5, _r2), _r2), _multiply(climb_7, turn_rate_4, _r1), _r1), _multiply(climb_8, turn_rate_3, _r2), _r2)
-    _s33 = _add(_add(_add(_add(_add(_multiply(omega_0, sin_11, _r1), _multiply(omega_1, sin_10, _r5), _r5), _multiply(omega_10, sin_1, _r1), _r1), _multiply(omega_2, sin_9, _r5), _r5), _multiply(omega_3, sin_8, _r1), _r1), _multiply(omega_4, sin_7, _r5), _r5)
-    _s34 = _add(_add(_add(_add(_add(_s33, _multiply(omega_5, sin_6, _r1), _r1), _multiply(omega_6, sin_5, _r5), _r5), _multiply(omega_7, sin_4, _r1), _r1), _multiply(omega_8, sin_3, _r5), _r5), _multiply(omega_9, sin_2, _r1), _r1)
-    _s35 = _add(_add(_add(_add(_add(_multiply(cos_0, _s6, _r5), _multiply(cos_1, omega_10, _r6), _r6), _multiply(cos_10, omega_1, _r5), _r5), _multiply(cos_11, omega_0, _r6), _r6), _multiply(cos_2, omega_9, _r5), _r5), _multiply(cos_3, omega_8, _r6), _r6)
-    _s36 = _add(_add(_add(_add(_add(_s35, _multiply(cos_4, omega_7, _r5), _r5), _multiply(cos_5, omega_6, _r6), _r6), _multiply(cos_6, omega_5, _r5), _r5), _multiply(cos_7, omega_4, _r6), _r6), _multiply(cos_8, omega_3, _r5), _r5)
-    return _s3, _s6, _s9, _s14, _s17, _s21, -_multiply(_k214, _add(_s23, _multiply(climb_9, sine_2, _r6), _r6), _r6), _k214 * _add(_s25, _multiply(climb_9, cosine_2, _r6), _r6), _s28, _k214 * _subtract(_multiply(_s0, _add(_s30, _multiply(sine_0, _s9, _r6), _r6), _r6), _multiply(_k56, _add(_s32, _multiply(climb_9, turn_rate_2, _r4), _r4), _r4), _r4), (0.08333333333333333 * p_ring_radius) * _s9, -_multiply(_k214, _add(_s34, _multiply(sin_0, _s6, _r4), _r4), _r4), _k214 * _add(_s36, _multiply(cos_9, omega_2, _r4), _r4)
+    _s1 = _add(_add(_add(_add(_add(_multiply(cosine_1, omega_10, _r0), _multiply(cosine_10, omega_1, _r1), _r1), _multiply(cosine_11, omega_0, _r0), _r0), _multiply(cosine_2, omega_9, _r1), _r1), _multiply(cosine_3, omega_8, _r0), _r0), _multiply(cosine_4, omega_7, _r1), _r1)
+    _s2 = _add(_add(_add(_add(_add(_s1, _multiply(cosine_5, omega_6, _r0), _r0), _multiply(cosine_6, omega_5, _r1), _r1), _multiply(cosine_7, omega_4, _r0), _r0), _multiply(cosine_8, omega_3, _r1), _r1), _multiply(cosine_9, omega_2, _r0), _r0)
+    _s3 = near_0 * _subtract(along_11, _multiply(_s0, _s2, _r0), _r0)
+    _s4 = _add(_add(_add(_add(_add(_multiply(climb_0, _s3, _r0), _multiply(climb_1, omega_10, _r1), _r1), _multiply(climb_10, omega_1, _r0), _r0), _multiply(climb_11, omega_0, _r1), _r1), _multiply(climb_2, omega_9, _r0), _r0), _multiply(climb_3, omega_8, _r1), _r1)
+    _s5 = _add(_add(_add(_add(_add(_s4, _multiply(climb_4, omega_7, _r0), _r0), _multiply(climb_5, omega_6, _r1), _r1), _multiply(climb_6, omega_5, _r0), _r0), _multiply(climb_7, omega_4, _r1), _r1), _multiply(climb_8, omega_3, _r0), _r0)
+    _s6 = _s5 + _multiply(climb_9, omega_2, _r1)
+    _s7 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_11, _r1), _multiply(climb_1, sine_10, _r0), _r0), _multiply(climb_10, sine_1, _r1), _r1), _multiply(climb_11, sine_0, _r0), _r0), _multiply(climb_2, sine_9, _r1), _r1), _multiply(climb_3, sine_8, _r0), _r0)
+    _s8 = _add(_add(_add(_add(_add(_s7, _multiply(climb_4, sine_7, _r1), _r1), _multiply(climb_5, sine_6, _r0), _r0), _multiply(climb_6, sine_5, _r1), _r1), _multiply(climb_7, sine_4, _r0), _r0), _multiply(climb_8, sine_3, _r1), _r1)
+    _s9 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_11, _r0), _multiply(climb_1, cosine_10, _r2), _r2), _multiply(climb_10, cosine_1, _r0), _r0), _multiply(climb_11, cosine_0, _r2), _r2), _multiply(climb_2, cosine_9, _r0), _r0), _multiply(climb_3, cosine_8, _r2), _r2)
+    _s10 = _add(_add(_add(_add(_add(_s9, _multiply(climb_4, cosine_7, _r0), _r0), _multiply(climb_5, cosine_6, _r2), _r2), _multiply(climb_6, cosine_5, _r0), _r0), _multiply(climb_7, cosine_4, _r2), _r2), _multiply(climb_8, cosine_3, _r0), _r0)
+    _s11 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_11, _r2), _multiply(omega_1, tilted_10, _r3), _r3), _multiply(omega_10, tilted_1, _r2), _r2), _multiply(omega_2, tilted_9, _r3), _r3), _multiply(omega_3, tilted_8, _r2), _r2), _multiply(omega_4, tilted_7, _r3), _r3)
+    _s12 = _add(_add(_add(_add(_add(_s11, _multiply(omega_5, tilted_6, _r2), _r2), _multiply(omega_6, tilted_5, _r3), _r3), _multiply(omega_7, tilted_4, _r2), _r2), _multiply(omega_8, tilted_3, _r3), _r3), _multiply(omega_9, tilted_2, _r2), _r2)
+    _s13 = _add(_add(_add(_add(_add(_multiply(around_0, sine_11, _r3), _multiply(around_1, sine_10, _r4), _r4), _multiply(around_10, sine_1, _r3), _r3), _multiply(around_2, sine_9, _r4), _r4), _multiply(around_3, sine_8, _r3), _r3), _multiply(around_4, sine_7, _r4), _r4)
+    _s14 = _add(_add(_add(_add(_add(_s13, _multiply(around_5, sine_6, _r3), _r3), _multiply(around_6, sine_5, _r4), _r4), _multiply(around_7, sine_4, _r3), _r3), _multiply(around_8, sine_3, _r4), _r4), _multiply(around_9, sine_2, _r3), _r3)
+    _s15 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_11, _r4), _multiply(climb_1, turn_rate_10, _r5), _r5), _multiply(climb_10, turn_rate_1, _r4), _r4), _multiply(climb_11, turn_rate_0, _r5), _r5), _multiply(climb_2, turn_rate_9, _r4), _r4), _multiply(climb_3, turn_rate_8, _r5), _r5)
+    _s16 = _add(_add(_add(_add(_add(_s15, _multiply(climb_4, turn_rate_7, _r4), _r4), _multiply(climb_5, turn_rate_6, _r5), _r5), _multiply(climb_6, turn_rate_5, _r4), _r4), _multiply(climb_7, turn_rate_4, _r5), _r5), _multiply(climb_8, turn_rate_3, _r4), _r4)
+    _s17 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_11, _r5), _multiply(around_1, cosine_10, _r6), _r6), _multiply(around_10, cosine_1, _r5), _r5), _multiply(around_2, cosine_9, _r6), _r6), _multiply(around_3, cosine_8, _r5), _r5), _multiply(around_4, cosine_7, _r6), _r6)
+    _s18 = _add(_add(_add(_add(_add(_s17, _multiply(around_5, cosine_6, _r5), _r5), _multiply(around_6, cosine_5, _r6), _r6), _multiply(around_7, cosine_4, _r5), _r5), _multiply(around_8, cosine_3, _r6), _r6), _multiply(around_9, cosine_2, _r5), _r5)
+    return _s3, _s6, -_multiply(_k187, _add(_s8, _multiply(climb_9, sine_2, _r6), _r6), _r6), _k187 * _add(_s10, _multiply(climb_9, cosine_2, _r6), _r6), -_multiply(_multiply(_k187, per_reach, _r6), _add(_multiply(_multiply(_k223, cosine_11, _r0), p_gravity, _r0), _add(_s12, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k187 * _subtract(_multiply(_s0, _add(_s14, _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(_k60, _add(_s16, _multiply(climb_9, turn_rate_2, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k187 * _add(_multiply(0.6 * p_ring_radius, _add(_s18, _multiply(cosine_0, _s6, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
 
 
 def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4576,7 +4532,7 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s31 = _select(_s21 < _s30, _s30, _s21, _r16)
     _s32 = _add(_s22, _multiply(_s25, _subtract(_s23, _s24, _r12), _r12), _r12)
     _s33 = _sqrt(_select(_s32 < _k6, _k6, _s32, _r11), _r11)
-    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k122, _r17)
+    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k124, _r17)
     _s35 = _k6 < _s32
     _s36 = _select(_s35, _multiply(_s27, _subtract(vz, _s33, _r12), _r12), _s34, _r18)
     _s37 = _divide(_subtract(_s18, _s19, _r8), _s17, _r8)
@@ -4591,11 +4547,11 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s46 = _select(_s45 < _s44, _s44, _s45, _r21)
     _s47 = _result(_s46 < horizon, _s46, horizon, _r0)
     _s48 = _add(speed, _multiply(p_gravity, _s47, _r21), _r21)
-    _s49 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k59, _multiply(_s48, _s48, _r21), _r21), _r21)
+    _s49 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k63, _multiply(_s48, _s48, _r21), _r21), _r21)
     _s50 = _where(_s2 < _s7, _s7, _s2)
     _s51 = _add(_add(_add(_s12, extent, _r21), _absolute((_s5 + _s3)), _r21), _where(_s50 < _s6, _s6, _s50), _r21)
     _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k23, speed, _r22), _s27, _r22), _r22)
-    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k124, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k126, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
     return _result(_k6 < _s31, _s31, _k6, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k6 < _s43, _s43, _k6, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53
 
 
@@ -4613,17 +4569,17 @@ def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any
     _s4 = p_ball_radius + (0.0001220703125 * _where(_s0 < _s3, _s0, _s3))
     _s5 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s6 = _add(extent, _multiply(horizon, _s5, _r1), _r1)
-    _s7 = _multiply(_k33, _s6, _r2)
+    _s7 = _multiply(_k37, _s6, _r2)
     _s8 = _multiply(_k23, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k17, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_board_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
-    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k218, _s6, _r1), _r1), _s8, _r1)
+    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k226, _s6, _r1), _r1), _s8, _r1)
     _s12 = _add(_add((2.220446049250313e-16 * _absolute(p_board_bottom)) + (2.220446049250313e-16 * _absolute(p_board_top)), _s7, _r2), _s8, _r2)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k219, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k220, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k218, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k221, _s5, _r6)
-    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k33, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k227, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k228, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k226, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k229, _s5, _r6)
+    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k37, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
 
@@ -4717,17 +4673,17 @@ def backboard_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: 
     _s41 = _negative(_s31, _r11)
     _s42 = _s38 < _k6
     _s43 = _multiply(_k23, _s40, _r7)
-    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r10), _k8, _divide(_select(_s42, _s43, _multiply(_k60, _s38, _r10), _r5), _select(_s42, _negative(_s38, _r12), _select(_k6 < _s41, _s41, _k6, _r1), _r3), _r5), _r10)
+    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r10), _k8, _divide(_select(_s42, _s43, _multiply(_k64, _s38, _r10), _r5), _select(_s42, _negative(_s38, _r12), _select(_k6 < _s41, _s41, _k6, _r1), _r3), _r5), _r10)
     _s45 = _subtract(end, t, _r3)
     _s46 = _select(_s44 < _s45, _s44, _s45, _r1)
     _s47 = _add(_multiply(_add(_multiply(0.5 * _s32, _s46, _r11), _absolute(_s28, _r6), _r6), _s46, _r6), _s30, _r6)
-    _s48 = _add(_multiply(_k89, ceiling, _r2), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
+    _s48 = _add(_multiply(_k93, ceiling, _r2), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
     _s49 = _add(_multiply(_multiply(_k23, _s48, _r2), _s40, _r2), _multiply(_s38, _s38, _r9), _r9)
     _s50 = _sqrt(_s49, _r2)
     _s51 = _select(_k6 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r9), _r0), _select(_s42, _subtract(_s50, _s38, _r2), _select(_k6 < _s48, _s48, _k6, _r8), _r6), _r0), _k8, _r9)
     _s52 = _result(_s51 < _s46, _s51, _s46, _r0)
     _s53 = _negative(_add(rate_margin, _s29, _r6), _r6)
-    return _s27, _s29, _s31, _s52, t + _s52, _result(_k6 < _s53, _subtract(_multiply(_s53, _s53, _r9), _multiply(_multiply(_k25, ceiling, _r0), _add(margin, _s43, _r7), _r0), _r0), _s53, _r0)
+    return _s27, _s29, _s31, _s52, t + _s52, _result(_k6 < _s53, _subtract(_multiply(_s53, _s53, _r9), _multiply(_multiply(_k26, ceiling, _r0), _add(margin, _s43, _r7), _r0), _r0), _s53, _r0)
 
 
 def backboard_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach_y: Any, reach_z: Any, later_middle_x: Any, later_middle_y: Any, later_middle_z: Any, later_reach_x: Any, later_reach_y: Any, later_reach_z: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4781,13 +4737,13 @@ def backboard_beside(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
     _s10 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vz, _r0), _select(_s1 < _k6, _k6, _negative(vz, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k23, _subtract(_select(_s3 < _k6, _k6, vx, _r2), _select(_s4 < _k6, _k6, _negative(vx, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
     _s11 = _add(_s10, _multiply(_multiply(_k23, _subtract(_select(_s6 < _k6, _k6, vy, _r5), _select(_s7 < _k6, _k6, _negative(vy, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
-    return _s9 - p_ball_radius, _multiply(_k40, _s11, _r10) / _s9, 0.0
+    return _s9 - p_ball_radius, _multiply(_k44, _s11, _r10) / _s9, 0.0
 
 
 def backboard_closing(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, nx: Any, ny: Any, nz: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The distance, its rate and its second derivative, of a ball that rolls on something else.
 
-    derivatives of Table 2's distance. 117 operations: 15 additions, 17 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections.
+    derivatives of Table 2's distance. 115 operations: 16 additions, 16 subtractions, 33 multiplications, 1 division, 1 square root, 12 negations, 12 comparisons, 24 selections.
     Returns gap, nearing, swerve, facing.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
@@ -4800,24 +4756,26 @@ def backboard_closing(p_ball_radius: Any, p_board_bottom: Any, p_board_distance:
     _s6 = _subtract(y, p_board_half_width, _r5)
     _s7 = _negative(_add(p_board_half_width, y, _r7), _r7)
     _s8 = _subtract(_select(_s6 < _k6, _k6, _s6, _r8), _select(_s7 < _k6, _k6, _s7, _r9), _r9)
-    _s9 = _add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8)
-    _s10 = _sqrt(_s9, _r10)
-    _s11 = _s0 < _k6
-    _s12 = _s1 < _k6
-    _s13 = _subtract(_select(_s11, _k6, rolled_z, _r1), _select(_s12, _k6, _negative(rolled_z, _r0), _r11), _r11)
-    _s14 = _s3 < _k6
-    _s15 = _s4 < _k6
-    _s16 = _subtract(_select(_s14, _k6, rolled_x, _r4), _select(_s15, _k6, _negative(rolled_x, _r2), _r0), _r0)
-    _s17 = _s6 < _k6
-    _s18 = _s7 < _k6
-    _s19 = _subtract(_select(_s17, _k6, rolled_y, _r7), _select(_s18, _k6, _negative(rolled_y, _r5), _r2), _r2)
-    _s20 = _add(_add(_multiply(_multiply(_k23, _s13, _r5), _s2, _r5), _multiply(_multiply(_k23, _s16, _r7), _s5, _r7), _r7), _multiply(_multiply(_k23, _s19, _r5), _s8, _r5), _r5)
-    _s21 = _add(_multiply(_multiply(_k23, _subtract(_select(_s11, _k6, thrust_z, _r7), _select(_s12, _k6, _negative(thrust_z, _r4), _r1), _r1), _r1), _s2, _r1), _multiply(_k23, _multiply(_s13, _s13, _r11), _r11), _r11)
-    _s22 = _add(_multiply(_multiply(_k23, _subtract(_select(_s14, _k6, thrust_x, _r1), _select(_s15, _k6, _negative(thrust_x, _r4), _r7), _r7), _r7), _s5, _r7), _multiply(_k23, _multiply(_s16, _s16, _r0), _r0), _r0)
-    _s23 = _add(_multiply(_multiply(_k23, _subtract(_select(_s17, _k6, thrust_y, _r7), _select(_s18, _k6, _negative(thrust_y, _r4), _r1), _r1), _r1), _s8, _r1), _multiply(_k23, _multiply(_s19, _s19, _r2), _r2), _r2)
-    _s24 = _add(_multiply(_multiply(_k23, _subtract(_select(_s11, _k6, nz, _r1), _select(_s12, _k6, _negative(nz, _r4), _r7), _r7), _r7), _s2, _r7), _multiply(_multiply(_k23, _subtract(_select(_s14, _k6, nx, _r3), _select(_s15, _k6, _negative(nx, _r4), _r1), _r1), _r1), _s5, _r1), _r1)
-    _s25 = _add(_s24, _multiply(_multiply(_k23, _subtract(_select(_s17, _k6, ny, _r7), _select(_s18, _k6, _negative(ny, _r6), _r4), _r4), _r4), _s8, _r4), _r4)
-    return _s10 - p_ball_radius, _multiply(_k40, _s20, _r1) / _s10, _divide(_multiply(_k40, _add(_add(_s21, _s22, _r0), _s23, _r2), _r2), _s10, _r2) - _divide(_multiply(_k26, _multiply(_s20, _s20, _r5), _r5), _multiply(_s10, _s9, _r8), _r5), _multiply(_k40, _s25, _r4) / _s10
+    _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
+    _s10 = _s0 < _k6
+    _s11 = _s1 < _k6
+    _s12 = _subtract(_select(_s10, _k6, rolled_z, _r1), _select(_s11, _k6, _negative(rolled_z, _r0), _r10), _r10)
+    _s13 = _s3 < _k6
+    _s14 = _s4 < _k6
+    _s15 = _subtract(_select(_s13, _k6, rolled_x, _r4), _select(_s14, _k6, _negative(rolled_x, _r2), _r0), _r0)
+    _s16 = _s6 < _k6
+    _s17 = _s7 < _k6
+    _s18 = _subtract(_select(_s16, _k6, rolled_y, _r7), _select(_s17, _k6, _negative(rolled_y, _r5), _r2), _r2)
+    _s19 = _add(_add(_multiply(_multiply(_k23, _s12, _r5), _s2, _r5), _multiply(_multiply(_k23, _s15, _r7), _s5, _r7), _r7), _multiply(_multiply(_k23, _s18, _r5), _s8, _r5), _r5)
+    _s20 = _divide(_k22, _s9, _r7)
+    _s21 = _multiply(_k44, _s19, _r4) * _s20
+    _s22 = _multiply(_k23, _add(_multiply(_subtract(_select(_s10, _k6, thrust_z, _r4), _select(_s11, _k6, _negative(thrust_z, _r1), _r11), _r11), _s2, _r11), _multiply(_s12, _s12, _r10), _r10), _r10)
+    _s23 = _multiply(_k23, _add(_multiply(_subtract(_select(_s13, _k6, thrust_x, _r11), _select(_s14, _k6, _negative(thrust_x, _r1), _r4), _r4), _s5, _r4), _multiply(_s15, _s15, _r0), _r0), _r0)
+    _s24 = _multiply(_k23, _add(_multiply(_subtract(_select(_s16, _k6, thrust_y, _r4), _select(_s17, _k6, _negative(thrust_y, _r1), _r11), _r11), _s8, _r11), _multiply(_s18, _s18, _r2), _r2), _r2)
+    _s25 = _k44 * _add(_multiply(_negative(_multiply(_s21, _multiply(_s20, _s20, _r11), _r11), _r11), _s19, _r11), _multiply(_add(_add(_s22, _s23, _r0), _s24, _r2), _s20, _r2), _r2)
+    _s26 = _add(_multiply(_multiply(_k23, _subtract(_select(_s10, _k6, nz, _r2), _select(_s11, _k6, _negative(nz, _r11), _r0), _r0), _r0), _s2, _r0), _multiply(_multiply(_k23, _subtract(_select(_s13, _k6, nx, _r3), _select(_s14, _k6, _negative(nx, _r11), _r2), _r2), _r2), _s5, _r2), _r2)
+    _s27 = _add(_s26, _multiply(_multiply(_k23, _subtract(_select(_s16, _k6, ny, _r0), _select(_s17, _k6, _negative(ny, _r6), _r11), _r11), _r11), _s8, _r11), _r11)
+    return _s9 - p_ball_radius, _s21, _s25, _multiply(_k44, _s27, _r11) * _s20
 
 
 def backboard_off(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4881,36 +4839,44 @@ def backboard_turning(p_ball_radius: Any, p_board_bottom: Any, p_board_distance:
 def backboard_parting(p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, p_gravity: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The second to the fourth derivative of the distance along a flight.
 
-    derivatives of Table 2's distance. 112 operations: 13 additions, 15 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections.
+    derivatives of Table 2's distance. 127 operations: 27 additions, 10 subtractions, 53 multiplications, 1 division, 1 square root, 9 negations, 12 comparisons, 14 selections.
     Returns lift, surge, snap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
     _s0 = _subtract(z, p_board_top, _r0)
     _s1 = _s0 < _k6
     _s2 = _subtract(p_board_bottom, z, _r1)
     _s3 = _s2 < _k6
-    _s4 = _subtract(_select(_s1, _k6, -p_gravity, _r2), _select(_s3, _k6, p_gravity, _r3), _r3)
-    _s5 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s2 < _k6, _k6, _s2, _r4), _r4)
-    _s6 = _subtract(_select(_s1, _k6, vz, _r2), _select(_s3, _k6, _negative(vz, _r1), _r0), _r0)
-    _s7 = _add(p_board_distance, x, _r1)
-    _s8 = _negative(_add(p_board_distance + p_board_thickness, x, _r2), _r2)
-    _s9 = _subtract(_select(_s7 < _k6, _k6, vx, _r5), _select(_s8 < _k6, _k6, _negative(vx, _r6), _r7), _r7)
-    _s10 = _subtract(y, p_board_half_width, _r6)
-    _s11 = _negative(_add(p_board_half_width, y, _r5), _r5)
-    _s12 = _subtract(_select(_s10 < _k6, _k6, vy, _r8), _select(_s11 < _k6, _k6, _negative(vy, _r9), _r10), _r10)
-    _s13 = _add(_add(_add(_multiply(_multiply(_k23, _s4, _r9), _s5, _r9), _multiply(_k23, _multiply(_s6, _s6, _r8), _r8), _r8), _multiply(_k23, _multiply(_s9, _s9, _r9), _r9), _r9), _multiply(_k23, _multiply(_s12, _s12, _r8), _r8), _r8)
-    _s14 = _subtract(_select(_s7 < _k6, _k6, _s7, _r9), _select(_s8 < _k6, _k6, _s8, _r11), _r11)
-    _s15 = _subtract(_select(_s10 < _k6, _k6, _s10, _r9), _select(_s11 < _k6, _k6, _s11, _r2), _r2)
-    _s16 = _add(_add(_multiply(_s5, _s5, _r9), _multiply(_s14, _s14, _r5), _r5), _multiply(_s15, _s15, _r9), _r9)
-    _s17 = _sqrt(_s16, _r5)
-    _s18 = _add(_add(_multiply(_multiply(_k23, _s6, _r6), _s5, _r6), _multiply(_multiply(_k23, _s9, _r7), _s14, _r7), _r7), _multiply(_multiply(_k23, _s12, _r10), _s15, _r10), _r10)
-    _s19 = _multiply(_s18, _s18, _r7)
-    _s20 = _multiply(_s17, _s16, _r2)
-    _s21 = _multiply(_multiply(_k7, _s4, _r6), _s6, _r6)
-    _s22 = _multiply(_s16, _s16, _r9)
-    _s23 = _multiply(_s17, _s22, _r0)
-    _s24 = _subtract(_add(_divide(_multiply(_k40, _multiply(_k7, _multiply(_s4, _s4, _r3), _r3), _r3), _s17, _r3), _divide(_multiply(_multiply(_k185, _s19, _r11), _s13, _r11), _s23, _r11), _r11), _divide(_multiply(_k186, _multiply(_s19, _s19, _r3), _r3), _multiply(_s20, _s22, _r9), _r3), _r3)
-    return _divide(_multiply(_k40, _s13, _r11), _s17, _r11) - _divide(_multiply(_k26, _s19, _r9), _s20, _r9), _add(_divide(_multiply(_k40, _s21, _r9), _s17, _r9), _divide(_multiply(_k183, _multiply(_s18, _s19, _r7), _r7), _s23, _r7), _r7) - _divide(_multiply(_multiply(_k184, _s18, _r9), _s13, _r9), _s20, _r9), _subtract(_s24, _divide(_multiply(_k184, _multiply(_s13, _s13, _r8), _r8), _s20, _r8), _r8) - _divide(_multiply(_s21, _s18, _r6), _s20, _r6)
+    _s4 = _subtract(_select(_s1, _k6, vz, _r2), _select(_s3, _k6, _negative(vz, _r3), _r4), _r4)
+    _s5 = _subtract(_select(_s0 < _k6, _k6, _s0, _r3), _select(_s2 < _k6, _k6, _s2, _r2), _r2)
+    _s6 = _add(p_board_distance, x, _r3)
+    _s7 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
+    _s8 = _subtract(_select(_s6 < _k6, _k6, vx, _r0), _select(_s7 < _k6, _k6, _negative(vx, _r5), _r6), _r6)
+    _s9 = _subtract(_select(_s6 < _k6, _k6, _s6, _r5), _select(_s7 < _k6, _k6, _s7, _r0), _r0)
+    _s10 = _subtract(y, p_board_half_width, _r5)
+    _s11 = _negative(_add(p_board_half_width, y, _r1), _r1)
+    _s12 = _subtract(_select(_s10 < _k6, _k6, vy, _r3), _select(_s11 < _k6, _k6, _negative(vy, _r7), _r8), _r8)
+    _s13 = _subtract(_select(_s10 < _k6, _k6, _s10, _r7), _select(_s11 < _k6, _k6, _s11, _r3), _r3)
+    _s14 = _add(_add(_multiply(_multiply(_k23, _s4, _r7), _s5, _r7), _multiply(_multiply(_k23, _s8, _r1), _s9, _r1), _r1), _multiply(_multiply(_k23, _s12, _r7), _s13, _r7), _r7)
+    _s15 = _divide(_k22, _sqrt(_add(_add(_multiply(_s5, _s5, _r1), _multiply(_s9, _s9, _r0), _r0), _multiply(_s13, _s13, _r3), _r3), _r3), _r3)
+    _s16 = _multiply(_multiply(_k44, _s14, _r0), _s15, _r0)
+    _s17 = _multiply(_s15, _s15, _r1)
+    _s18 = _negative(_multiply(_s16, _s17, _r5), _r5)
+    _s19 = _subtract(_select(_s1, _k6, -p_gravity, _r9), _select(_s3, _k6, p_gravity, _r10), _r10)
+    _s20 = _add(_add(_multiply(_k23, _add(_multiply(_s19, _s5, _r2), _multiply(_s4, _s4, _r9), _r9), _r9), _multiply(_k23, _multiply(_s8, _s8, _r6), _r6), _r6), _multiply(_k23, _multiply(_s12, _s12, _r8), _r8), _r8)
+    _s21 = _k44 * _add(_multiply(_s18, _s14, _r6), _multiply(_s20, _s15, _r9), _r9)
+    _s22 = _multiply(_s18, _s20, _r9)
+    _s23 = _multiply(_k23, _s18, _r6)
+    _s24 = _negative(_add(_multiply(_s21, _s17, _r2), _multiply(_multiply(_s23, _s16, _r11), _s15, _r11), _r11), _r11)
+    _s25 = _multiply(_k23, _add(_multiply(_multiply(_k23, _s19, _r2), _s4, _r2), _multiply(_s19, _s4, _r4), _r4), _r4)
+    _s26 = _k44 * _add(_add(_s22, _multiply(_s14, _s24, _r2), _r2), _add(_s22, _multiply(_s25, _s15, _r12), _r12), _r12)
+    _s27 = _multiply(_s18, _s25, _r4)
+    _s28 = _multiply(_s20, _s24, _r8)
+    _s29 = _add(_s27, _s28, _r12)
+    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k23, _multiply(_k63, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
+    _s31 = _add(_add(_multiply(_s26, _s17, _r1), _multiply(_multiply(_s23, _s21, _r6), _s15, _r6), _r6), _multiply(_k23, _add(_add(_multiply(_multiply(_s18, _s18, _r1), _s16, _r1), _multiply(_multiply(_s18, _s21, _r5), _s15, _r5), _r5), _multiply(_multiply(_s16, _s24, _r11), _s15, _r11), _r11), _r11), _r11)
+    _s32 = _k44 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
+    return _s21, _s26, _s32
 
 
 def backboard_seam0(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, vx: Any, x: Any) -> tuple[Any, ...]:
@@ -4970,7 +4936,7 @@ def backboard_seam5(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, v
 def backboard_around(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """A bound below the distance from all places at this height and distance from the axis.
 
-    Table 2. 57 operations: 6 additions, 6 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
+    Table 2. 58 operations: 6 additions, 6 subtractions, 17 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
     Returns gap, nearing.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
@@ -4987,9 +4953,9 @@ def backboard_around(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     _s10 = _subtract(_sqrt(((_s5 * _s5) + (_s8 * _s8))), _s9, _r2)
     _s11 = _select(_k6 < _s10, _s10, _k6, _r5)
     _s12 = _sqrt(_add(_multiply(_s2, _s2, _r6), _multiply(_s11, _s11, _r7), _r7), _r7)
-    _s13 = _negative(_divide(_multiply(_k40, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _s9, _r8), _r8)
+    _s13 = _negative(_multiply(_multiply(_k44, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _divide(_k22, _s9, _r4), _r8), _r8)
     _s14 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vz, _r0), _select(_s1 < _k6, _k6, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k23, _s11, _r5), _select(_k6 < _s10, _s13, _k6, _r2), _r5), _r5)
-    return _s12 - p_ball_radius, _multiply(_k40, _s14, _r5) / _s12
+    return _s12 - p_ball_radius, _multiply(_k44, _s14, _r5) / _s12
 
 
 def backboard_enter(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
@@ -5085,7 +5051,7 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s30 = _select(_s20 < _s29, _s29, _s20, _r16)
     _s31 = _add(_s21, _multiply(_s24, _subtract(_s23, _s22, _r12), _r12), _r12)
     _s32 = _sqrt(_select(_s31 < _k6, _k6, _s31, _r11), _r11)
-    _s33 = _select(_s28, _multiply(_s26, _add(vz, _s27, _r14), _r14), _k122, _r17)
+    _s33 = _select(_s28, _multiply(_s26, _add(vz, _s27, _r14), _r14), _k124, _r17)
     _s34 = _k6 < _s31
     _s35 = _select(_s34, _multiply(_s26, _subtract(vz, _s32, _r12), _r12), _s33, _r18)
     _s36 = _divide(_subtract(_s17, _s18, _r8), _s16, _r8)
@@ -5100,11 +5066,11 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s45 = _select(_s44 < _s43, _s43, _s44, _r21)
     _s46 = _result(_s45 < horizon, _s45, horizon, _r0)
     _s47 = _add(speed, _multiply(p_gravity, _s46, _r21), _r21)
-    _s48 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k59, _multiply(_s47, _s47, _r21), _r21), _r21)
+    _s48 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k63, _multiply(_s47, _s47, _r21), _r21), _r21)
     _s49 = _where(_s7 < _s5, _s5, _s7)
     _s50 = _add(_add(_add(_add(_s1, extent, _r21), _s6, _r21), _absolute((_s3 - p_wire_radius)), _r21), _where(_s49 < _s4, _s4, _s49), _r21)
     _s51 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s26, _add(_s50, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k23, speed, _r22), _s26, _r22), _r22)
-    _s52 = _add(_add(position_error, _multiply(velocity_error, _select(_s51 < horizon, _s51, horizon, _r20), _r20), _r20), _multiply(_k124, _add(_multiply(_multiply(speed, speed, _r22), _s26, _r22), _s50, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    _s52 = _add(_add(position_error, _multiply(velocity_error, _select(_s51 < horizon, _s51, horizon, _r20), _r20), _r20), _multiply(_k126, _add(_multiply(_multiply(speed, speed, _r22), _s26, _r22), _s50, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
     return _result(_k6 < _s30, _s30, _k6, _r0), _result(_s40 < horizon, _s40, horizon, _r0), _result(_k6 < _s42, _s42, _k6, _r0), _result(_s43 < horizon, _s43, horizon, _r0), _s48, _s46, _s52
 
 
@@ -5122,17 +5088,17 @@ def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, v
     _s4 = p_ball_radius + (0.0001220703125 * _where(_s0 < _s3, _s0, _s3))
     _s5 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s6 = _add(extent, _multiply(horizon, _s5, _r1), _r1)
-    _s7 = _multiply(_k33, _s6, _r2)
+    _s7 = _multiply(_k37, _s6, _r2)
     _s8 = _multiply(_k23, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k17, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_bridge_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
     _s11 = _add(_add((1.1102230246251565e-16 * p_board_distance) + (1.1102230246251565e-16 * p_ring_radius), _s7, _r2), _s8, _r2)
-    _s12 = _add(_add((2.220446049250313e-16 * p_bridge_depth) + (5.551115123125783e-16 * p_wire_radius), _multiply(_k218, _s6, _r1), _r1), _s8, _r1)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k219, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k220, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k218, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k221, _s5, _r6)
-    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k33, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
+    _s12 = _add(_add((2.220446049250313e-16 * p_bridge_depth) + (5.551115123125783e-16 * p_wire_radius), _multiply(_k226, _s6, _r1), _r1), _s8, _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k227, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k228, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k226, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k229, _s5, _r6)
+    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k37, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
 
@@ -5226,17 +5192,17 @@ def bridge_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any
     _s41 = _negative(_s31, _r11)
     _s42 = _s38 < _k6
     _s43 = _multiply(_k23, _s40, _r6)
-    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r9), _k8, _divide(_select(_s42, _s43, _multiply(_k60, _s38, _r9), _r4), _select(_s42, _negative(_s38, _r13), _select(_k6 < _s41, _s41, _k6, _r12), _r0), _r4), _r9)
+    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r9), _k8, _divide(_select(_s42, _s43, _multiply(_k64, _s38, _r9), _r4), _select(_s42, _negative(_s38, _r13), _select(_k6 < _s41, _s41, _k6, _r12), _r0), _r4), _r9)
     _s45 = _subtract(end, t, _r0)
     _s46 = _select(_s44 < _s45, _s44, _s45, _r12)
     _s47 = _add(_multiply(_add(_multiply(0.5 * _s32, _s46, _r11), _absolute(_s28, _r8), _r8), _s46, _r8), _s30, _r8)
-    _s48 = _add(_multiply(_k89, ceiling, _r1), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
+    _s48 = _add(_multiply(_k93, ceiling, _r1), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
     _s49 = _add(_multiply(_multiply(_k23, _s48, _r1), _s40, _r1), _multiply(_s38, _s38, _r5), _r5)
     _s50 = _sqrt(_s49, _r1)
     _s51 = _select(_k6 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r5), _r2), _select(_s42, _subtract(_s50, _s38, _r1), _select(_k6 < _s48, _s48, _k6, _r7), _r8), _r2), _k8, _r5)
     _s52 = _result(_s51 < _s46, _s51, _s46, _r0)
     _s53 = _negative(_add(rate_margin, _s29, _r8), _r8)
-    return _s27, _s29, _s31, _s52, t + _s52, _result(_k6 < _s53, _subtract(_multiply(_s53, _s53, _r5), _multiply(_multiply(_k25, ceiling, _r2), _add(margin, _s43, _r6), _r2), _r2), _s53, _r0)
+    return _s27, _s29, _s31, _s52, t + _s52, _result(_k6 < _s53, _subtract(_multiply(_s53, _s53, _r5), _multiply(_multiply(_k26, ceiling, _r2), _add(margin, _s43, _r6), _r2), _r2), _s53, _r0)
 
 
 def bridge_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach_y: Any, reach_z: Any, later_middle_x: Any, later_middle_y: Any, later_middle_z: Any, later_reach_x: Any, later_reach_y: Any, later_reach_z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5290,13 +5256,13 @@ def bridge_beside(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
     _s10 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vx, _r0), _select(_s1 < _k6, _k6, _negative(vx, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k23, _subtract(_select(_s3 < _k6, _k6, vy, _r2), _select(_s4 < _k6, _k6, _negative(vy, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
     _s11 = _add(_s10, _multiply(_multiply(_k23, _subtract(_select(_s6 < _k6, _k6, vz, _r5), _select(_s7 < _k6, _k6, _negative(vz, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
-    return _s9 - p_ball_radius, _multiply(_k40, _s11, _r10) / _s9, 0.0
+    return _s9 - p_ball_radius, _multiply(_k44, _s11, _r10) / _s9, 0.0
 
 
 def bridge_closing(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The distance, its rate and its second derivative, of a ball that rolls on something else.
 
-    derivatives of Table 2's distance. 117 operations: 14 additions, 18 subtractions, 33 multiplications, 4 divisions, 1 square root, 11 negations, 12 comparisons, 24 selections.
+    derivatives of Table 2's distance. 115 operations: 15 additions, 17 subtractions, 33 multiplications, 1 division, 1 square root, 12 negations, 12 comparisons, 24 selections.
     Returns gap, nearing, swerve, facing.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
@@ -5309,24 +5275,26 @@ def bridge_closing(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: An
     _s6 = _subtract(z, p_wire_radius, _r5)
     _s7 = _subtract(p_wire_radius - p_bridge_depth, z, _r7)
     _s8 = _subtract(_select(_s6 < _k6, _k6, _s6, _r8), _select(_s7 < _k6, _k6, _s7, _r9), _r9)
-    _s9 = _add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8)
-    _s10 = _sqrt(_s9, _r10)
-    _s11 = _s0 < _k6
-    _s12 = _s1 < _k6
-    _s13 = _subtract(_select(_s11, _k6, rolled_x, _r1), _select(_s12, _k6, _negative(rolled_x, _r0), _r11), _r11)
-    _s14 = _s3 < _k6
-    _s15 = _s4 < _k6
-    _s16 = _subtract(_select(_s14, _k6, rolled_y, _r4), _select(_s15, _k6, _negative(rolled_y, _r2), _r0), _r0)
-    _s17 = _s6 < _k6
-    _s18 = _s7 < _k6
-    _s19 = _subtract(_select(_s17, _k6, rolled_z, _r7), _select(_s18, _k6, _negative(rolled_z, _r5), _r2), _r2)
-    _s20 = _add(_add(_multiply(_multiply(_k23, _s13, _r5), _s2, _r5), _multiply(_multiply(_k23, _s16, _r7), _s5, _r7), _r7), _multiply(_multiply(_k23, _s19, _r5), _s8, _r5), _r5)
-    _s21 = _add(_multiply(_multiply(_k23, _subtract(_select(_s11, _k6, thrust_x, _r7), _select(_s12, _k6, _negative(thrust_x, _r4), _r1), _r1), _r1), _s2, _r1), _multiply(_k23, _multiply(_s13, _s13, _r11), _r11), _r11)
-    _s22 = _add(_multiply(_multiply(_k23, _subtract(_select(_s14, _k6, thrust_y, _r1), _select(_s15, _k6, _negative(thrust_y, _r4), _r7), _r7), _r7), _s5, _r7), _multiply(_k23, _multiply(_s16, _s16, _r0), _r0), _r0)
-    _s23 = _add(_multiply(_multiply(_k23, _subtract(_select(_s17, _k6, thrust_z, _r7), _select(_s18, _k6, _negative(thrust_z, _r4), _r1), _r1), _r1), _s8, _r1), _multiply(_k23, _multiply(_s19, _s19, _r2), _r2), _r2)
-    _s24 = _add(_multiply(_multiply(_k23, _subtract(_select(_s11, _k6, nx, _r1), _select(_s12, _k6, _negative(nx, _r4), _r7), _r7), _r7), _s2, _r7), _multiply(_multiply(_k23, _subtract(_select(_s14, _k6, ny, _r3), _select(_s15, _k6, _negative(ny, _r4), _r1), _r1), _r1), _s5, _r1), _r1)
-    _s25 = _add(_s24, _multiply(_multiply(_k23, _subtract(_select(_s17, _k6, nz, _r7), _select(_s18, _k6, _negative(nz, _r6), _r4), _r4), _r4), _s8, _r4), _r4)
-    return _s10 - p_ball_radius, _multiply(_k40, _s20, _r1) / _s10, _divide(_multiply(_k40, _add(_add(_s21, _s22, _r0), _s23, _r2), _r2), _s10, _r2) - _divide(_multiply(_k26, _multiply(_s20, _s20, _r5), _r5), _multiply(_s10, _s9, _r8), _r5), _multiply(_k40, _s25, _r4) / _s10
+    _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
+    _s10 = _s0 < _k6
+    _s11 = _s1 < _k6
+    _s12 = _subtract(_select(_s10, _k6, rolled_x, _r1), _select(_s11, _k6, _negative(rolled_x, _r0), _r10), _r10)
+    _s13 = _s3 < _k6
+    _s14 = _s4 < _k6
+    _s15 = _subtract(_select(_s13, _k6, rolled_y, _r4), _select(_s14, _k6, _negative(rolled_y, _r2), _r0), _r0)
+    _s16 = _s6 < _k6
+    _s17 = _s7 < _k6
+    _s18 = _subtract(_select(_s16, _k6, rolled_z, _r7), _select(_s17, _k6, _negative(rolled_z, _r5), _r2), _r2)
+    _s19 = _add(_add(_multiply(_multiply(_k23, _s12, _r5), _s2, _r5), _multiply(_multiply(_k23, _s15, _r7), _s5, _r7), _r7), _multiply(_multiply(_k23, _s18, _r5), _s8, _r5), _r5)
+    _s20 = _divide(_k22, _s9, _r7)
+    _s21 = _multiply(_k44, _s19, _r4) * _s20
+    _s22 = _multiply(_k23, _add(_multiply(_subtract(_select(_s10, _k6, thrust_x, _r4), _select(_s11, _k6, _negative(thrust_x, _r1), _r11), _r11), _s2, _r11), _multiply(_s12, _s12, _r10), _r10), _r10)
+    _s23 = _multiply(_k23, _add(_multiply(_subtract(_select(_s13, _k6, thrust_y, _r11), _select(_s14, _k6, _negative(thrust_y, _r1), _r4), _r4), _s5, _r4), _multiply(_s15, _s15, _r0), _r0), _r0)
+    _s24 = _multiply(_k23, _add(_multiply(_subtract(_select(_s16, _k6, thrust_z, _r4), _select(_s17, _k6, _negative(thrust_z, _r1), _r11), _r11), _s8, _r11), _multiply(_s18, _s18, _r2), _r2), _r2)
+    _s25 = _k44 * _add(_multiply(_negative(_multiply(_s21, _multiply(_s20, _s20, _r11), _r11), _r11), _s19, _r11), _multiply(_add(_add(_s22, _s23, _r0), _s24, _r2), _s20, _r2), _r2)
+    _s26 = _add(_multiply(_multiply(_k23, _subtract(_select(_s10, _k6, nx, _r2), _select(_s11, _k6, _negative(nx, _r11), _r0), _r0), _r0), _s2, _r0), _multiply(_multiply(_k23, _subtract(_select(_s13, _k6, ny, _r3), _select(_s14, _k6, _negative(ny, _r11), _r2), _r2), _r2), _s5, _r2), _r2)
+    _s27 = _add(_s26, _multiply(_multiply(_k23, _subtract(_select(_s16, _k6, nz, _r0), _select(_s17, _k6, _negative(nz, _r6), _r11), _r11), _r11), _s8, _r11), _r11)
+    return _s9 - p_ball_radius, _s21, _s25, _multiply(_k44, _s27, _r11) * _s20
 
 
 def bridge_off(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5391,36 +5359,44 @@ def bridge_turning(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: An
 def bridge_parting(p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The second to the fourth derivative of the distance along a flight.
 
-    derivatives of Table 2's distance. 112 operations: 12 additions, 16 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections.
+    derivatives of Table 2's distance. 127 operations: 26 additions, 11 subtractions, 53 multiplications, 1 division, 1 square root, 9 negations, 12 comparisons, 14 selections.
     Returns lift, surge, snap.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
-    _s0 = _subtract(z, p_wire_radius, _r0)
-    _s1 = _s0 < _k6
-    _s2 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
-    _s3 = _s2 < _k6
-    _s4 = _subtract(_select(_s1, _k6, -p_gravity, _r2), _select(_s3, _k6, p_gravity, _r3), _r3)
-    _s5 = _subtract(_select(_s0 < _k6, _k6, _s0, _r2), _select(_s2 < _k6, _k6, _s2, _r4), _r4)
-    _s6 = _subtract(_select(_s1, _k6, vz, _r2), _select(_s3, _k6, _negative(vz, _r1), _r0), _r0)
-    _s7 = _add(p_ring_radius, x, _r1)
-    _s8 = _negative(_add(p_board_distance, x, _r2), _r2)
-    _s9 = _subtract(_select(_s7 < _k6, _k6, vx, _r5), _select(_s8 < _k6, _k6, _negative(vx, _r6), _r7), _r7)
-    _s10 = _subtract(y, p_bridge_half_width, _r6)
-    _s11 = _negative(_add(p_bridge_half_width, y, _r5), _r5)
-    _s12 = _subtract(_select(_s10 < _k6, _k6, vy, _r8), _select(_s11 < _k6, _k6, _negative(vy, _r9), _r10), _r10)
-    _s13 = _add(_add(_add(_multiply(_multiply(_k23, _s4, _r9), _s5, _r9), _multiply(_k23, _multiply(_s6, _s6, _r8), _r8), _r8), _multiply(_k23, _multiply(_s9, _s9, _r9), _r9), _r9), _multiply(_k23, _multiply(_s12, _s12, _r8), _r8), _r8)
-    _s14 = _subtract(_select(_s7 < _k6, _k6, _s7, _r9), _select(_s8 < _k6, _k6, _s8, _r11), _r11)
-    _s15 = _subtract(_select(_s10 < _k6, _k6, _s10, _r9), _select(_s11 < _k6, _k6, _s11, _r2), _r2)
-    _s16 = _add(_add(_multiply(_s14, _s14, _r9), _multiply(_s15, _s15, _r5), _r5), _multiply(_s5, _s5, _r9), _r9)
-    _s17 = _sqrt(_s16, _r5)
-    _s18 = _add(_add(_multiply(_multiply(_k23, _s9, _r7), _s14, _r7), _multiply(_multiply(_k23, _s12, _r10), _s15, _r10), _r10), _multiply(_multiply(_k23, _s6, _r7), _s5, _r7), _r7)
-    _s19 = _multiply(_s18, _s18, _r10)
-    _s20 = _multiply(_s17, _s16, _r4)
-    _s21 = _multiply(_multiply(_k7, _s4, _r2), _s6, _r2)
-    _s22 = _multiply(_s16, _s16, _r9)
-    _s23 = _multiply(_s17, _s22, _r0)
-    _s24 = _subtract(_add(_divide(_multiply(_k40, _multiply(_k7, _multiply(_s4, _s4, _r3), _r3), _r3), _s17, _r3), _divide(_multiply(_multiply(_k185, _s19, _r11), _s13, _r11), _s23, _r11), _r11), _divide(_multiply(_k186, _multiply(_s19, _s19, _r3), _r3), _multiply(_s20, _s22, _r9), _r3), _r3)
-    return _divide(_multiply(_k40, _s13, _r11), _s17, _r11) - _divide(_multiply(_k26, _s19, _r9), _s20, _r9), _add(_divide(_multiply(_k40, _s21, _r9), _s17, _r9), _divide(_multiply(_k183, _multiply(_s18, _s19, _r10), _r10), _s23, _r10), _r10) - _divide(_multiply(_multiply(_k184, _s18, _r9), _s13, _r9), _s20, _r9), _subtract(_s24, _divide(_multiply(_k184, _multiply(_s13, _s13, _r8), _r8), _s20, _r8), _r8) - _divide(_multiply(_s21, _s18, _r2), _s20, _r2)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
+    _s0 = _add(p_ring_radius, x, _r0)
+    _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < _k6, _k6, vx, _r2), _select(_s1 < _k6, _k6, _negative(vx, _r3), _r4), _r4)
+    _s3 = _subtract(_select(_s0 < _k6, _k6, _s0, _r3), _select(_s1 < _k6, _k6, _s1, _r2), _r2)
+    _s4 = _subtract(y, p_bridge_half_width, _r3)
+    _s5 = _negative(_add(p_bridge_half_width, y, _r1), _r1)
+    _s6 = _subtract(_select(_s4 < _k6, _k6, vy, _r0), _select(_s5 < _k6, _k6, _negative(vy, _r5), _r6), _r6)
+    _s7 = _subtract(_select(_s4 < _k6, _k6, _s4, _r5), _select(_s5 < _k6, _k6, _s5, _r0), _r0)
+    _s8 = _subtract(z, p_wire_radius, _r5)
+    _s9 = _s8 < _k6
+    _s10 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
+    _s11 = _s10 < _k6
+    _s12 = _subtract(_select(_s9, _k6, vz, _r3), _select(_s11, _k6, _negative(vz, _r7), _r8), _r8)
+    _s13 = _subtract(_select(_s8 < _k6, _k6, _s8, _r7), _select(_s10 < _k6, _k6, _s10, _r3), _r3)
+    _s14 = _add(_add(_multiply(_multiply(_k23, _s2, _r7), _s3, _r7), _multiply(_multiply(_k23, _s6, _r1), _s7, _r1), _r1), _multiply(_multiply(_k23, _s12, _r7), _s13, _r7), _r7)
+    _s15 = _divide(_k22, _sqrt(_add(_add(_multiply(_s3, _s3, _r2), _multiply(_s7, _s7, _r0), _r0), _multiply(_s13, _s13, _r2), _r2), _r2), _r2)
+    _s16 = _multiply(_multiply(_k44, _s14, _r0), _s15, _r0)
+    _s17 = _multiply(_s15, _s15, _r1)
+    _s18 = _negative(_multiply(_s16, _s17, _r5), _r5)
+    _s19 = _subtract(_select(_s9, _k6, -p_gravity, _r9), _select(_s11, _k6, p_gravity, _r10), _r10)
+    _s20 = _add(_add(_multiply(_k23, _add(_multiply(_s19, _s13, _r3), _multiply(_s12, _s12, _r9), _r9), _r9), _multiply(_k23, _multiply(_s2, _s2, _r4), _r4), _r4), _multiply(_k23, _multiply(_s6, _s6, _r6), _r6), _r6)
+    _s21 = _k44 * _add(_multiply(_s18, _s14, _r4), _multiply(_s20, _s15, _r9), _r9)
+    _s22 = _multiply(_s18, _s20, _r9)
+    _s23 = _multiply(_k23, _s18, _r4)
+    _s24 = _negative(_add(_multiply(_s21, _s17, _r3), _multiply(_multiply(_s23, _s16, _r11), _s15, _r11), _r11), _r11)
+    _s25 = _multiply(_k23, _add(_multiply(_multiply(_k23, _s19, _r3), _s12, _r3), _multiply(_s19, _s12, _r8), _r8), _r8)
+    _s26 = _k44 * _add(_add(_s22, _multiply(_s14, _s24, _r3), _r3), _add(_s22, _multiply(_s25, _s15, _r12), _r12), _r12)
+    _s27 = _multiply(_s18, _s25, _r8)
+    _s28 = _multiply(_s20, _s24, _r6)
+    _s29 = _add(_s27, _s28, _r12)
+    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k23, _multiply(_k63, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
+    _s31 = _add(_add(_multiply(_s26, _s17, _r1), _multiply(_multiply(_s23, _s21, _r4), _s15, _r4), _r4), _multiply(_k23, _add(_add(_multiply(_multiply(_s18, _s18, _r1), _s16, _r1), _multiply(_multiply(_s18, _s21, _r5), _s15, _r5), _r5), _multiply(_multiply(_s16, _s24, _r11), _s15, _r11), _r11), _r11), _r11)
+    _s32 = _k44 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
+    return _s21, _s26, _s32
 
 
 def bridge_seam0(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, vx: Any, x: Any) -> tuple[Any, ...]:
@@ -5480,7 +5456,7 @@ def bridge_seam5(p_ball_radius: Any, p_bridge_depth: Any, vz: Any, p_wire_radius
 def bridge_around(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """A bound below the distance from all places at this height and distance from the axis.
 
-    Table 2. 57 operations: 5 additions, 7 subtractions, 16 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
+    Table 2. 58 operations: 5 additions, 7 subtractions, 17 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections.
     Returns gap, nearing.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
@@ -5497,9 +5473,9 @@ def bridge_around(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     _s10 = _subtract(_sqrt(((_s5 * _s5) + (_s8 * _s8))), _s9, _r2)
     _s11 = _select(_k6 < _s10, _s10, _k6, _r5)
     _s12 = _sqrt(_add(_multiply(_s2, _s2, _r6), _multiply(_s11, _s11, _r7), _r7), _r7)
-    _s13 = _negative(_divide(_multiply(_k40, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _s9, _r8), _r8)
+    _s13 = _negative(_multiply(_multiply(_k44, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _divide(_k22, _s9, _r4), _r8), _r8)
     _s14 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vz, _r0), _select(_s1 < _k6, _k6, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k23, _s11, _r5), _select(_k6 < _s10, _s13, _k6, _r2), _r5), _r5)
-    return _s12 - p_ball_radius, _multiply(_k40, _s14, _r5) / _s12
+    return _s12 - p_ball_radius, _multiply(_k44, _s14, _r5) / _s12
 
 
 def bridge_enter(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
@@ -5575,7 +5551,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k232, _s0, _r1), _r1) + _multiply(_k221, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k240, _s0, _r1), _r1) + _multiply(_k229, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -5871,7 +5847,7 @@ def _take(values: Any, rows: Any) -> Any:
     """Return some rows of a column; what all shots share stays."""
     if rows is None or type(values) is not _ndarray or not values.ndim:
         return values
-    return values[rows]
+    return values.take(rows, None, None, "clip")
 
 
 def _of(rows: Any, some: Any) -> Any:
@@ -5970,7 +5946,7 @@ def _error_bounds_alone(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, d
     _s9 = abs(dwy)
     _s10 = _s9 if _s8 < _s9 else _s8
     _s11 = abs(dwz)
-    return _k36 * (_s3 if _s2 < _s3 else _s2), _k36 * (_s7 if _s6 < _s7 else _s6), _k36 * (_s11 if _s10 < _s11 else _s10), _k36 * clock_error
+    return _k40 * (_s3 if _s2 < _s3 else _s2), _k40 * (_s7 if _s6 < _s7 else _s6), _k40 * (_s11 if _s10 < _s11 else _s10), _k40 * clock_error
 
 
 def _passing_from_alone(z: Any) -> tuple[Any, ...]:
@@ -5981,7 +5957,7 @@ def _passing_from_alone(z: Any) -> tuple[Any, ...]:
 def _passing_in_contact_alone(over: Any, p_ring_radius: Any, through: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `passing_in_contact` for one shot."""
     _s0 = ((x * x) + (y * y)) < (p_ring_radius * p_ring_radius)
-    _s1 = (_k2 if (through == _k1) else _k39) if (((not over) and (_k2 <= z)) and _s0) else through
+    _s1 = (_k2 if (through == _k1) else _k43) if (((not over) and (_k2 <= z)) and _s0) else through
     return _k1 if (((over and (z < _k2)) and _s0) and (_s1 == _k2)) else _s1,
 
 
@@ -6011,7 +5987,7 @@ def _sooner_alone(arrives: Any, index: Any, time: Any, when: Any, which: Any) ->
 
 def _beginning_alone() -> tuple[Any, ...]:
     """Do `beginning` for one shot."""
-    return _k51, _k10, False
+    return _k55, _k10, False
 
 
 def _beyond_alone(doubt: Any, excess: Any, late: Any, lost: Any, pad: Any) -> tuple[Any, ...]:
@@ -6039,7 +6015,7 @@ def _opened_alone(horizon: Any, time: Any) -> tuple[Any, ...]:
 def _coarse_alone(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any, share: Any, sound: Any) -> tuple[Any, ...]:
     """Do `coarse` for one shot."""
     _s0 = (searching and sound) and fits
-    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else _k51
+    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else _k55
 
 
 def _leapt_alone(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
@@ -6072,7 +6048,7 @@ def _struck_or_still_alone(bend: Any, clearance: Any, end: Any, gap: Any, margin
 
 def _finer_alone(share: Any) -> tuple[Any, ...]:
     """Do `finer` for one shot."""
-    return (_k53 * share) if (_k52 < share) else _k2,
+    return (_k57 * share) if (_k56 < share) else _k2,
 
 
 def _exceeded_alone(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
@@ -6095,7 +6071,7 @@ def _found_alone(arrival: Any) -> tuple[Any, ...]:
 
 def _polished_alone(arrival: Any, ceiling: Any, certain: Any, gap: Any, rate: Any, refined: Any) -> tuple[Any, ...]:
     """Do `polished` for one shot."""
-    return refined if certain else arrival, certain and ((_k54 * (rate * rate)) < (ceiling * abs(gap)))
+    return refined if certain else arrival, certain and ((_k58 * (rate * rate)) < (ceiling * abs(gap)))
 
 
 def _own_margin_alone(arrival: Any, flat: Any, leaving: Any, tilt: Any) -> tuple[Any, ...]:
@@ -6135,7 +6111,7 @@ def _cleared_alone(berth: Any, gap: Any, leap: Any, nearing: Any) -> tuple[Any, 
 
 def _for_ever_alone(endless: Any, which: Any) -> tuple[Any, ...]:
     """Do `for_ever` for one shot."""
-    return _k31 if endless else which,
+    return _k34 if endless else which,
 
 
 def _rejoined_alone(circling: Any, rolling: Any) -> tuple[Any, ...]:
@@ -6174,38 +6150,38 @@ def _roll_1_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
 
 def _roll_2_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, nx_0: Any, nx_1: Any, nx_2: Any, ny_0: Any, ny_1: Any, ny_2: Any, nz_0: Any, nz_1: Any, nz_2: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, vx_0: Any, vx_1: Any, vx_2: Any, vy_0: Any, vy_1: Any, vy_2: Any, vz_0: Any, vz_1: Any, vz_2: Any) -> tuple[Any, ...]:
     """Do `roll_2` for one shot."""
-    _s0 = _k29 * nx_2
+    _s0 = _k31 * nx_2
     _s1 = (bent_x * per_reach) * vx_2
-    _s2 = _k29 * ny_2
+    _s2 = _k31 * ny_2
     _s3 = (bent_y * per_reach) * vy_2
     _s4 = (bent_z * per_reach) * vz_2
-    _s5 = ((_k4 * p_gravity) * nz_2) - (((((nx_1 * vx_2) + (_s0 * vx_1)) + (vx_0 * _s1)) + (((ny_1 * vy_2) + (_s2 * vy_1)) + (vy_0 * _s3))) + (((nz_1 * vz_2) + ((_k29 * nz_2) * vz_1)) + (vz_0 * _s4)))
-    _s6 = (((ny_0 * _s4) + ((_k29 * ny_1) * nz_2)) + (ny_2 * nz_1)) - (((ny_1 * nz_2) + (_s2 * nz_1)) + (nz_0 * _s3))
-    _s7 = _k29 * nx_1
+    _s5 = ((_k4 * p_gravity) * nz_2) - (((((nx_1 * vx_2) + (_s0 * vx_1)) + (vx_0 * _s1)) + (((ny_1 * vy_2) + (_s2 * vy_1)) + (vy_0 * _s3))) + (((nz_1 * vz_2) + ((_k31 * nz_2) * vz_1)) + (vz_0 * _s4)))
+    _s6 = (((ny_0 * _s4) + ((_k31 * ny_1) * nz_2)) + (ny_2 * nz_1)) - (((ny_1 * nz_2) + (_s2 * nz_1)) + (nz_0 * _s3))
+    _s7 = _k31 * nx_1
     _s8 = (((nx_1 * nz_2) + (_s0 * nz_1)) + (nz_0 * _s1)) - (((nx_0 * _s4) + (_s7 * nz_2)) + (nx_2 * nz_1))
     _s9 = (((nx_0 * _s3) + (_s7 * ny_2)) + (nx_2 * ny_1)) - (((nx_1 * ny_2) + (_s0 * ny_1)) + (ny_0 * _s1))
-    _s10 = _k58 * ((((lift_0 * nx_2) + (lift_1 * nx_1)) + (nx_0 * _s5)) + (_k3 * (((turn_rate_0 * _s6) + (turn_rate_1 * tx_1)) + (turn_rate_2 * tx_0))))
-    _s11 = _k58 * ((((lift_0 * ny_2) + (lift_1 * ny_1)) + (ny_0 * _s5)) + (_k3 * (((turn_rate_0 * _s8) + (turn_rate_1 * ty_1)) + (turn_rate_2 * ty_0))))
-    _s12 = _k58 * ((((lift_0 * nz_2) + (lift_1 * nz_1)) + (nz_0 * _s5)) + (_k3 * (((turn_rate_0 * _s9) + (turn_rate_1 * tz_1)) + (turn_rate_2 * tz_0))))
-    _s13 = _k58 * (((((tx_0 * vx_2) + (tx_1 * vx_1)) + (vx_0 * _s6)) + (((ty_0 * vy_2) + (ty_1 * vy_1)) + (vy_0 * _s8))) + (((tz_0 * vz_2) + (tz_1 * vz_1)) + (vz_0 * _s9)))
-    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k58 * _s1, _k58 * _s3, _k58 * _s4, -_s13
+    _s10 = _k62 * ((((lift_0 * nx_2) + (lift_1 * nx_1)) + (nx_0 * _s5)) + (_k3 * (((turn_rate_0 * _s6) + (turn_rate_1 * tx_1)) + (turn_rate_2 * tx_0))))
+    _s11 = _k62 * ((((lift_0 * ny_2) + (lift_1 * ny_1)) + (ny_0 * _s5)) + (_k3 * (((turn_rate_0 * _s8) + (turn_rate_1 * ty_1)) + (turn_rate_2 * ty_0))))
+    _s12 = _k62 * ((((lift_0 * nz_2) + (lift_1 * nz_1)) + (nz_0 * _s5)) + (_k3 * (((turn_rate_0 * _s9) + (turn_rate_1 * tz_1)) + (turn_rate_2 * tz_0))))
+    _s13 = _k62 * (((((tx_0 * vx_2) + (tx_1 * vx_1)) + (vx_0 * _s6)) + (((ty_0 * vy_2) + (ty_1 * vy_1)) + (vy_0 * _s8))) + (((tz_0 * vz_2) + (tz_1 * vz_1)) + (vz_0 * _s9)))
+    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k62 * _s1, _k62 * _s3, _k62 * _s4, -_s13
 
 
 def _roll_3_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any) -> tuple[Any, ...]:
     """Do `roll_3` for one shot."""
-    _s0 = _k29 * nx_2
-    _s1 = _k55 * nx_3
+    _s0 = _k31 * nx_2
+    _s1 = _k59 * nx_3
     _s2 = (bent_x * per_reach) * vx_3
-    _s3 = _k29 * ny_2
-    _s4 = _k55 * ny_3
+    _s3 = _k31 * ny_2
+    _s4 = _k59 * ny_3
     _s5 = (bent_y * per_reach) * vy_3
     _s6 = (bent_z * per_reach) * vz_3
-    _s7 = (((((nx_1 * vx_3) + (_s0 * vx_2)) + (_s1 * vx_1)) + (vx_0 * _s2)) + ((((ny_1 * vy_3) + (_s3 * vy_2)) + (_s4 * vy_1)) + (vy_0 * _s5))) + ((((nz_1 * vz_3) + ((_k29 * nz_2) * vz_2)) + ((_k55 * nz_3) * vz_1)) + (vz_0 * _s6))
+    _s7 = (((((nx_1 * vx_3) + (_s0 * vx_2)) + (_s1 * vx_1)) + (vx_0 * _s2)) + ((((ny_1 * vy_3) + (_s3 * vy_2)) + (_s4 * vy_1)) + (vy_0 * _s5))) + ((((nz_1 * vz_3) + ((_k31 * nz_2) * vz_2)) + ((_k59 * nz_3) * vz_1)) + (vz_0 * _s6))
     _s8 = ((_k4 * p_gravity) * nz_3) - _s7
     _s9 = _s3 * nz_2
-    _s10 = ((((ny_0 * _s6) + ((_k55 * ny_1) * nz_3)) + _s9) + (ny_3 * nz_1)) - ((((ny_1 * nz_3) + _s9) + (_s4 * nz_1)) + (nz_0 * _s5))
+    _s10 = ((((ny_0 * _s6) + ((_k59 * ny_1) * nz_3)) + _s9) + (ny_3 * nz_1)) - ((((ny_1 * nz_3) + _s9) + (_s4 * nz_1)) + (nz_0 * _s5))
     _s11 = _s0 * nz_2
-    _s12 = _k55 * nx_1
+    _s12 = _k59 * nx_1
     _s13 = ((((nx_1 * nz_3) + _s11) + (_s1 * nz_1)) + (nz_0 * _s2)) - ((((nx_0 * _s6) + (_s12 * nz_3)) + _s11) + (nx_3 * nz_1))
     _s14 = _s0 * ny_2
     _s15 = ((((nx_0 * _s5) + (_s12 * ny_3)) + _s14) + (nx_3 * ny_1)) - ((((nx_1 * ny_3) + _s14) + (_s1 * ny_1)) + (ny_0 * _s2))
@@ -6213,28 +6189,28 @@ def _roll_3_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s17 = ((((lift_0 * ny_3) + (lift_1 * ny_2)) + (lift_2 * ny_1)) + (ny_0 * _s8)) + (_k3 * ((((turn_rate_0 * _s13) + (turn_rate_1 * ty_2)) + (turn_rate_2 * ty_1)) + (turn_rate_3 * ty_0)))
     _s18 = ((((lift_0 * nz_3) + (lift_1 * nz_2)) + (lift_2 * nz_1)) + (nz_0 * _s8)) + (_k3 * ((((turn_rate_0 * _s15) + (turn_rate_1 * tz_2)) + (turn_rate_2 * tz_1)) + (turn_rate_3 * tz_0)))
     _s19 = (((((tx_0 * vx_3) + (tx_1 * vx_2)) + (tx_2 * vx_1)) + (vx_0 * _s10)) + ((((ty_0 * vy_3) + (ty_1 * vy_2)) + (ty_2 * vy_1)) + (vy_0 * _s13))) + ((((tz_0 * vz_3) + (tz_1 * vz_2)) + (tz_2 * vz_1)) + (vz_0 * _s15))
-    return _s8, _s10, _s13, _s15, _k28 * _s16, _k28 * _s17, _k28 * _s18, _k28 * _s2, _k28 * _s5, _k28 * _s6, -(_k28 * _s19)
+    return _s8, _s10, _s13, _s15, _k30 * _s16, _k30 * _s17, _k30 * _s18, _k30 * _s2, _k30 * _s5, _k30 * _s6, -(_k30 * _s19)
 
 
 def _roll_4_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any) -> tuple[Any, ...]:
     """Do `roll_4` for one shot."""
-    _s0 = _k29 * nx_2
-    _s1 = _k55 * nx_3
-    _s2 = _k42 * nx_4
+    _s0 = _k31 * nx_2
+    _s1 = _k59 * nx_3
+    _s2 = _k46 * nx_4
     _s3 = (bent_x * per_reach) * vx_4
-    _s4 = _k29 * ny_2
-    _s5 = _k55 * ny_3
-    _s6 = _k42 * ny_4
+    _s4 = _k31 * ny_2
+    _s5 = _k59 * ny_3
+    _s6 = _k46 * ny_4
     _s7 = (bent_y * per_reach) * vy_4
     _s8 = (((((nx_1 * vx_4) + (_s0 * vx_3)) + (_s1 * vx_2)) + (_s2 * vx_1)) + (vx_0 * _s3)) + (((((ny_1 * vy_4) + (_s4 * vy_3)) + (_s5 * vy_2)) + (_s6 * vy_1)) + (vy_0 * _s7))
     _s9 = (bent_z * per_reach) * vz_4
-    _s10 = ((((nz_1 * vz_4) + ((_k29 * nz_2) * vz_3)) + ((_k55 * nz_3) * vz_2)) + ((_k42 * nz_4) * vz_1)) + (vz_0 * _s9)
+    _s10 = ((((nz_1 * vz_4) + ((_k31 * nz_2) * vz_3)) + ((_k59 * nz_3) * vz_2)) + ((_k46 * nz_4) * vz_1)) + (vz_0 * _s9)
     _s11 = ((_k4 * p_gravity) * nz_4) - (_s8 + _s10)
-    _s12 = ((((ny_0 * _s9) + ((_k42 * ny_1) * nz_4)) + ((_k55 * ny_2) * nz_3)) + ((_k29 * ny_3) * nz_2)) + (ny_4 * nz_1)
+    _s12 = ((((ny_0 * _s9) + ((_k46 * ny_1) * nz_4)) + ((_k59 * ny_2) * nz_3)) + ((_k31 * ny_3) * nz_2)) + (ny_4 * nz_1)
     _s13 = _s12 - (((((ny_1 * nz_4) + (_s4 * nz_3)) + (_s5 * nz_2)) + (_s6 * nz_1)) + (nz_0 * _s7))
-    _s14 = _k42 * nx_1
-    _s15 = _k55 * nx_2
-    _s16 = _k29 * nx_3
+    _s14 = _k46 * nx_1
+    _s15 = _k59 * nx_2
+    _s16 = _k31 * nx_3
     _s17 = (((((nx_1 * nz_4) + (_s0 * nz_3)) + (_s1 * nz_2)) + (_s2 * nz_1)) + (nz_0 * _s3)) - (((((nx_0 * _s9) + (_s14 * nz_4)) + (_s15 * nz_3)) + (_s16 * nz_2)) + (nx_4 * nz_1))
     _s18 = (((((nx_0 * _s7) + (_s14 * ny_4)) + (_s15 * ny_3)) + (_s16 * ny_2)) + (nx_4 * ny_1)) - (((((nx_1 * ny_4) + (_s0 * ny_3)) + (_s1 * ny_2)) + (_s2 * ny_1)) + (ny_0 * _s3))
     _s19 = _k3 * (((((turn_rate_0 * _s13) + (turn_rate_1 * tx_3)) + (turn_rate_2 * tx_2)) + (turn_rate_3 * tx_1)) + (turn_rate_4 * tx_0))
@@ -6245,35 +6221,35 @@ def _roll_4_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s24 = (((((lift_0 * nz_4) + (lift_1 * nz_3)) + (lift_2 * nz_2)) + (lift_3 * nz_1)) + (nz_0 * _s11)) + _s23
     _s25 = (((((tx_0 * vx_4) + (tx_1 * vx_3)) + (tx_2 * vx_2)) + (tx_3 * vx_1)) + (vx_0 * _s13)) + (((((ty_0 * vy_4) + (ty_1 * vy_3)) + (ty_2 * vy_2)) + (ty_3 * vy_1)) + (vy_0 * _s17))
     _s26 = _s25 + (((((tz_0 * vz_4) + (tz_1 * vz_3)) + (tz_2 * vz_2)) + (tz_3 * vz_1)) + (vz_0 * _s18))
-    return _s11, _s13, _s17, _s18, _k62 * _s20, _k62 * _s22, _k62 * _s24, _k62 * _s3, _k62 * _s7, _k62 * _s9, -(_k62 * _s26)
+    return _s11, _s13, _s17, _s18, _k66 * _s20, _k66 * _s22, _k66 * _s24, _k66 * _s3, _k66 * _s7, _k66 * _s9, -(_k66 * _s26)
 
 
 def _roll_5_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any) -> tuple[Any, ...]:
     """Do `roll_5` for one shot."""
-    _s0 = _k29 * nx_2
-    _s1 = _k55 * nx_3
-    _s2 = _k42 * nx_4
-    _s3 = _k65 * nx_5
+    _s0 = _k31 * nx_2
+    _s1 = _k59 * nx_3
+    _s2 = _k46 * nx_4
+    _s3 = _k69 * nx_5
     _s4 = (bent_x * per_reach) * vx_5
     _s5 = (((((nx_1 * vx_5) + (_s0 * vx_4)) + (_s1 * vx_3)) + (_s2 * vx_2)) + (_s3 * vx_1)) + (vx_0 * _s4)
-    _s6 = _k29 * ny_2
-    _s7 = _k55 * ny_3
-    _s8 = _k42 * ny_4
-    _s9 = _k65 * ny_5
+    _s6 = _k31 * ny_2
+    _s7 = _k59 * ny_3
+    _s8 = _k46 * ny_4
+    _s9 = _k69 * ny_5
     _s10 = (bent_y * per_reach) * vy_5
     _s11 = (((((ny_1 * vy_5) + (_s6 * vy_4)) + (_s7 * vy_3)) + (_s8 * vy_2)) + (_s9 * vy_1)) + (vy_0 * _s10)
-    _s12 = ((((nz_1 * vz_5) + ((_k29 * nz_2) * vz_4)) + ((_k55 * nz_3) * vz_3)) + ((_k42 * nz_4) * vz_2)) + ((_k65 * nz_5) * vz_1)
+    _s12 = ((((nz_1 * vz_5) + ((_k31 * nz_2) * vz_4)) + ((_k59 * nz_3) * vz_3)) + ((_k46 * nz_4) * vz_2)) + ((_k69 * nz_5) * vz_1)
     _s13 = (bent_z * per_reach) * vz_5
     _s14 = ((_k4 * p_gravity) * nz_5) - ((_s5 + _s11) + (_s12 + (vz_0 * _s13)))
     _s15 = _s7 * nz_3
-    _s16 = ((((ny_0 * _s13) + ((_k65 * ny_1) * nz_5)) + ((_k42 * ny_2) * nz_4)) + _s15) + ((_k29 * ny_4) * nz_2)
+    _s16 = ((((ny_0 * _s13) + ((_k69 * ny_1) * nz_5)) + ((_k46 * ny_2) * nz_4)) + _s15) + ((_k31 * ny_4) * nz_2)
     _s17 = (((((ny_1 * nz_5) + (_s6 * nz_4)) + _s15) + (_s8 * nz_2)) + (_s9 * nz_1)) + (nz_0 * _s10)
     _s18 = (_s16 + (ny_5 * nz_1)) - _s17
     _s19 = _s1 * nz_3
     _s20 = (((((nx_1 * nz_5) + (_s0 * nz_4)) + _s19) + (_s2 * nz_2)) + (_s3 * nz_1)) + (nz_0 * _s4)
-    _s21 = _k65 * nx_1
-    _s22 = _k42 * nx_2
-    _s23 = _k29 * nx_4
+    _s21 = _k69 * nx_1
+    _s22 = _k46 * nx_2
+    _s23 = _k31 * nx_4
     _s24 = (((((nx_0 * _s13) + (_s21 * nz_5)) + (_s22 * nz_4)) + _s19) + (_s23 * nz_2)) + (nx_5 * nz_1)
     _s25 = _s20 - _s24
     _s26 = _s1 * ny_3
@@ -6289,37 +6265,37 @@ def _roll_5_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s36 = (((((tx_0 * vx_5) + (tx_1 * vx_4)) + (tx_2 * vx_3)) + (tx_3 * vx_2)) + (tx_4 * vx_1)) + (vx_0 * _s18)
     _s37 = (((((ty_0 * vy_5) + (ty_1 * vy_4)) + (ty_2 * vy_3)) + (ty_3 * vy_2)) + (ty_4 * vy_1)) + (vy_0 * _s25)
     _s38 = (((((tz_0 * vz_5) + (tz_1 * vz_4)) + (tz_2 * vz_3)) + (tz_3 * vz_2)) + (tz_4 * vz_1)) + (vz_0 * _s29)
-    return _s14, _s18, _s25, _s29, _k66 * (_s30 + (_k3 * _s31)), _k66 * (_s32 + (_k3 * _s33)), _k66 * (_s34 + (_k3 * _s35)), _k66 * _s4, _k66 * _s10, _k66 * _s13, -(_k66 * ((_s36 + _s37) + _s38))
+    return _s14, _s18, _s25, _s29, _k70 * (_s30 + (_k3 * _s31)), _k70 * (_s32 + (_k3 * _s33)), _k70 * (_s34 + (_k3 * _s35)), _k70 * _s4, _k70 * _s10, _k70 * _s13, -(_k70 * ((_s36 + _s37) + _s38))
 
 
 def _roll_6_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any) -> tuple[Any, ...]:
     """Do `roll_6` for one shot."""
-    _s0 = _k29 * nx_2
-    _s1 = _k55 * nx_3
-    _s2 = _k42 * nx_4
-    _s3 = _k65 * nx_5
+    _s0 = _k31 * nx_2
+    _s1 = _k59 * nx_3
+    _s2 = _k46 * nx_4
+    _s3 = _k69 * nx_5
     _s4 = _k9 * nx_6
     _s5 = (((((nx_1 * vx_6) + (_s0 * vx_5)) + (_s1 * vx_4)) + (_s2 * vx_3)) + (_s3 * vx_2)) + (_s4 * vx_1)
     _s6 = (bent_x * per_reach) * vx_6
-    _s7 = _k29 * ny_2
-    _s8 = _k55 * ny_3
-    _s9 = _k42 * ny_4
-    _s10 = _k65 * ny_5
+    _s7 = _k31 * ny_2
+    _s8 = _k59 * ny_3
+    _s9 = _k46 * ny_4
+    _s10 = _k69 * ny_5
     _s11 = _k9 * ny_6
     _s12 = (((((ny_1 * vy_6) + (_s7 * vy_5)) + (_s8 * vy_4)) + (_s9 * vy_3)) + (_s10 * vy_2)) + (_s11 * vy_1)
     _s13 = (bent_y * per_reach) * vy_6
-    _s14 = ((((nz_1 * vz_6) + ((_k29 * nz_2) * vz_5)) + ((_k55 * nz_3) * vz_4)) + ((_k42 * nz_4) * vz_3)) + ((_k65 * nz_5) * vz_2)
+    _s14 = ((((nz_1 * vz_6) + ((_k31 * nz_2) * vz_5)) + ((_k59 * nz_3) * vz_4)) + ((_k46 * nz_4) * vz_3)) + ((_k69 * nz_5) * vz_2)
     _s15 = (bent_z * per_reach) * vz_6
     _s16 = ((_k4 * p_gravity) * nz_6) - (((_s5 + (vx_0 * _s6)) + (_s12 + (vy_0 * _s13))) + ((_s14 + ((_k9 * nz_6) * vz_1)) + (vz_0 * _s15)))
-    _s17 = ((((ny_0 * _s15) + ((_k9 * ny_1) * nz_6)) + ((_k65 * ny_2) * nz_5)) + ((_k42 * ny_3) * nz_4)) + ((_k55 * ny_4) * nz_3)
+    _s17 = ((((ny_0 * _s15) + ((_k9 * ny_1) * nz_6)) + ((_k69 * ny_2) * nz_5)) + ((_k46 * ny_3) * nz_4)) + ((_k59 * ny_4) * nz_3)
     _s18 = (((((ny_1 * nz_6) + (_s7 * nz_5)) + (_s8 * nz_4)) + (_s9 * nz_3)) + (_s10 * nz_2)) + (_s11 * nz_1)
-    _s19 = ((_s17 + ((_k29 * ny_5) * nz_2)) + (ny_6 * nz_1)) - (_s18 + (nz_0 * _s13))
+    _s19 = ((_s17 + ((_k31 * ny_5) * nz_2)) + (ny_6 * nz_1)) - (_s18 + (nz_0 * _s13))
     _s20 = (((((nx_1 * nz_6) + (_s0 * nz_5)) + (_s1 * nz_4)) + (_s2 * nz_3)) + (_s3 * nz_2)) + (_s4 * nz_1)
     _s21 = _k9 * nx_1
-    _s22 = _k65 * nx_2
-    _s23 = _k42 * nx_3
-    _s24 = _k55 * nx_4
-    _s25 = _k29 * nx_5
+    _s22 = _k69 * nx_2
+    _s23 = _k46 * nx_3
+    _s24 = _k59 * nx_4
+    _s25 = _k31 * nx_5
     _s26 = (((((nx_0 * _s15) + (_s21 * nz_6)) + (_s22 * nz_5)) + (_s23 * nz_4)) + (_s24 * nz_3)) + (_s25 * nz_2)
     _s27 = (_s20 + (nz_0 * _s6)) - (_s26 + (nx_6 * nz_1))
     _s28 = (((((nx_0 * _s13) + (_s21 * ny_6)) + (_s22 * ny_5)) + (_s23 * ny_4)) + (_s24 * ny_3)) + (_s25 * ny_2)
@@ -6334,44 +6310,44 @@ def _roll_6_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s37 = (((((tx_0 * vx_6) + (tx_1 * vx_5)) + (tx_2 * vx_4)) + (tx_3 * vx_3)) + (tx_4 * vx_2)) + (tx_5 * vx_1)
     _s38 = (((((ty_0 * vy_6) + (ty_1 * vy_5)) + (ty_2 * vy_4)) + (ty_3 * vy_3)) + (ty_4 * vy_2)) + (ty_5 * vy_1)
     _s39 = (((((tz_0 * vz_6) + (tz_1 * vz_5)) + (tz_2 * vz_4)) + (tz_3 * vz_3)) + (tz_4 * vz_2)) + (tz_5 * vz_1)
-    _s40 = -(_k68 * (((_s37 + (vx_0 * _s19)) + (_s38 + (vy_0 * _s27))) + (_s39 + (vz_0 * _s30))))
-    return _s16, _s19, _s27, _s30, _k68 * ((_s31 + (nx_0 * _s16)) + (_k3 * (_s32 + (turn_rate_6 * tx_0)))), _k68 * ((_s33 + (ny_0 * _s16)) + (_k3 * (_s34 + (turn_rate_6 * ty_0)))), _k68 * ((_s35 + (nz_0 * _s16)) + (_k3 * (_s36 + (turn_rate_6 * tz_0)))), _k68 * _s6, _k68 * _s13, _k68 * _s15, _s40
+    _s40 = -(_k72 * (((_s37 + (vx_0 * _s19)) + (_s38 + (vy_0 * _s27))) + (_s39 + (vz_0 * _s30))))
+    return _s16, _s19, _s27, _s30, _k72 * ((_s31 + (nx_0 * _s16)) + (_k3 * (_s32 + (turn_rate_6 * tx_0)))), _k72 * ((_s33 + (ny_0 * _s16)) + (_k3 * (_s34 + (turn_rate_6 * ty_0)))), _k72 * ((_s35 + (nz_0 * _s16)) + (_k3 * (_s36 + (turn_rate_6 * tz_0)))), _k72 * _s6, _k72 * _s13, _k72 * _s15, _s40
 
 
 def _roll_7_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any) -> tuple[Any, ...]:
     """Do `roll_7` for one shot."""
-    _s0 = _k29 * nx_2
-    _s1 = _k55 * nx_3
-    _s2 = _k42 * nx_4
-    _s3 = _k65 * nx_5
+    _s0 = _k31 * nx_2
+    _s1 = _k59 * nx_3
+    _s2 = _k46 * nx_4
+    _s3 = _k69 * nx_5
     _s4 = _k9 * nx_6
     _s5 = (((((nx_1 * vx_7) + (_s0 * vx_6)) + (_s1 * vx_5)) + (_s2 * vx_4)) + (_s3 * vx_3)) + (_s4 * vx_2)
-    _s6 = _k71 * nx_7
+    _s6 = _k74 * nx_7
     _s7 = (bent_x * per_reach) * vx_7
-    _s8 = _k29 * ny_2
-    _s9 = _k55 * ny_3
-    _s10 = _k42 * ny_4
-    _s11 = _k65 * ny_5
+    _s8 = _k31 * ny_2
+    _s9 = _k59 * ny_3
+    _s10 = _k46 * ny_4
+    _s11 = _k69 * ny_5
     _s12 = _k9 * ny_6
     _s13 = (((((ny_1 * vy_7) + (_s8 * vy_6)) + (_s9 * vy_5)) + (_s10 * vy_4)) + (_s11 * vy_3)) + (_s12 * vy_2)
-    _s14 = _k71 * ny_7
+    _s14 = _k74 * ny_7
     _s15 = (bent_y * per_reach) * vy_7
-    _s16 = ((((nz_1 * vz_7) + ((_k29 * nz_2) * vz_6)) + ((_k55 * nz_3) * vz_5)) + ((_k42 * nz_4) * vz_4)) + ((_k65 * nz_5) * vz_3)
+    _s16 = ((((nz_1 * vz_7) + ((_k31 * nz_2) * vz_6)) + ((_k59 * nz_3) * vz_5)) + ((_k46 * nz_4) * vz_4)) + ((_k69 * nz_5) * vz_3)
     _s17 = (bent_z * per_reach) * vz_7
-    _s18 = (((_s5 + (_s6 * vx_1)) + (vx_0 * _s7)) + ((_s13 + (_s14 * vy_1)) + (vy_0 * _s15))) + (((_s16 + ((_k9 * nz_6) * vz_2)) + ((_k71 * nz_7) * vz_1)) + (vz_0 * _s17))
+    _s18 = (((_s5 + (_s6 * vx_1)) + (vx_0 * _s7)) + ((_s13 + (_s14 * vy_1)) + (vy_0 * _s15))) + (((_s16 + ((_k9 * nz_6) * vz_2)) + ((_k74 * nz_7) * vz_1)) + (vz_0 * _s17))
     _s19 = ((_k4 * p_gravity) * nz_7) - _s18
     _s20 = _s10 * nz_4
-    _s21 = ((((ny_0 * _s17) + ((_k71 * ny_1) * nz_7)) + ((_k9 * ny_2) * nz_6)) + ((_k65 * ny_3) * nz_5)) + _s20
+    _s21 = ((((ny_0 * _s17) + ((_k74 * ny_1) * nz_7)) + ((_k9 * ny_2) * nz_6)) + ((_k69 * ny_3) * nz_5)) + _s20
     _s22 = (((((ny_1 * nz_7) + (_s8 * nz_6)) + (_s9 * nz_5)) + _s20) + (_s11 * nz_3)) + (_s12 * nz_2)
-    _s23 = (((_s21 + ((_k55 * ny_5) * nz_3)) + ((_k29 * ny_6) * nz_2)) + (ny_7 * nz_1)) - ((_s22 + (_s14 * nz_1)) + (nz_0 * _s15))
+    _s23 = (((_s21 + ((_k59 * ny_5) * nz_3)) + ((_k31 * ny_6) * nz_2)) + (ny_7 * nz_1)) - ((_s22 + (_s14 * nz_1)) + (nz_0 * _s15))
     _s24 = _s2 * nz_4
     _s25 = (((((nx_1 * nz_7) + (_s0 * nz_6)) + (_s1 * nz_5)) + _s24) + (_s3 * nz_3)) + (_s4 * nz_2)
-    _s26 = _k71 * nx_1
+    _s26 = _k74 * nx_1
     _s27 = _k9 * nx_2
-    _s28 = _k65 * nx_3
-    _s29 = _k55 * nx_5
+    _s28 = _k69 * nx_3
+    _s29 = _k59 * nx_5
     _s30 = (((((nx_0 * _s17) + (_s26 * nz_7)) + (_s27 * nz_6)) + (_s28 * nz_5)) + _s24) + (_s29 * nz_3)
-    _s31 = _k29 * nx_6
+    _s31 = _k31 * nx_6
     _s32 = ((_s25 + (_s6 * nz_1)) + (nz_0 * _s7)) - ((_s30 + (_s31 * nz_2)) + (nx_7 * nz_1))
     _s33 = _s2 * ny_4
     _s34 = (((((nx_0 * _s15) + (_s26 * ny_7)) + (_s27 * ny_6)) + (_s28 * ny_5)) + _s33) + (_s29 * ny_3)
@@ -6379,18 +6355,18 @@ def _roll_7_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s36 = ((_s34 + (_s31 * ny_2)) + (nx_7 * ny_1)) - ((_s35 + (_s6 * ny_1)) + (ny_0 * _s7))
     _s37 = (((((lift_0 * nx_7) + (lift_1 * nx_6)) + (lift_2 * nx_5)) + (lift_3 * nx_4)) + (lift_4 * nx_3)) + (lift_5 * nx_2)
     _s38 = (((((turn_rate_0 * _s23) + (turn_rate_1 * tx_6)) + (turn_rate_2 * tx_5)) + (turn_rate_3 * tx_4)) + (turn_rate_4 * tx_3)) + (turn_rate_5 * tx_2)
-    _s39 = _k72 * (((_s37 + (lift_6 * nx_1)) + (nx_0 * _s19)) + (_k3 * ((_s38 + (turn_rate_6 * tx_1)) + (turn_rate_7 * tx_0))))
+    _s39 = _k35 * (((_s37 + (lift_6 * nx_1)) + (nx_0 * _s19)) + (_k3 * ((_s38 + (turn_rate_6 * tx_1)) + (turn_rate_7 * tx_0))))
     _s40 = (((((lift_0 * ny_7) + (lift_1 * ny_6)) + (lift_2 * ny_5)) + (lift_3 * ny_4)) + (lift_4 * ny_3)) + (lift_5 * ny_2)
     _s41 = (((((turn_rate_0 * _s32) + (turn_rate_1 * ty_6)) + (turn_rate_2 * ty_5)) + (turn_rate_3 * ty_4)) + (turn_rate_4 * ty_3)) + (turn_rate_5 * ty_2)
-    _s42 = _k72 * (((_s40 + (lift_6 * ny_1)) + (ny_0 * _s19)) + (_k3 * ((_s41 + (turn_rate_6 * ty_1)) + (turn_rate_7 * ty_0))))
+    _s42 = _k35 * (((_s40 + (lift_6 * ny_1)) + (ny_0 * _s19)) + (_k3 * ((_s41 + (turn_rate_6 * ty_1)) + (turn_rate_7 * ty_0))))
     _s43 = (((((lift_0 * nz_7) + (lift_1 * nz_6)) + (lift_2 * nz_5)) + (lift_3 * nz_4)) + (lift_4 * nz_3)) + (lift_5 * nz_2)
     _s44 = (((((turn_rate_0 * _s36) + (turn_rate_1 * tz_6)) + (turn_rate_2 * tz_5)) + (turn_rate_3 * tz_4)) + (turn_rate_4 * tz_3)) + (turn_rate_5 * tz_2)
-    _s45 = _k72 * (((_s43 + (lift_6 * nz_1)) + (nz_0 * _s19)) + (_k3 * ((_s44 + (turn_rate_6 * tz_1)) + (turn_rate_7 * tz_0))))
+    _s45 = _k35 * (((_s43 + (lift_6 * nz_1)) + (nz_0 * _s19)) + (_k3 * ((_s44 + (turn_rate_6 * tz_1)) + (turn_rate_7 * tz_0))))
     _s46 = (((((tx_0 * vx_7) + (tx_1 * vx_6)) + (tx_2 * vx_5)) + (tx_3 * vx_4)) + (tx_4 * vx_3)) + (tx_5 * vx_2)
     _s47 = (((((ty_0 * vy_7) + (ty_1 * vy_6)) + (ty_2 * vy_5)) + (ty_3 * vy_4)) + (ty_4 * vy_3)) + (ty_5 * vy_2)
     _s48 = (((((tz_0 * vz_7) + (tz_1 * vz_6)) + (tz_2 * vz_5)) + (tz_3 * vz_4)) + (tz_4 * vz_3)) + (tz_5 * vz_2)
-    _s49 = _k72 * ((((_s46 + (tx_6 * vx_1)) + (vx_0 * _s23)) + ((_s47 + (ty_6 * vy_1)) + (vy_0 * _s32))) + ((_s48 + (tz_6 * vz_1)) + (vz_0 * _s36)))
-    return _s19, _s23, _s32, _s36, _s39, _s42, _s45, _k72 * _s7, _k72 * _s15, _k72 * _s17, -_s49
+    _s49 = _k35 * ((((_s46 + (tx_6 * vx_1)) + (vx_0 * _s23)) + ((_s47 + (ty_6 * vy_1)) + (vy_0 * _s32))) + ((_s48 + (tz_6 * vz_1)) + (vz_0 * _s36)))
+    return _s19, _s23, _s32, _s36, _s39, _s42, _s45, _k35 * _s7, _k35 * _s15, _k35 * _s17, -_s49
 
 
 def _roll_start_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -6400,19 +6376,19 @@ def _roll_start_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy
 
 def _roll_moved_alone(t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `roll_moved` for one shot."""
-    _s0 = _k74 * t
-    _s1 = (_k66 * vx_5) + (t * ((_k68 * vx_6) + (t * ((_k72 * vx_7) + (_s0 * vx_8)))))
-    _s2 = (_k58 * vx_2) + (t * ((_k28 * vx_3) + (t * ((_k62 * vx_4) + (t * _s1)))))
+    _s0 = _k76 * t
+    _s1 = (_k70 * vx_5) + (t * ((_k72 * vx_6) + (t * ((_k35 * vx_7) + (_s0 * vx_8)))))
+    _s2 = (_k62 * vx_2) + (t * ((_k30 * vx_3) + (t * ((_k66 * vx_4) + (t * _s1)))))
     _s3 = x + (t * (vx_0 + (t * ((_k0 * vx_1) + (t * _s2)))))
     _s4 = vx_5 + (t * (vx_6 + (t * (vx_7 + (t * vx_8)))))
     _s5 = vx_2 + (t * (vx_3 + (t * (vx_4 + (t * _s4)))))
-    _s6 = (_k66 * vy_5) + (t * ((_k68 * vy_6) + (t * ((_k72 * vy_7) + (_s0 * vy_8)))))
-    _s7 = (_k58 * vy_2) + (t * ((_k28 * vy_3) + (t * ((_k62 * vy_4) + (t * _s6)))))
+    _s6 = (_k70 * vy_5) + (t * ((_k72 * vy_6) + (t * ((_k35 * vy_7) + (_s0 * vy_8)))))
+    _s7 = (_k62 * vy_2) + (t * ((_k30 * vy_3) + (t * ((_k66 * vy_4) + (t * _s6)))))
     _s8 = y + (t * (vy_0 + (t * ((_k0 * vy_1) + (t * _s7)))))
     _s9 = vy_5 + (t * (vy_6 + (t * (vy_7 + (t * vy_8)))))
     _s10 = vy_2 + (t * (vy_3 + (t * (vy_4 + (t * _s9)))))
-    _s11 = (_k66 * vz_5) + (t * ((_k68 * vz_6) + (t * ((_k72 * vz_7) + (_s0 * vz_8)))))
-    _s12 = (_k58 * vz_2) + (t * ((_k28 * vz_3) + (t * ((_k62 * vz_4) + (t * _s11)))))
+    _s11 = (_k70 * vz_5) + (t * ((_k72 * vz_6) + (t * ((_k35 * vz_7) + (_s0 * vz_8)))))
+    _s12 = (_k62 * vz_2) + (t * ((_k30 * vz_3) + (t * ((_k66 * vz_4) + (t * _s11)))))
     _s13 = z + (t * (vz_0 + (t * ((_k0 * vz_1) + (t * _s12)))))
     _s14 = vz_5 + (t * (vz_6 + (t * (vz_7 + (t * vz_8)))))
     _s15 = vz_2 + (t * (vz_3 + (t * (vz_4 + (t * _s14)))))
@@ -6434,31 +6410,31 @@ def _roll_placed_alone(p_ball_radius: Any, gap: Any, nx: Any, ny: Any, nz: Any, 
 def _roll_pace_alone(p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, lift_7: Any, nx_8: Any, ny_8: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, nz_8: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any) -> tuple[Any, ...]:
     """Do `roll_pace` for one shot."""
     _s0 = ((abs(turn_rate_0) + abs(vx_0)) + abs(vy_0)) + abs(vz_0)
-    _s1 = (_k80 * p_gravity) + _s0
+    _s1 = (_k84 * p_gravity) + _s0
     _s2 = abs(per_reach)
     _s3 = ((abs(turn_rate_7) + abs(vx_7)) + abs(vy_7)) + abs(vz_7)
     _s4 = ((abs(turn_rate_8) + abs(vx_8)) + abs(vy_8)) + abs(vz_8)
     _s5 = (((_s2 * _s0) + _root((p_gravity * _s2))) * _s3) + _s4
     _s6 = _s1 * ((abs(nx_8) + abs(ny_8)) + abs(nz_8))
-    _s7 = _root(_root(_root(((_k30 * _s1) / (_s6 if _s5 < _s6 else _s5)))))
+    _s7 = _root(_root(_root(((_k83 * _s1) / (_s6 if _s5 < _s6 else _s5)))))
     _s8 = _s7 if _s7 < _k1 else _k1
-    _s9 = (_k29 * (((abs(turn_rate_2) + abs(vx_2)) + abs(vy_2)) + abs(vz_2))) * _s8
+    _s9 = (_k31 * (((abs(turn_rate_2) + abs(vx_2)) + abs(vy_2)) + abs(vz_2))) * _s8
     _s10 = _s8 * _s8
-    _s11 = (_k55 * (((abs(turn_rate_3) + abs(vx_3)) + abs(vy_3)) + abs(vz_3))) * _s10
+    _s11 = (_k59 * (((abs(turn_rate_3) + abs(vx_3)) + abs(vy_3)) + abs(vz_3))) * _s10
     _s12 = _s8 * _s10
-    _s13 = (_k42 * (((abs(turn_rate_4) + abs(vx_4)) + abs(vy_4)) + abs(vz_4))) * _s12
+    _s13 = (_k46 * (((abs(turn_rate_4) + abs(vx_4)) + abs(vy_4)) + abs(vz_4))) * _s12
     _s14 = _s10 * _s10
-    _s15 = (_k65 * (((abs(turn_rate_5) + abs(vx_5)) + abs(vy_5)) + abs(vz_5))) * _s14
+    _s15 = (_k69 * (((abs(turn_rate_5) + abs(vx_5)) + abs(vy_5)) + abs(vz_5))) * _s14
     _s16 = _s8 * _s14
     _s17 = (_k9 * (((abs(turn_rate_6) + abs(vx_6)) + abs(vy_6)) + abs(vz_6))) * _s16
-    _s18 = (((((_s9 + _s11) + _s13) + _s15) + _s17) + ((_k71 * _s3) * (_s10 * _s14))) + ((_k31 * _s4) * (_s12 * _s14))
+    _s18 = (((((_s9 + _s11) + _s13) + _s15) + _s17) + ((_k74 * _s3) * (_s10 * _s14))) + ((_k34 * _s4) * (_s12 * _s14))
     _s19 = _s18 + (((abs(turn_rate_1) + abs(vx_1)) + abs(vy_1)) + abs(vz_1))
     _s20 = _k3 * p_gravity
-    _s21 = ((_k9 * abs((lift_3 + (_s20 * nz_3)))) * _s8) + ((_k81 * abs((lift_4 + (_s20 * nz_4)))) * _s10)
-    _s22 = _s21 + ((_k82 * abs((lift_5 + (_s20 * nz_5)))) * _s12)
-    _s23 = _s22 + ((_k83 * abs((lift_6 + (_s20 * nz_6)))) * _s14)
-    _s24 = _s23 + ((_k84 * abs((lift_7 + (_s20 * nz_7)))) * _s16)
-    return _s8, _s19, (_s19 * _s8) + _s0, lift_0 + (_s20 * nz_0), lift_1 + (_s20 * nz_1), _s24 + (_k29 * abs((lift_2 + (_s20 * nz_2)))), -(_k85 * (-(p_gravity * nz_1)))
+    _s21 = ((_k9 * abs((lift_3 + (_s20 * nz_3)))) * _s8) + ((_k85 * abs((lift_4 + (_s20 * nz_4)))) * _s10)
+    _s22 = _s21 + ((_k86 * abs((lift_5 + (_s20 * nz_5)))) * _s12)
+    _s23 = _s22 + ((_k87 * abs((lift_6 + (_s20 * nz_6)))) * _s14)
+    _s24 = _s23 + ((_k88 * abs((lift_7 + (_s20 * nz_7)))) * _s16)
+    return _s8, _k47 * _s1, _s19, (_s19 * _s8) + _s0, lift_0 + (_s20 * nz_0), lift_1 + (_s20 * nz_1), _s24 + (_k31 * abs((lift_2 + (_s20 * nz_2)))), -(_k89 * (-(p_gravity * nz_1)))
 
 
 def _roll_turn_rate_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -6485,9 +6461,9 @@ def _alone_alone() -> tuple[Any, ...]:
 
 def _begun_errors_alone(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dx: Any, dy: Any, dz: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     """Do `begun_errors` for one shot."""
-    _s0 = _k93 * p_ball_radius
+    _s0 = _k97 * p_ball_radius
     _s1 = -_s0
-    _s2 = (_k94 * p_ball_radius) * (_k1 + (((abs(vx) + abs(vy)) + abs(vz)) / p_ball_radius))
+    _s2 = (_k98 * p_ball_radius) * (_k1 + (((abs(vx) + abs(vy)) + abs(vz)) / p_ball_radius))
     _s3 = -_s2
     _s4 = _s2 / p_ball_radius
     _s5 = -_s4
@@ -6498,60 +6474,60 @@ def _leaving_force_alone(p_ball_radius: Any, brace: Any, doubt: Any, fastest: An
     """Do `leaving_force` for one shot."""
     _s0 = abs(per_reach)
     _s1 = p_gravity + ((fastest * fastest) * _s0)
-    _s2 = _k96 * _s1
+    _s2 = _k100 * _s1
     _s3 = force_rate < _k2
     _s4 = (force < (-_s2)) or ((force <= _s2) and _s3)
     _s5 = -(brace + force_rate)
     _s6 = force + (((_s5 * _s5) / (p_gravity * (_s0 * _s1))) if (_s5 < _k2) else _k2)
     _s7 = _s4 and (_s2 < _s6)
     _s8 = _s4 and (not _s7)
-    _s9 = (((abs(vx) + abs(vy)) + abs(vz)) <= (_k96 * _root((p_ball_radius * p_gravity)))) and (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) <= (_k96 * p_gravity))
+    _s9 = (((abs(vx) + abs(vy)) + abs(vz)) <= (_k100 * _root((p_ball_radius * p_gravity)))) and (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) <= (_k100 * p_gravity))
     _s10 = force_rate * force_rate
-    _s11 = force_bend + (_k91 * _s1)
+    _s11 = force_bend + (_k95 * _s1)
     _s12 = _s6 if _s7 else (_k2 if force < _k2 else force)
-    _s13 = _s10 + ((_k29 * _s11) * _s12)
+    _s13 = _s10 + ((_k31 * _s11) * _s12)
     _s14 = _root(_s13)
-    _s15 = (((_k29 * _s12) if _s3 else (force_rate + _s14)) / ((_s14 - force_rate) if _s3 else (_s11 if _k2 < _s11 else _k2))) if (_k2 <= _s13) else _k10
-    _s16 = ((_k31 * _s0) * ((fastest * velocity_error) + (position_error * _s1))) + _s2
-    _s17 = _s7 or ((abs(force) <= _s16) and (not (((_k31 * _s11) * _s16) < _s10)))
-    return _k2 if (_s8 or _s9) else (_s15 if _s15 < stride else stride), _k9 if (_s8 and (which == _k39)) else which, _s9 and (not _s8), _k2 if _s17 else doubt
+    _s15 = (((_k31 * _s12) if _s3 else (force_rate + _s14)) / ((_s14 - force_rate) if _s3 else (_s11 if _k2 < _s11 else _k2))) if (_k2 <= _s13) else _k10
+    _s16 = ((_k34 * _s0) * ((fastest * velocity_error) + (position_error * _s1))) + _s2
+    _s17 = _s7 or ((abs(force) <= _s16) and (not (((_k34 * _s11) * _s16) < _s10)))
+    return _k2 if (_s8 or _s9) else (_s15 if _s15 < stride else stride), _k9 if (_s8 and (which == _k43)) else which, _s9 and (not _s8), _k2 if _s17 else doubt
 
 
 def _beside_body_alone(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `beside_body` for one shot."""
-    _s0 = _k98 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s0 = _k102 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s1 = gap <= _s0
     _s2 = nearing < _k2
     _s3 = _s1 and _s2
     _s4 = nearing * nearing
     _s5 = strongest + (dent * (fastest * fastest))
-    _s6 = (_k93 * p_ball_radius) if _s1 else gap
-    _s7 = _s4 + ((_k29 * _s5) * _s6)
+    _s6 = (_k97 * p_ball_radius) if _s1 else gap
+    _s7 = _s4 + ((_k31 * _s5) * _s6)
     _s8 = _root(_s7)
-    _s9 = (((_k29 * _s6) if _s2 else (nearing + _s8)) / ((_s8 - nearing) if _s2 else (_s5 if _k2 < _s5 else _k2))) if (_k2 <= _s7) else _k10
-    _s10 = which == _k39
+    _s9 = (((_k31 * _s6) if _s2 else (nearing + _s8)) / ((_s8 - nearing) if _s2 else (_s5 if _k2 < _s5 else _k2))) if (_k2 <= _s7) else _k10
+    _s10 = which == _k43
     _s11 = _s3 and _s10
-    _s12 = (_k29 * position_error) + _s0
-    _s13 = (((gap <= _s12) and ((-_s12) <= gap)) and (not (((_k31 * _s12) * _s5) < _s4))) or (_s3 and (not _s10))
-    return _k2 if _s3 else (_s9 if _s9 < stride else stride), index if _s11 else which, _k2 if _s13 else doubt, ((_k29 * _s12) / abs(nearing)) if _s11 else late
+    _s12 = (_k31 * position_error) + _s0
+    _s13 = (((gap <= _s12) and ((-_s12) <= gap)) and (not (((_k34 * _s12) * _s5) < _s4))) or (_s3 and (not _s10))
+    return _k2 if _s3 else (_s9 if _s9 < stride else stride), index if _s11 else which, _k2 if _s13 else doubt, ((_k31 * _s12) / abs(nearing)) if _s11 else late
 
 
 def _beside_gate_alone(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `beside_gate` for one shot."""
-    _s0 = _k98 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s0 = _k102 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s1 = nearing < _k2
     _s2 = ((gap <= _s0) and _s1) and ((-_s0) <= gap)
     _s3 = nearing * nearing
     _s4 = strongest + (dent * (fastest * fastest))
     _s5 = _k2 if gap < _k2 else gap
-    _s6 = _s3 + ((_k29 * _s4) * _s5)
+    _s6 = _s3 + ((_k31 * _s4) * _s5)
     _s7 = _root(_s6)
-    _s8 = ((((_k29 * _s5) if _s1 else (nearing + _s7)) / ((_s7 - nearing) if _s1 else (_s4 if _k2 < _s4 else _k2))) if (_k2 <= _s6) else _k10) if (_k2 < gap) else _k10
-    _s9 = which == _k39
+    _s8 = ((((_k31 * _s5) if _s1 else (nearing + _s7)) / ((_s7 - nearing) if _s1 else (_s4 if _k2 < _s4 else _k2))) if (_k2 <= _s6) else _k10) if (_k2 < gap) else _k10
+    _s9 = which == _k43
     _s10 = _s2 and _s9
-    _s11 = (_k29 * position_error) + _s0
-    _s12 = (((gap <= _s11) and ((-_s11) <= gap)) and (not (((_k31 * _s11) * _s4) < _s3))) or (_s2 and (not _s9))
-    return _k2 if _s2 else (_s8 if _s8 < stride else stride), index if _s10 else which, _k2 if _s12 else doubt, ((_k29 * _s11) / abs(nearing)) if _s10 else late
+    _s11 = (_k31 * position_error) + _s0
+    _s12 = (((gap <= _s11) and ((-_s11) <= gap)) and (not (((_k34 * _s11) * _s4) < _s3))) or (_s2 and (not _s9))
+    return _k2 if _s2 else (_s8 if _s8 < stride else stride), index if _s10 else which, _k2 if _s12 else doubt, ((_k31 * _s11) / abs(nearing)) if _s10 else late
 
 
 def _beside_seam_alone(fastest: Any, gap: Any, near: Any, nearing: Any, stride: Any, strongest: Any) -> tuple[Any, ...]:
@@ -6560,10 +6536,10 @@ def _beside_seam_alone(fastest: Any, gap: Any, near: Any, nearing: Any, stride: 
     _s1 = _s0 <= near
     _s2 = _k2 if _s1 else _s0
     _s3 = ((_k11 * fastest) + abs(nearing)) if _s1 else (nearing if (_k2 < gap) else (-nearing))
-    _s4 = ((_k29 * strongest) * _s2) + (_s3 * _s3)
+    _s4 = ((_k31 * strongest) * _s2) + (_s3 * _s3)
     _s5 = _root(_s4)
     _s6 = _s3 < _k2
-    _s7 = (((_k29 * _s2) if _s6 else (_s3 + _s5)) / ((_s5 - _s3) if _s6 else (strongest if _k2 < strongest else _k2))) if (_k2 <= _s4) else _k10
+    _s7 = (((_k31 * _s2) if _s6 else (_s3 + _s5)) / ((_s5 - _s3) if _s6 else (strongest if _k2 < strongest else _k2))) if (_k2 <= _s4) else _k10
     return _s7 if _s7 < stride else stride,
 
 
@@ -6571,12 +6547,12 @@ def _beside_time_alone(clock: Any, stride: Any, time_limit: Any, which: Any) -> 
     """Do `beside_time` for one shot."""
     _s0 = time_limit - clock
     _s1 = _s0 if _s0 < stride else stride
-    return _s1 if _k2 < _s1 else _k2, _k42 if ((not (clock < time_limit)) and (which == _k39)) else which
+    return _s1 if _k2 < _s1 else _k2, _k46 if ((not (clock < time_limit)) and (which == _k43)) else which
 
 
 def _rolled_on_alone(clock: Any, rests: Any, stride: Any, which: Any) -> tuple[Any, ...]:
     """Do `rolled_on` for one shot."""
-    return clock + stride, (which == _k39) and (not rests)
+    return clock + stride, (which == _k43) and (not rests)
 
 
 def _unmet_alone() -> tuple[Any, ...]:
@@ -6586,13 +6562,13 @@ def _unmet_alone() -> tuple[Any, ...]:
 
 def _spared_alone(dent: Any, gap: Any, p_gravity: Any, nearing: Any, spare: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     """Do `spared` for one shot."""
-    _s0 = (((_k99 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s0 = (((_k103 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s1 = p_gravity + (dent * (_s0 * _s0))
     _s2 = _k2 if gap < _k2 else gap
-    _s3 = (nearing * nearing) + ((_k29 * _s1) * _s2)
+    _s3 = (nearing * nearing) + ((_k31 * _s1) * _s2)
     _s4 = _root(_s3)
     _s5 = nearing < _k2
-    _s6 = (((_k29 * _s2) if _s5 else (nearing + _s4)) / ((_s4 - nearing) if _s5 else (_s1 if _k2 < _s1 else _k2))) if (_k2 <= _s3) else _k10
+    _s6 = (((_k31 * _s2) if _s5 else (nearing + _s4)) / ((_s4 - nearing) if _s5 else (_s1 if _k2 < _s1 else _k2))) if (_k2 <= _s3) else _k10
     return _s6 if _s6 < spare else spare,
 
 
@@ -6600,35 +6576,35 @@ def _spared_seam_alone(gap: Any, p_gravity: Any, near: Any, nearing: Any, spare:
     """Do `spared_seam` for one shot."""
     _s0 = abs(gap)
     _s1 = nearing if (_k2 < gap) else (-nearing)
-    _s2 = ((_k29 * p_gravity) * _s0) + (_s1 * _s1)
+    _s2 = ((_k31 * p_gravity) * _s0) + (_s1 * _s1)
     _s3 = _root(_s2)
     _s4 = _s1 < _k2
-    _s5 = (((_k29 * _s0) if _s4 else (_s1 + _s3)) / ((_s3 - _s1) if _s4 else (p_gravity if _k2 < p_gravity else _k2))) if (_k2 <= _s2) else _k10
+    _s5 = (((_k31 * _s0) if _s4 else (_s1 + _s3)) / ((_s3 - _s1) if _s4 else (p_gravity if _k2 < p_gravity else _k2))) if (_k2 <= _s2) else _k10
     return spare if (_s0 <= near) else (_s5 if _s5 < spare else spare),
 
 
 def _parted_alone(doubt: Any, p_gravity: Any, lift: Any, per_reach: Any, position_error: Any, snap: Any, spare: Any, surge: Any, velocity_error: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     """Do `parted` for one shot."""
-    _s0 = _k28 * spare
-    _s1 = (((_k99 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s0 = _k30 * spare
+    _s1 = (((_k103 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s2 = abs(per_reach)
     _s3 = p_gravity + ((_s1 * _s1) * _s2)
     _s4 = (_k1 + (_s1 * _s2)) + _root((p_gravity * _s2))
-    _s5 = (_k38 * _s3) * (_s4 * (_s4 * _s4))
+    _s5 = (_k42 * _s3) * (_s4 * (_s4 * _s4))
     _s6 = _k0 * surge
     _s7 = _root((_s6 / _s5))
-    _s8 = _k50 * _s5
+    _s8 = _k54 * _s5
     _s9 = abs(snap) + _s8
     _s10 = _s6 / _s9
     _s11 = lift if _k2 < lift else _k2
-    _s12 = _root(((_k102 * _s11) / _s5))
+    _s12 = _root(((_k106 * _s11) / _s5))
     _s13 = _root(((_k0 * _s11) / _s9))
-    _s14 = _s11 / ((_k42 * abs(surge)) + _s8)
+    _s14 = _s11 / ((_k46 * abs(surge)) + _s8)
     _s15 = _s13 if _s13 < _s14 else _s14
     _s16 = (_s7 if _s7 < _s10 else _s10) if (_k2 < surge) else (_s12 if _s12 < _s15 else _s15)
-    _s17 = _s16 if _s16 < _k99 else _k99
+    _s17 = _s16 if _s16 < _k103 else _k103
     _s18 = _s0 if _s0 < _s17 else _s17
-    _s19 = (_k96 * p_gravity) + ((_k36 * ((position_error * _s3) + (velocity_error * _s1))) * _s2)
+    _s19 = (_k100 * p_gravity) + ((_k40 * ((position_error * _s3) + (velocity_error * _s1))) * _s2)
     return _s18 if _k2 < _s18 else _k2, doubt if (((_s19 * _s4) < surge) or (_s19 < lift)) else _k2
 
 
@@ -6646,8 +6622,8 @@ def _apart_alone(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy
     _s9 = abs(dy)
     _s10 = _s9 if _s8 < _s9 else _s8
     _s11 = abs(dz)
-    _s12 = ((_k30 * p_ball_radius) + (_k72 * ((p_ball_radius * (_s3 if _s2 < _s3 else _s2)) + (_s7 if _s6 < _s7 else _s6)))) + (_s11 if _s10 < _s11 else _s10)
-    return (_k103 * p_ball_radius) / _s12,
+    _s12 = ((_k33 * p_ball_radius) + (_k35 * ((p_ball_radius * (_s3 if _s2 < _s3 else _s2)) + (_s7 if _s6 < _s7 else _s6)))) + (_s11 if _s10 < _s11 else _s10)
+    return (_k107 * p_ball_radius) / _s12,
 
 
 def _neighbour_alone(apart: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dx: Any, dy: Any, dz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -6655,16 +6631,16 @@ def _neighbour_alone(apart: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: An
     return x + (apart * dx), y + (apart * dy), z + (apart * dz), vx + (apart * dvx), vy + (apart * dvy), vz + (apart * dvz), wx + (apart * dwx), wy + (apart * dwy), wz + (apart * dwz), _k2, _k2, _k2, _k2
 
 
-def _compared_alone(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, far_vz: Any, far_wx: Any, far_wy: Any, far_wz: Any, far_x: Any, far_y: Any, far_z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
+def _compared_alone(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, far_vz: Any, far_wx: Any, far_wy: Any, far_wz: Any, far_x: Any, far_y: Any, far_z: Any, missed: Any, stride: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `compared` for one shot."""
     _s0 = (far_x - x) / apart
-    _s1 = _k21 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s1 = (missed * stride) + (_k21 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z)))
     _s2 = -_s1
     _s3 = (far_y - y) / apart
     _s4 = (far_z - z) / apart
     _s5 = (far_vx - vx) / apart
     _s6 = ((p_ball_radius * ((abs(wx) + abs(wy)) + abs(wz))) + abs(vx)) + abs(vy)
-    _s7 = _k21 * (_s6 + abs(vz))
+    _s7 = missed + (_k21 * (_s6 + abs(vz)))
     _s8 = -_s7
     _s9 = (far_vy - vy) / apart
     _s10 = (far_vz - vz) / apart
@@ -6678,7 +6654,7 @@ def _compared_alone(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, fa
 
 def _resumed_alone(clock: Any, mode: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
     """Do `resumed` for one shot."""
-    return _k39, _k2, clock, _k10 if ((position_error < _k10) and (velocity_error < _k10)) else _k2, mode == _k1, mode == _k29, mode == _k55, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2
+    return _k43, _k2, clock, _k10 if ((position_error < _k10) and (velocity_error < _k10)) else _k2, mode == _k1, mode == _k31, mode == _k59, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2
 
 
 def _holding_alone(held: Any, index: Any) -> tuple[Any, ...]:
@@ -6693,12 +6669,12 @@ def _beside_alone(held: Any, index: Any) -> tuple[Any, ...]:
 
 def _beginning_contact_alone() -> tuple[Any, ...]:
     """Do `beginning_contact` for one shot."""
-    return _k65, _k2
+    return _k69, _k2
 
 
 def _hopping_alone() -> tuple[Any, ...]:
     """Do `hopping` for one shot."""
-    return _k71,
+    return _k74,
 
 
 def _pulled_alone(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any) -> tuple[Any, ...]:
@@ -6713,10 +6689,10 @@ def _pulled_alone(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz
     _s7 = ((_k3 * p_gravity) + (_s6 * _s0)) + (_s2 * tz_0)
     _s8 = -(p_gravity * nz_1)
     _s9 = _k3 * turn_rate_1
-    _s10 = (_k29 * _s3) * ((((_s1 * _s8) + ((_k3 * nx_1) * _s0)) + (_s2 * tx_1)) + (_s9 * tx_0))
-    _s11 = (_k29 * _s5) * ((((_s4 * _s8) + ((_k3 * ny_1) * _s0)) + (_s2 * ty_1)) + (_s9 * ty_0))
-    _s12 = (_k29 * _s7) * ((((_s6 * _s8) + ((_k3 * nz_1) * _s0)) + (_s2 * tz_1)) + (_s9 * tz_0))
-    return ((_s3 * _s3) + (_s5 * _s5)) + (_s7 * _s7), (_s10 + _s11) + _s12, _k105, _k2
+    _s10 = (_k31 * _s3) * ((((_s1 * _s8) + ((_k3 * nx_1) * _s0)) + (_s2 * tx_1)) + (_s9 * tx_0))
+    _s11 = (_k31 * _s5) * ((((_s4 * _s8) + ((_k3 * ny_1) * _s0)) + (_s2 * ty_1)) + (_s9 * ty_0))
+    _s12 = (_k31 * _s7) * ((((_s6 * _s8) + ((_k3 * nz_1) * _s0)) + (_s2 * tz_1)) + (_s9 * tz_0))
+    return ((_s3 * _s3) + (_s5 * _s5)) + (_s7 * _s7), (_s10 + _s11) + _s12, _k109, _k2
 
 
 def _untaut_alone() -> tuple[Any, ...]:
@@ -6738,10 +6714,10 @@ def _lost_grip_alone(clock: Any, strain: Any, strain_rate: Any, taut: Any, taut_
     _s4 = _s3 if _k2 < _s3 else _k2
     _s5 = strain_rate * _s0
     _s6 = taut_rate * _s0
-    _s7 = (_s5 + _s6) - (_k29 * _s1)
-    _s8 = _k55 * _s7
-    _s9 = ((_k55 * _s1) - _s5) - (_k29 * _s6)
-    _s10 = _k29 * _s9
+    _s7 = (_s5 + _s6) - (_k31 * _s1)
+    _s8 = _k59 * _s7
+    _s9 = ((_k59 * _s1) - _s5) - (_k31 * _s6)
+    _s10 = _k31 * _s9
     _s11 = (((_s8 * _s4) + _s10) * _s4) + _s6
     _s12 = taut + (((((_s7 * _s4) + _s9) * _s4) + _s6) * _s4)
     _s13 = _s4 - (_s12 / (_s11 if (_k2 < _s11) else _s1))
@@ -6772,7 +6748,7 @@ def _tightened_alone(clock: Any, strain: Any, strain_rate: Any) -> tuple[Any, ..
 def _ring_impact_strained_alone(drag: Any, drag_rate: Any, force: Any, force_rate: Any, p_ring_friction: Any) -> tuple[Any, ...]:
     """Do `ring_impact_strained` for one shot."""
     _s0 = p_ring_friction * p_ring_friction
-    return drag - ((force * force) * _s0), drag_rate - (_s0 * (_k29 * (force * force_rate)))
+    return drag - ((force * force) * _s0), drag_rate - (_s0 * (_k31 * (force * force_rate)))
 
 
 def _ring_normal_alone(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -6787,44 +6763,44 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     """Do `ring_prepare` for one shot."""
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
-    _s2 = ((_k29 * _s0) + ((_k42 * p_gravity) * z)) + (_k29 * _s1)
+    _s2 = ((_k31 * _s0) + ((_k46 * p_gravity) * z)) + (_k31 * _s1)
     _s3 = (vy * x) - (vx * y)
     _s4 = _s3 * _s3
-    _s5 = (_k29 * p_ring_radius) * _s4
+    _s5 = (_k31 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k117 * _s7
-    _s9 = _k29 * p_gravity
-    _s10 = _k45 * (_s0 + (_s9 * (abs(z) + _s8)))
+    _s8 = _k119 * _s7
+    _s9 = _k31 * p_gravity
+    _s10 = _k49 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
     _s12 = _k1 / p_gravity
     _s13 = _root(_s11)
-    _s14 = _k43 * (abs(vz) + _s13)
+    _s14 = _k47 * (abs(vz) + _s13)
     _s15 = _k2 <= _s11
     _s16 = (_s12 * ((vz - _s13) - _s14)) if _s15 else _k10
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = (_k43 * _s1) * (_s18 + _s6)
+    _s19 = (_k47 * _s1) * (_s18 + _s6)
     _s20 = ((_s18 * _s1) + _s19) - _s4
     _s21 = (vx * x) + (vy * y)
     _s22 = _root(_s20)
-    _s23 = _k43 * ((abs(_s21) + abs(_s3)) + _s22)
+    _s23 = _k47 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k123 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k105
+    _s26 = _k125 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k109
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k120 * p_ring_radius
+    _s30 = _k122 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k105) if _s26 else _k10
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k109) if _s26 else _k10
     _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
     _s38 = _root((_k2 if _s37 < _k2 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k105
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k109
     _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
@@ -6843,29 +6819,29 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k114 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = _root(_k29) * _root((_s12 * (((_k29 * p_ball_radius) + extent) + (_k29 * p_wire_radius))))
-    _s60 = _s59 + ((_k29 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k115 * p_ball_radius)) - (_k115 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k119 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s58 = (_k116 * p_ring_radius) - (p_ring_radius - _s7)
+    _s59 = _root(_k31) * _root((_s12 * (((_k31 * p_ball_radius) + extent) + (_k31 * p_wire_radius))))
+    _s60 = _s59 + ((_k31 * speed) * _s12)
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k117 * p_ball_radius)) - (_k117 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k121 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_margins` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k117 * _s0
+    _s2 = _k119 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k21 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k120 * p_ring_radius
+    _s8 = _k122 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
-    _s11 = _k65 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k34 * _s1))))
-    _s12 = _k18 * ((((_k127 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
-    return _k18 * ((((_k21 * horizon) * _s3) + ((_k125 * _s0) * _s4)) + ((_k126 * _s0) * _s6)), _s12, _k18 * ((_k127 * (_s4 * _s1)) + _s11)
+    _s11 = _k69 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k38 * _s1))))
+    _s12 = _k18 * ((((_k129 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
+    return _k18 * ((((_k21 * horizon) * _s3) + ((_k127 * _s0) * _s4)) + ((_k128 * _s0) * _s6)), _s12, _k18 * ((_k129 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -6878,8 +6854,8 @@ def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy
     _s5 = _s2 - p_ring_radius
     _s6 = vz - ((_k0 * p_gravity) * t)
     _s7 = z + (t * _s6)
-    _s8 = _k29 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
-    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k29 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
+    _s8 = _k31 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
+    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k31 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = (t * (_s9 + ((z + _s7) * _s6))) if (_k2 < leaving) else (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))
     return t - (_s11 / _s8), _s11, _s8
@@ -6893,7 +6869,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s3 = _s2 - p_ring_radius
     _s4 = rho_start + _s2
     _s5 = _k1 / (_s4 * _s2)
-    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k29 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
+    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k31 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
     _s7 = vz - ((_k0 * p_gravity) * t)
     _s8 = z + (t * _s7)
     _s9 = p_ball_radius + p_wire_radius
@@ -6901,139 +6877,139 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s11 = _s4 * _s5
     _s12 = _s11 * ((vx * _s0) + (vy * _s1))
     _s13 = vz - (p_gravity * t)
-    _s14 = _k29 * ((_s12 * _s3) + (_s13 * _s8))
+    _s14 = _k31 * ((_s12 * _s3) + (_s13 * _s8))
     _s15 = _k9 * p_gravity
     _s16 = _s15 * _s8
     _s17 = swing * (_s11 * (_s11 * _s11))
-    _s18 = _k117 * _s9
-    _s19 = _k91 * (p_ring_radius + _s18)
+    _s18 = _k119 * _s9
+    _s19 = _k95 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
     _s22 = _k2 if _s21 < _k2 else _s21
     _s23 = (_s16 + _s17) - steady
     _s24 = _s20 < _k2
-    _s25 = _k29 * _s22
-    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k42 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
+    _s25 = _k31 * _s22
+    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k46 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
     _s27 = end - t
     _s28 = _s26 if _s26 < _s27 else _s27
     _s29 = _s19 + ((_s28 * (_k2 if _s13 < _k2 else _s13)) + _s8)
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k120 * p_ring_radius
+    _s33 = _k122 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = swing * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (_k91 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
-    _s38 = ((_k29 * _s37) * _s22) + (_s20 * _s20)
+    _s37 = ((_s30 + _s36) + (_k95 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
+    _s38 = ((_k31 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
     _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k10
     _s41 = _s40 if _s40 < _s28 else _s28
     _s42 = -(rate_margin + _s14)
-    return _s10, _s14, (steady - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k31 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
+    return _s10, _s14, (steady - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k34 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
 
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_opened` for one shot."""
     _s0 = vz * vz
-    _s1 = _k128 * (p_ball_radius + p_wire_radius)
-    _s2 = _k129 * p_gravity
-    _s3 = _k145 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s1 = _k130 * (p_ball_radius + p_wire_radius)
+    _s2 = _k131 * p_gravity
+    _s3 = _k147 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
-    _s5 = _k131 / p_gravity
+    _s5 = _k133 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k146 * (abs(vz) + _s6)
-    _s8 = _k144 <= _s4
-    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k147
+    _s7 = _k148 * (abs(vz) + _s6)
+    _s8 = _k146 <= _s4
+    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k149
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k146 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k148 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (vy * x) - (vx * y)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (vx * x) + (vy * y)
     _s18 = _root(_s16)
-    _s19 = _k146 * ((abs(_s17) + abs(_s14)) + _s18)
-    _s20 = _k131 / _s10
-    _s21 = _k144 <= _s16
-    _s22 = _k148 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k147) if _s22 else _k149
+    _s19 = _k148 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s20 = _k133 / _s10
+    _s21 = _k146 <= _s16
+    _s22 = _k150 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k149) if _s22 else _k151
     _s24 = _s23 if _s9 < _s23 else _s9
-    _s25 = _s24 if _k144 < _s24 else _k144
-    _s26 = _s25 if _k144 < _s25 else _k144
+    _s25 = _s24 if _k146 < _s24 else _k146
+    _s26 = _s25 if _k146 < _s25 else _k146
     _s27 = p_ring_radius - _s1
-    _s28 = _k138 * p_ring_radius
+    _s28 = _k140 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
-    _s31 = _root((_k144 if _s30 < _k144 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k149) if _s22 else _k147
-    _s33 = _k144 < (_s30 if _s22 else _k144)
+    _s31 = _root((_k146 if _s30 < _k146 else _s30))
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k151) if _s22 else _k149
+    _s33 = _k146 < (_s30 if _s22 else _k146)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
-    _s36 = _root((_k144 if _s35 < _k144 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k149
-    _s38 = _k144 < _s35
+    _s36 = _root((_k146 if _s35 < _k146 else _s35))
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k151
+    _s38 = _k146 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k150 * horizon
+    _s41 = _k152 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
-    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k147
+    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k149
     _s45 = _s34 if _s44 < _s34 else _s44
     _s46 = _s45 if _s9 < _s45 else _s9
     _s47 = _s32 if _s32 < _s39 else _s39
-    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k147
+    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k149
     _s49 = _s39 if _s48 < _s39 else _s48
     _s50 = _s46 <= _s47
     _s51 = _s46 if _s50 else (_s23 if _s49 < _s23 else _s49)
-    _s52 = _s51 if _k144 < _s51 else _k144
-    _s53 = _s52 if _k144 < _s52 else _k144
+    _s52 = _s51 if _k146 < _s51 else _k146
+    _s53 = _s52 if _k146 < _s52 else _k146
     _s54 = _s47 if _s50 else (_s34 if _s34 < _s37 else _s37)
     _s55 = _s54 if _s54 < _s41 else _s41
     _s56 = _s53 < _s55
     _s57 = _s45 if _s49 < _s45 else _s49
-    _s58 = _s57 if _k144 < _s57 else _k144
-    _s59 = _s58 if _k144 < _s58 else _k144
+    _s58 = _s57 if _k146 < _s57 else _k146
+    _s59 = _s58 if _k146 < _s58 else _k146
     _s60 = _s32 if _s32 < _s37 else _s37
     _s61 = _s60 if _s60 < _s41 else _s41
     _s62 = _s59 < _s61
-    _s63 = _s40 if _k144 < _s40 else _k144
+    _s63 = _s40 if _k146 < _s40 else _k146
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k140 * _s29)) and (_s11 <= ((_k140 * p_ball_radius) + (_k140 * p_wire_radius)))) and (_s11 <= _k141)) and (_k142 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k144)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k144)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k141)) and (_k142 <= p_gravity)) and (extent <= _k141)) and (speed <= _k141)
+    _s66 = (((_s11 <= (_k142 * _s29)) and (_s11 <= ((_k142 * p_ball_radius) + (_k142 * p_wire_radius)))) and (_s11 <= _k143)) and (_k144 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k146)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k146)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k143)) and (_k144 <= p_gravity)) and (extent <= _k143)) and (speed <= _k143)
 
 
 def _ring_grain_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_grain` for one shot."""
-    _s0 = _k144 < leaving
+    _s0 = _k146 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k128 * _s2
+    _s3 = _k130 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k138 * p_ring_radius
+    _s5 = _k140 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
-    _s8 = _s7 if _k131 < _s7 else _k131
+    _s8 = _s7 if _k133 < _s7 else _k133
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k167 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k166 * parting) / _s11
-    _s13 = _s12 if _s12 < _k168 else _k168
-    _s14 = (_s13 if _k165 < _s13 else _k165) if _s0 else _k168
-    _s15 = ((_k129 * (vz * vz)) + ((_k156 * p_gravity) * z)) + (_k129 * ((vx * vx) + (vy * vy)))
+    _s11 = _k169 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k168 * parting) / _s11
+    _s13 = _s12 if _s12 < _k170 else _k170
+    _s14 = (_s13 if _k167 < _s13 else _k167) if _s0 else _k170
+    _s15 = ((_k131 * (vz * vz)) + ((_k158 * p_gravity) * z)) + (_k131 * ((vx * vx) + (vy * vy)))
     _s16 = (vy * x) - (vx * y)
-    _s17 = (_k129 * p_ring_radius) * (_s16 * _s16)
-    _s18 = _k131 / _s6
+    _s17 = (_k131 * p_ring_radius) * (_s16 * _s16)
+    _s18 = _k133 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k157 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k159 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k146 * (_s22 + _s23))
-    _s25 = (_k171 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k144, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k169 * _s20, (_k160 * _s2) * _s24, (_k169 * ((_k145 * abs(parting)) + ((_k170 + _s14) * _s11))) if _s0 else _k147, _k169 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k162 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k167 * (((_k169 * _s9) * _s24) + (((_k172 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k164 * p_ball_radius) + (_k164 * p_wire_radius))) and ((leaving * t) <= _k144)
+    _s24 = (_s10 * _s14) + (_k148 * (_s22 + _s23))
+    _s25 = (_k173 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
+    return _s14, _k146, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k171 * _s20, (_k162 * _s2) * _s24, (_k171 * ((_k147 * abs(parting)) + ((_k172 + _s14) * _s11))) if _s0 else _k149, _k171 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k164 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k169 * (((_k171 * _s9) * _s24) + (((_k174 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k166 * p_ball_radius) + (_k166 * p_wire_radius))) and ((leaving * t) <= _k146)
 
 
 def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7048,82 +7024,82 @@ def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s7 = y + (t * vy)
     _s8 = _root(((_s6 * _s6) + (_s7 * _s7)))
     _s9 = rho_start + _s8
-    _s10 = _k131 / (_s9 * _s8)
+    _s10 = _k133 / (_s9 * _s8)
     _s11 = _s8 * _s10
-    _s12 = _s11 * ((t * _s5) + (_k129 * ((vx * x) + (vy * y))))
-    _s13 = vz - ((_k171 * p_gravity) * t)
-    _s14 = ((((_k129 * (rho_start - p_ring_radius)) * (_s5 - (drift * _s12))) * _s11) + (_s12 * _s12)) + (_s13 * _s13)
+    _s12 = _s11 * ((t * _s5) + (_k131 * ((vx * x) + (vy * y))))
+    _s13 = vz - ((_k173 * p_gravity) * t)
+    _s14 = ((((_k131 * (rho_start - p_ring_radius)) * (_s5 - (drift * _s12))) * _s11) + (_s12 * _s12)) + (_s13 * _s13)
     _s15 = parting + (t * (_s14 - (p_gravity * z)))
     _s16 = _s9 * _s10
     _s17 = _s16 * ((vx * _s6) + (vy * _s7))
     _s18 = _s8 - p_ring_radius
     _s19 = vz - (p_gravity * t)
     _s20 = z + (t * _s13)
-    _s21 = ((_k129 * _s15) - parting) if _s4 else (_k129 * ((_s17 * _s18) + (_s19 * _s20)))
-    _s22 = (_s3 + (_k129 * _s0)) if _s4 else rate_margin
+    _s21 = ((_k131 * _s15) - parting) if _s4 else (_k131 * ((_s17 * _s18) + (_s19 * _s20)))
+    _s22 = (_s3 + (_k131 * _s0)) if _s4 else rate_margin
     _s23 = -(_s21 + _s22)
     _s24 = _s1 if _s2 else flat
     _s25 = p_ball_radius + p_wire_radius
     _s26 = ((t * _s15) if _s2 else (((_s18 * _s18) + (_s20 * _s20)) - (_s25 * _s25))) - _s24
-    _s27 = _k144 if _s26 < _k144 else _s26
-    _s28 = _k129 * ((_k129 * _s24) + _s27)
+    _s27 = _k146 if _s26 < _k146 else _s26
+    _s28 = _k131 * ((_k131 * _s24) + _s27)
     _s29 = _s21 - _s22
-    _s30 = _k173 * p_gravity
+    _s30 = _k175 * p_gravity
     _s31 = _s30 * _s20
     _s32 = swing * (_s16 * (_s16 * _s16))
     _s33 = (_s31 + _s32) - steady
-    _s34 = _s29 < _k144
-    _s35 = _k129 * _s27
-    _s36 = _k147 if (_k144 < (_s27 if (_k144 <= _s29) else _k144)) else ((((_k180 * _s24) + _s35) if _s34 else (_k156 * _s29)) / ((-_s29) if _s34 else (_s33 if _k144 < _s33 else _k144)))
+    _s34 = _s29 < _k146
+    _s35 = _k131 * _s27
+    _s36 = _k149 if (_k146 < (_s27 if (_k146 <= _s29) else _k146)) else ((((_k182 * _s24) + _s35) if _s34 else (_k158 * _s29)) / ((-_s29) if _s34 else (_s33 if _k146 < _s33 else _k146)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k128 * _s25
-    _s40 = ((_k138 * p_ball_radius) + (_k138 * p_wire_radius)) + ((_s38 * (_k144 if _s19 < _k144 else _s19)) + _s20)
+    _s39 = _k130 * _s25
+    _s40 = ((_k140 * p_ball_radius) + (_k140 * p_wire_radius)) + ((_s38 * (_k146 if _s19 < _k146 else _s19)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k144 if _k144 < _s17 else _s17)) + _s8) - (_k138 * _s42)) - (_k146 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k146 if _k146 < _s17 else _s17)) + _s8) - (_k140 * _s42)) - (_k148 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k138 * p_ring_radius
+    _s45 = _k140 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
-    _s47 = _k131 / (_s46 if _s43 < _s46 else _s43)
+    _s47 = _k133 / (_s46 if _s43 < _s46 else _s43)
     _s48 = swing * (_s47 * (_s47 * _s47))
     _s49 = abs(steady)
-    _s50 = ((_s41 + _s48) + (_k181 * ((_s48 + _s49) + abs(_s41)))) - steady
+    _s50 = ((_s41 + _s48) + (_k183 * ((_s48 + _s49) + abs(_s41)))) - steady
     _s51 = -_s19
-    _s52 = (_s30 * (((_k142 * p_ball_radius) + (_k142 * p_wire_radius)) + (((p_gravity * _s38) + (_k144 if _s51 < _k144 else _s51)) * _s38))) + ((_k182 * (_s32 * _s16)) * _s42)
-    _s53 = steady + (_s52 + (_k142 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k144 * p_ball_radius) + (_k144 * p_wire_radius)) + (((p_gravity * _s38) + (_k146 if _s51 < _k146 else _s51)) * _s38))) + ((_k184 * (_s32 * _s16)) * _s42)
+    _s53 = steady + (_s52 + (_k144 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = (_s23 * _s23) - ((_k180 * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling)) * _s28)
-    _s56 = _k144 < (_s55 if (_k144 < _s23) else _s23)
-    _s57 = ((_k129 * _s50) * _s27) + (_s29 * _s29)
+    _s55 = (_s23 * _s23) - ((_k182 * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling)) * _s28)
+    _s56 = _k146 < (_s55 if (_k146 < _s23) else _s23)
+    _s57 = ((_k131 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
-    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k144 < _s50 else _k144))) if (_k144 <= _s57) else _k147
+    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k146 < _s50 else _k146))) if (_k146 <= _s57) else _k149
     _s60 = _s59 if _s59 < _s38 else _s38
     _s61 = t + _s60
-    _s62 = (not _s56) and (((_s21 < _k144) and (_s26 <= _s24)) or ((t < end) and (not (t < _s61))))
+    _s62 = (not _s56) and (((_s21 < _k146) and (_s26 <= _s24)) or ((t < end) and (not (t < _s61))))
     _s63 = not (_s56 or _s62)
     _s64 = _s63 and (_s37 <= _s60)
     _s65 = low1 if end < low1 else end
     _s66 = _s65 < high1
     _s67 = low2 if end < low2 else end
     _s68 = _s67 < high2
-    return (_s65 if _s66 else (_s67 if _s68 else _k147)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
+    return (_s65 if _s66 else (_s67 if _s68 else _k149)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
 
 
 def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any) -> tuple[Any, ...]:
     """Do `ring_started` for one shot."""
     _s0 = _root(((x * x) + (y * y)))
     _s1 = ((vx * x) + (vy * y)) / _s0
-    return _s0, _k29 * ((vz * z) + (_s1 * (_s0 - p_ring_radius))), _s1
+    return _s0, _k31 * ((vz * z) + (_s1 * (_s0 - p_ring_radius))), _s1
 
 
 def _ring_lost_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_lost` for one shot."""
-    _s0 = (_k114 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k116 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
-    _s2 = _root(_k29) * _root((_s1 * (((_k29 * p_ball_radius) + extent) + (_k29 * p_wire_radius))))
-    _s3 = _s2 + ((_k29 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k115 * p_ball_radius)) - (_k115 * p_wire_radius)
+    _s2 = _root(_k31) * _root((_s1 * (((_k31 * p_ball_radius) + extent) + (_k31 * p_wire_radius))))
+    _s3 = _s2 + ((_k31 * speed) * _s1)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k117 * p_ball_radius)) - (_k117 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 
@@ -7132,8 +7108,8 @@ def _ring_beside_alone(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any,
     _s0 = _root(((x * x) + (y * y)))
     _s1 = _s0 - p_ring_radius
     _s2 = _root(((z * z) + (_s1 * _s1)))
-    _s3 = _k29 * p_ring_radius
-    _s4 = ((_k29 * vz) * z) + (((_k0 * ((_k29 * _s0) - _s3)) * (((_k29 * vx) * x) + ((_k29 * vy) * y))) / _s0)
+    _s3 = _k31 * p_ring_radius
+    _s4 = ((_k31 * vz) * z) + (((_k0 * ((_k31 * _s0) - _s3)) * (((_k31 * vx) * x) + ((_k31 * vy) * y))) / _s0)
     _s5 = (_s3 / _s0) - _k1
     return (_s2 - p_ball_radius) - p_wire_radius, (_k0 * _s4) / _s2, (_s5 if _k2 < _s5 else _k2) / (p_ball_radius + p_wire_radius)
 
@@ -7151,159 +7127,199 @@ def _ring_tube_alone(p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
 
 def _ring_parting_alone(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `ring_parting` for one shot."""
-    _s0 = (x * x) + (y * y)
-    _s1 = _root(_s0)
-    _s2 = _s1 - p_ring_radius
-    _s3 = (z * z) + (_s2 * _s2)
-    _s4 = _root(_s3)
-    _s5 = (_k29 * (vx * vx)) + (_k29 * (vy * vy))
-    _s6 = _s1 * _s0
-    _s7 = ((_k29 * vx) * x) + ((_k29 * vy) * y)
-    _s8 = _s7 * _s7
-    _s9 = ((_k0 * _s5) / _s1) - ((_k28 * _s8) / _s6)
-    _s10 = _k29 * _s2
-    _s11 = (_k0 * _s7) / _s1
-    _s12 = ((_k29 * (vz * vz)) - ((_k29 * p_gravity) * z)) + ((_s10 * _s9) + (_k29 * (_s11 * _s11)))
-    _s13 = _s4 * _s3
-    _s14 = ((_k29 * vz) * z) + ((_k29 * _s11) * _s2)
-    _s15 = _s14 * _s14
-    _s16 = _s3 * _s3
-    _s17 = _s4 * _s16
-    _s18 = _s0 * _s0
-    _s19 = _s1 * _s18
-    _s20 = ((_k187 * (_s7 * _s8)) / _s19) - (((_k188 * _s5) * _s7) / _s6)
-    _s21 = (-((_k9 * p_gravity) * vz)) + (((_k9 * _s11) * _s9) + (_s10 * _s20))
-    _s22 = _s10 * (((((_k189 * _s5) * _s8) / _s19) - ((_k188 * (_s5 * _s5)) / _s6)) - ((_k190 * (_s8 * _s8)) / (_s6 * _s18)))
-    _s23 = _k0 * ((_k9 * (p_gravity * p_gravity)) + ((((_k31 * _s11) * _s20) + _s22) + (_k9 * (_s9 * _s9))))
-    _s24 = (((_s23 / _s4) + (((_k189 * _s15) * _s12) / _s17)) - ((_k190 * (_s15 * _s15)) / (_s13 * _s16))) - ((_k188 * (_s12 * _s12)) / _s13)
-    return ((_k0 * _s12) / _s4) - ((_k28 * _s15) / _s13), (((_k187 * (_s14 * _s15)) / _s17) + ((_k0 * _s21) / _s4)) - (((_k188 * _s14) * _s12) / _s13), _s24 - ((_s21 * _s14) / _s13)
+    _s0 = ((_k31 * vx) * x) + ((_k31 * vy) * y)
+    _s1 = _root(((x * x) + (y * y)))
+    _s2 = _k1 / _s1
+    _s3 = (_k0 * _s0) * _s2
+    _s4 = _s1 - p_ring_radius
+    _s5 = _k31 * _s3
+    _s6 = ((_k31 * vz) * z) + (_s5 * _s4)
+    _s7 = _k1 / _root(((z * z) + (_s4 * _s4)))
+    _s8 = (_k0 * _s6) * _s7
+    _s9 = _s7 * _s7
+    _s10 = -(_s8 * _s9)
+    _s11 = _s2 * _s2
+    _s12 = -(_s3 * _s11)
+    _s13 = (_k31 * (vx * vx)) + (_k31 * (vy * vy))
+    _s14 = _k0 * ((_s12 * _s0) + (_s13 * _s2))
+    _s15 = (_k31 * ((vz * vz) - (p_gravity * z))) + (_k31 * ((_s4 * _s14) + (_s3 * _s3)))
+    _s16 = _k0 * ((_s10 * _s6) + (_s15 * _s7))
+    _s17 = _s10 * _s15
+    _s18 = _k31 * _s10
+    _s19 = -((_s16 * _s9) + ((_s18 * _s8) * _s7))
+    _s20 = _s12 * _s13
+    _s21 = _k31 * _s12
+    _s22 = -((_s14 * _s11) + ((_s21 * _s3) * _s2))
+    _s23 = _k0 * (_s20 + (_s20 + (_s0 * _s22)))
+    _s24 = (_k31 * (-((_k59 * p_gravity) * vz))) + (_k31 * ((_s5 * _s14) + ((_s3 * _s14) + (_s4 * _s23))))
+    _s25 = _k0 * ((_s17 + (_s6 * _s19)) + (_s17 + (_s24 * _s7)))
+    _s26 = _s10 * _s24
+    _s27 = _s3 * _s23
+    _s28 = _s27 + (_s14 * _s14)
+    _s29 = _s13 * _s22
+    _s30 = ((_s23 * _s11) + ((_s21 * _s14) * _s2)) + (_k31 * ((((_s12 * _s12) * _s3) + ((_s12 * _s14) * _s2)) + ((_s3 * _s22) * _s2)))
+    _s31 = _k0 * (_s29 + (_s29 + ((_s0 * (-_s30)) + _s29)))
+    _s32 = (_k31 * (_k59 * (p_gravity * p_gravity))) + (_k31 * ((_k31 * _s28) + ((_s27 + (_s4 * _s31)) + _s28)))
+    _s33 = _s15 * _s19
+    _s34 = _s26 + _s33
+    _s35 = ((_s25 * _s9) + ((_s18 * _s16) * _s7)) + (_k31 * ((((_s10 * _s10) * _s8) + ((_s10 * _s16) * _s7)) + ((_s8 * _s19) * _s7)))
+    _s36 = _k0 * (((_s26 + (_s32 * _s7)) + _s34) + (_s34 + ((_s6 * (-_s35)) + _s33)))
+    return _s16, _s25, _s36
 
 
-def _ring_round_start_alone(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
+def _ring_round_start_alone(p_ball_radius: Any, per_reach: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `ring_round_start` for one shot."""
     _s0 = _root(((x * x) + (y * y)))
     _s1 = _s0 - p_ring_radius
     _s2 = _k1 / _root(((z * z) + (_s1 * _s1)))
     _s3 = _s1 * _s2
     _s4 = z * _s2
-    _s5 = p_ball_radius + p_wire_radius
-    _s6 = _k1 / _s0
-    _s7 = x * _s6
-    _s8 = y * _s6
-    return _s3, _s4, ((vz * _s3) - (_s4 * ((vx * _s7) + (vy * _s8)))) / _s5, (vy * _s7) - (vx * _s8), p_ball_radius * ((wz * _s4) + (_s3 * ((wx * _s7) + (wy * _s8)))), _s7, _s8, _k1 / (p_ring_radius + (_s3 * _s5))
+    _s5 = _k1 / _s0
+    _s6 = x * _s5
+    _s7 = y * _s5
+    _s8 = (vy * _s6) - (vx * _s7)
+    _s9 = p_ball_radius * ((wz * _s4) + (_s3 * ((wx * _s6) + (wy * _s7))))
+    return _s3, _s4, per_reach * ((vz * _s3) - (_s4 * ((vx * _s6) + (vy * _s7)))), _s8, _s9, _s6, _s7, (_s4 * _s8) - (_k3 * (_s9 * _s3)), _k1 / (p_ring_radius + (_s3 * (p_ball_radius + p_wire_radius)))
 
 
-def _ring_round_moved_alone(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_11: Any, cos_12: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_12: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_11: Any, sin_12: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_12: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_12: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_moved_alone(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_12: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_11: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, p_ring_radius: Any, sin_0: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_12: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_12: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_moved` for one shot."""
-    _s0 = cos_9 + (t * (cos_10 + (t * (cos_11 + (cos_12 * t)))))
-    _s1 = cos_6 + (t * (cos_7 + (t * (cos_8 + (t * _s0)))))
-    _s2 = cos_3 + (t * (cos_4 + (t * (cos_5 + (t * _s1)))))
-    _s3 = cos_0 + (t * (cos_1 + (t * (cos_2 + (t * _s2)))))
-    _s4 = sin_9 + (t * (sin_10 + (t * (sin_11 + (sin_12 * t)))))
-    _s5 = sin_6 + (t * (sin_7 + (t * (sin_8 + (t * _s4)))))
-    _s6 = sin_3 + (t * (sin_4 + (t * (sin_5 + (t * _s5)))))
-    _s7 = sin_0 + (t * (sin_1 + (t * (sin_2 + (t * _s6)))))
+    _s0 = cosine_9 + (t * (cosine_10 + (t * (cosine_11 + (cosine_12 * t)))))
+    _s1 = cosine_6 + (t * (cosine_7 + (t * (cosine_8 + (t * _s0)))))
+    _s2 = cosine_3 + (t * (cosine_4 + (t * (cosine_5 + (t * _s1)))))
+    _s3 = cosine_0 + (t * (cosine_1 + (t * (cosine_2 + (t * _s2)))))
+    _s4 = sine_9 + (t * (sine_10 + (t * (sine_11 + (sine_12 * t)))))
+    _s5 = sine_6 + (t * (sine_7 + (t * (sine_8 + (t * _s4)))))
+    _s6 = sine_3 + (t * (sine_4 + (t * (sine_5 + (t * _s5)))))
+    _s7 = sine_0 + (t * (sine_1 + (t * (sine_2 + (t * _s6)))))
     _s8 = _k1 / _root(((_s3 * _s3) + (_s7 * _s7)))
     _s9 = _s3 * _s8
-    _s10 = cosine_9 + (t * (cosine_10 + (t * (cosine_11 + (cosine_12 * t)))))
-    _s11 = cosine_6 + (t * (cosine_7 + (t * (cosine_8 + (t * _s10)))))
-    _s12 = cosine_3 + (t * (cosine_4 + (t * (cosine_5 + (t * _s11)))))
-    _s13 = cosine_0 + (t * (cosine_1 + (t * (cosine_2 + (t * _s12)))))
-    _s14 = sine_9 + (t * (sine_10 + (t * (sine_11 + (sine_12 * t)))))
-    _s15 = sine_6 + (t * (sine_7 + (t * (sine_8 + (t * _s14)))))
-    _s16 = sine_3 + (t * (sine_4 + (t * (sine_5 + (t * _s15)))))
-    _s17 = sine_0 + (t * (sine_1 + (t * (sine_2 + (t * _s16)))))
-    _s18 = _k1 / _root(((_s13 * _s13) + (_s17 * _s17)))
-    _s19 = _s13 * _s18
-    _s20 = p_ball_radius + p_wire_radius
-    _s21 = p_ring_radius + (_s19 * _s20)
-    _s22 = _s7 * _s8
-    _s23 = _s17 * _s18
-    _s24 = climb_9 + (t * (climb_10 + (t * (climb_11 + (climb_12 * t)))))
-    _s25 = climb_6 + (t * (climb_7 + (t * (climb_8 + (t * _s24)))))
-    _s26 = climb_3 + (t * (climb_4 + (t * (climb_5 + (t * _s25)))))
-    _s27 = climb_0 + (t * (climb_1 + (t * (climb_2 + (t * _s26)))))
-    _s28 = _s20 * _s27
-    _s29 = -(_s28 * _s23)
-    _s30 = along_9 + (t * (along_10 + (t * (along_11 + (along_12 * t)))))
-    _s31 = along_6 + (t * (along_7 + (t * (along_8 + (t * _s30)))))
-    _s32 = along_3 + (t * (along_4 + (t * (along_5 + (t * _s31)))))
-    _s33 = along_0 + (t * (along_1 + (t * (along_2 + (t * _s32)))))
-    _s34 = _k1 / p_ball_radius
-    _s35 = turn_rate_9 + (t * (turn_rate_10 + (t * (turn_rate_11 + (t * turn_rate_12)))))
-    _s36 = turn_rate_6 + (t * (turn_rate_7 + (t * (turn_rate_8 + (t * _s35)))))
-    _s37 = turn_rate_3 + (t * (turn_rate_4 + (t * (turn_rate_5 + (t * _s36)))))
-    _s38 = turn_rate_0 + (t * (turn_rate_1 + (t * (turn_rate_2 + (t * _s37)))))
-    _s39 = (_s19 * _s38) - (_s23 * _s33)
-    return _s9 * _s21, _s22 * _s21, _s23 * _s20, (_s29 * _s9) - (_s22 * _s33), (_s29 * _s22) + (_s9 * _s33), _s28 * _s19, _s34 * ((_s28 * _s22) + (_s9 * _s39)), _s34 * ((_s22 * _s39) - (_s28 * _s9)), _s34 * ((_s19 * _s33) + (_s23 * _s38)), _s27
+    _s10 = p_ball_radius + p_wire_radius
+    _s11 = p_ring_radius + (_s9 * _s10)
+    _s12 = t * ((_k200 * omega_9) + (t * ((_k201 * omega_10) + ((_k202 * omega_11) * t))))
+    _s13 = (_k72 * omega_6) + (t * ((_k35 * omega_7) + (t * ((_k76 * omega_8) + _s12))))
+    _s14 = (_k30 * omega_3) + (t * ((_k66 * omega_4) + (t * ((_k70 * omega_5) + (t * _s13)))))
+    _s15 = omega_0 + (t * ((_k0 * omega_1) + (t * ((_k62 * omega_2) + (t * _s14)))))
+    _s16 = t * _s15
+    _s17 = _s16 * _s16
+    _s18 = ((_k198 + (((_k199 * _s17) - _k203) * _s17)) * _s17) - _k204
+    _s19 = _k1 + ((((_k197 + (_s18 * _s17)) * _s17) - _k0) * _s17)
+    _s20 = _k205 + ((((_k206 - (_k207 * _s17)) * _s17) - _k208) * _s17)
+    _s21 = _s16 * (_k1 + (((_s20 * _s17) - _k70) * _s17))
+    _s22 = (cos_0 * _s19) - (sin_0 * _s21)
+    _s23 = (cos_0 * _s21) + (sin_0 * _s19)
+    _s24 = _s7 * _s8
+    _s25 = climb_9 + (t * (climb_10 + (t * (climb_11 + (climb_12 * t)))))
+    _s26 = climb_6 + (t * (climb_7 + (t * (climb_8 + (t * _s25)))))
+    _s27 = climb_3 + (t * (climb_4 + (t * (climb_5 + (t * _s26)))))
+    _s28 = climb_0 + (t * (climb_1 + (t * (climb_2 + (t * _s27)))))
+    _s29 = _s10 * _s28
+    _s30 = -(_s29 * _s24)
+    _s31 = along_9 + (t * (along_10 + (t * (along_11 + (along_12 * t)))))
+    _s32 = along_6 + (t * (along_7 + (t * (along_8 + (t * _s31)))))
+    _s33 = along_3 + (t * (along_4 + (t * (along_5 + (t * _s32)))))
+    _s34 = along_0 + (t * (along_1 + (t * (along_2 + (t * _s33)))))
+    _s35 = _k1 / p_ball_radius
+    _s36 = turn_rate_9 + (t * (turn_rate_10 + (t * (turn_rate_11 + (t * turn_rate_12)))))
+    _s37 = turn_rate_6 + (t * (turn_rate_7 + (t * (turn_rate_8 + (t * _s36)))))
+    _s38 = turn_rate_3 + (t * (turn_rate_4 + (t * (turn_rate_5 + (t * _s37)))))
+    _s39 = turn_rate_0 + (t * (turn_rate_1 + (t * (turn_rate_2 + (t * _s38)))))
+    _s40 = (_s9 * _s39) - (_s24 * _s34)
+    return _s11 * _s22, _s11 * _s23, _s24 * _s10, (_s30 * _s22) - (_s34 * _s23), (_s30 * _s23) + (_s34 * _s22), _s29 * _s9, _s35 * ((_s29 * _s23) + (_s22 * _s40)), _s35 * ((_s23 * _s40) - (_s29 * _s22)), _s35 * ((_s9 * _s34) + (_s24 * _s39)), _s28
 
 
-def _ring_round_pace_alone(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_12: Any, cosine_0: Any, cosine_12: Any, force_0: Any, force_1: Any, force_10: Any, force_11: Any, force_2: Any, force_3: Any, force_4: Any, force_5: Any, force_6: Any, force_7: Any, force_8: Any, force_9: Any, p_gravity: Any, omega_0: Any, p_ring_radius: Any, sin_0: Any, sin_12: Any, sine_0: Any, sine_12: Any, turn_rate_0: Any, turn_rate_11: Any, turn_rate_12: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_pace_alone(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cosine_0: Any, cosine_12: Any, p_gravity: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_11: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, per_reach: Any, p_ring_radius: Any, sin_0: Any, sine_0: Any, sine_12: Any, turn_rate_0: Any, turn_rate_11: Any, turn_rate_12: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_pace` for one shot."""
     _s0 = abs(climb_0)
     _s1 = p_ball_radius + p_wire_radius
     _s2 = abs(along_0)
     _s3 = (_s0 * _s1) + (_s2 + abs(turn_rate_0))
-    _s4 = (_k80 * p_gravity) + _s3
+    _s4 = (_k84 * p_gravity) + _s3
     _s5 = abs(climb_11)
     _s6 = abs(along_11)
     _s7 = abs(climb_12)
     _s8 = abs(along_12)
-    _s9 = ((_k28 * ((_s5 * _s1) + (_s6 + abs(turn_rate_11)))) * ((_s3 / _s1) + _root((p_gravity / _s1)))) + ((_s7 * _s1) + (_s8 + abs(turn_rate_12)))
-    _s10 = _s4 * (((abs(cos_12) + abs(cosine_12)) + abs(sin_12)) + abs(sine_12))
-    _s11 = _root(_root(((_k43 * _s4) / (_s10 if _s9 < _s10 else _s9))))
-    _s12 = _root(_root(_s11))
-    _s13 = _s12 * _root(_root(_s12))
-    _s14 = (_s11 / (_k55 * (_s13 * _s13))) + (_k5 * _s13)
-    _s15 = (_s11 / (_k55 * (_s14 * _s14))) + (_k5 * _s14)
-    _s16 = _s15 if _s15 < _k32 else _k32
-    _s17 = abs(climb_10)
-    _s18 = (((((_k81 * _s7) * _s16) + (_k199 * _s5)) * _s16) + (_k200 * _s17)) * _s16
-    _s19 = abs(climb_9)
-    _s20 = abs(climb_8)
-    _s21 = abs(climb_7)
-    _s22 = ((((_s18 + (_k201 * _s19)) * _s16) + (_k31 * _s20)) * _s16) + (_k71 * _s21)
-    _s23 = abs(climb_6)
-    _s24 = abs(climb_5)
-    _s25 = abs(climb_4)
-    _s26 = (((((_s22 * _s16) + (_k9 * _s23)) * _s16) + (_k65 * _s24)) * _s16) + (_k42 * _s25)
-    _s27 = abs(climb_3)
-    _s28 = abs(climb_2)
-    _s29 = abs(climb_1)
-    _s30 = (((((_s26 * _s16) + (_k55 * _s27)) * _s16) + (_k29 * _s28)) * _s16) + _s29
-    _s31 = (((((_s7 * _s16) + _s5) * _s16) + _s17) * _s16) + _s19
-    _s32 = (((((_s31 * _s16) + _s20) * _s16) + _s21) * _s16) + _s23
-    _s33 = (((((_s32 * _s16) + _s24) * _s16) + _s25) * _s16) + _s27
-    _s34 = (((((_s33 * _s16) + _s28) * _s16) + _s29) * _s16) + _s0
-    _s35 = _s1 * (_s30 + (_s34 * _s34))
-    _s36 = abs(along_10)
-    _s37 = abs(along_9)
-    _s38 = (((((_s8 * _s16) + _s6) * _s16) + _s36) * _s16) + _s37
-    _s39 = abs(along_8)
-    _s40 = abs(along_7)
-    _s41 = abs(along_6)
-    _s42 = (((((_s38 * _s16) + _s39) * _s16) + _s40) * _s16) + _s41
-    _s43 = abs(along_5)
-    _s44 = abs(along_4)
-    _s45 = abs(along_3)
-    _s46 = (((((_s42 * _s16) + _s43) * _s16) + _s44) * _s16) + _s45
-    _s47 = abs(along_2)
-    _s48 = abs(along_1)
-    _s49 = (((((_s46 * _s16) + _s47) * _s16) + _s48) * _s16) + _s2
-    _s50 = (_s1 * _s34) + _s49
-    _s51 = (((((_k81 * _s8) * _s16) + (_k199 * _s6)) * _s16) + (_k200 * _s36)) * _s16
-    _s52 = ((((_s51 + (_k201 * _s37)) * _s16) + (_k31 * _s39)) * _s16) + (_k71 * _s40)
-    _s53 = (((((_s52 * _s16) + (_k9 * _s41)) * _s16) + (_k65 * _s43)) * _s16) + (_k42 * _s44)
-    _s54 = (((((_s53 * _s16) + (_k55 * _s45)) * _s16) + (_k29 * _s47)) * _s16) + _s48
-    _s55 = _s35 + (((_s49 * (_k1 / (p_ring_radius - _s1))) * _s50) + _s54)
-    _s56 = ((((_k202 * abs(force_11)) * _s16) + (_k203 * abs(force_10))) * _s16) + (_k204 * abs(force_9))
-    _s57 = ((((_s56 * _s16) + (_k205 * abs(force_8))) * _s16) + (_k84 * abs(force_7))) * _s16
-    _s58 = (((_s57 + (_k83 * abs(force_6))) * _s16) + (_k82 * abs(force_5))) * _s16
-    _s59 = (((_s58 + (_k81 * abs(force_4))) * _s16) + (_k9 * abs(force_3))) * _s16
-    _s60 = (climb_0 * climb_0) * _s1
-    _s61 = -(((along_0 * omega_0) + (cosine_0 * _s60)) + ((climb_1 * sine_0) * _s1))
-    _s62 = along_1 - (omega_0 * ((climb_0 * sine_0) * _s1))
-    return _s16, _s55, _s50, _s35, force_0, force_1, _s59 + (_k29 * abs(force_2)), (_k85 * p_gravity) * (climb_0 * cosine_0), (cos_0 * _s61) - (sin_0 * _s62), (cos_0 * _s62) + (sin_0 * _s61), ((climb_1 * cosine_0) * _s1) - (sine_0 * _s60)
+    _s9 = ((_k30 * ((per_reach * _s3) + _root((p_gravity * per_reach)))) * ((_s5 * _s1) + (_s6 + abs(turn_rate_11)))) + ((_s7 * _s1) + (_s8 + abs(turn_rate_12)))
+    _s10 = abs(omega_0)
+    _s11 = omega_0 * omega_0
+    _s12 = (_k46 * _s10) * (_k40 * _s11)
+    _s13 = _s12 * _s12
+    _s14 = _s4 * ((abs(cosine_12) + abs(sine_12)) + (_k215 * (_s13 * _s13)))
+    _s15 = _root(_root(((_k215 * _s4) / (_s14 if _s9 < _s14 else _s9))))
+    _s16 = _root(_root(_s15))
+    _s17 = (_k214 * _s16) * _root(_root(_s16))
+    _s18 = _s17 * (_s17 * _s17)
+    _s19 = ((_s18 + (_k31 * _s15)) / ((_k31 * _s18) + _s15)) * _s17
+    _s20 = _s19 if _s19 < _k36 else _k36
+    _s21 = abs(climb_10)
+    _s22 = (((((_k85 * _s7) * _s20) + (_k216 * _s5)) * _s20) + (_k217 * _s21)) * _s20
+    _s23 = abs(climb_9)
+    _s24 = abs(climb_8)
+    _s25 = abs(climb_7)
+    _s26 = ((((_s22 + (_k218 * _s23)) * _s20) + (_k34 * _s24)) * _s20) + (_k74 * _s25)
+    _s27 = abs(climb_6)
+    _s28 = abs(climb_5)
+    _s29 = abs(climb_4)
+    _s30 = (((((_s26 * _s20) + (_k9 * _s27)) * _s20) + (_k69 * _s28)) * _s20) + (_k46 * _s29)
+    _s31 = abs(climb_3)
+    _s32 = abs(climb_2)
+    _s33 = abs(climb_1)
+    _s34 = (((((_s30 * _s20) + (_k59 * _s31)) * _s20) + (_k31 * _s32)) * _s20) + _s33
+    _s35 = (((((_s7 * _s20) + _s5) * _s20) + _s21) * _s20) + _s23
+    _s36 = (((((_s35 * _s20) + _s24) * _s20) + _s25) * _s20) + _s27
+    _s37 = (((((_s36 * _s20) + _s28) * _s20) + _s29) * _s20) + _s31
+    _s38 = (((((_s37 * _s20) + _s32) * _s20) + _s33) * _s20) + _s0
+    _s39 = _s1 * (_s34 + (_s38 * _s38))
+    _s40 = abs(omega_11)
+    _s41 = abs(omega_10)
+    _s42 = abs(omega_9)
+    _s43 = abs(omega_8)
+    _s44 = (((((_s40 * _s20) + _s41) * _s20) + _s42) * _s20) + _s43
+    _s45 = abs(omega_7)
+    _s46 = abs(omega_6)
+    _s47 = abs(omega_5)
+    _s48 = (((((_s44 * _s20) + _s45) * _s20) + _s46) * _s20) + _s47
+    _s49 = abs(omega_4)
+    _s50 = abs(omega_3)
+    _s51 = abs(omega_2)
+    _s52 = (((((_s48 * _s20) + _s49) * _s20) + _s50) * _s20) + _s51
+    _s53 = abs(omega_1)
+    _s54 = (((_s52 * _s20) + _s53) * _s20) + _s10
+    _s55 = abs(along_10)
+    _s56 = abs(along_9)
+    _s57 = (((((_s8 * _s20) + _s6) * _s20) + _s55) * _s20) + _s56
+    _s58 = abs(along_8)
+    _s59 = abs(along_7)
+    _s60 = abs(along_6)
+    _s61 = (((((_s57 * _s20) + _s58) * _s20) + _s59) * _s20) + _s60
+    _s62 = abs(along_5)
+    _s63 = abs(along_4)
+    _s64 = abs(along_3)
+    _s65 = (((((_s61 * _s20) + _s62) * _s20) + _s63) * _s20) + _s64
+    _s66 = abs(along_2)
+    _s67 = abs(along_1)
+    _s68 = (((((_s65 * _s20) + _s66) * _s20) + _s67) * _s20) + _s2
+    _s69 = (_s1 * _s38) + _s68
+    _s70 = (((((_k85 * _s8) * _s20) + (_k216 * _s6)) * _s20) + (_k217 * _s55)) * _s20
+    _s71 = ((((_s70 + (_k218 * _s56)) * _s20) + (_k34 * _s58)) * _s20) + (_k74 * _s59)
+    _s72 = (((((_s71 * _s20) + (_k9 * _s60)) * _s20) + (_k69 * _s62)) * _s20) + (_k46 * _s63)
+    _s73 = (((((_s72 * _s20) + (_k59 * _s64)) * _s20) + (_k31 * _s66)) * _s20) + _s67
+    _s74 = (climb_0 * climb_0) * _s1
+    _s75 = along_0 * omega_0
+    _s76 = _k219 * p_gravity
+    _s77 = _k59 * p_ring_radius
+    _s78 = (((((_k216 * _s40) * _s20) + (_k217 * _s41)) * _s20) + (_k218 * _s42)) * _s20
+    _s79 = ((((_s78 + (_k34 * _s43)) * _s20) + (_k74 * _s45)) * _s20) + (_k9 * _s46)
+    _s80 = (((((_s79 * _s20) + (_k69 * _s47)) * _s20) + (_k46 * _s49)) * _s20) + (_k59 * _s50)
+    _s81 = _s38 * _s20
+    _s82 = abs(sine_0) + _s81
+    _s83 = (_s54 * ((((_s80 * _s20) + (_k31 * _s51)) * _s20) + _s53)) * _s82
+    _s84 = _s77 * (_s54 * _s54)
+    _s85 = abs(cosine_0) + _s81
+    _s86 = ((((_k9 * p_ring_radius) * _s83) + (_s38 * ((_s76 * _s82) + (_s84 * _s85)))) * _s38) + (_s34 * ((_s76 * _s85) + (_s84 * _s82)))
+    _s87 = -((_s75 + (cosine_0 * _s74)) + ((climb_1 * sine_0) * _s1))
+    _s88 = along_1 - (omega_0 * ((climb_0 * sine_0) * _s1))
+    return _s20, _k100 * _s4, _s39 + ((_s54 * _s69) + _s73), _s69, _s39, ((p_gravity * sine_0) - _s74) - (cosine_0 * _s75), climb_0 * ((cosine_0 * _s76) + (sine_0 * (_s77 * _s11))), _s86, (_k89 * p_gravity) * (climb_0 * cosine_0), (cos_0 * _s87) - (sin_0 * _s88), (cos_0 * _s88) + (sin_0 * _s87), ((climb_1 * cosine_0) * _s1) - (sine_0 * _s74)
 
 
 def _ring_round_pulled_alone(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, omega_0: Any, omega_1: Any, turn_rate_0: Any, turn_rate_1: Any) -> tuple[Any, ...]:
@@ -7312,319 +7328,215 @@ def _ring_round_pulled_alone(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1
     _s1 = p_gravity + (omega_0 * turn_rate_0)
     _s2 = _k3 * (cosine_0 * _s1)
     _s3 = _s2 * (_k3 * ((cosine_0 * ((omega_0 * turn_rate_1) + (omega_1 * turn_rate_0))) + (cosine_1 * _s1)))
-    _s4 = _k29 * ((_s0 * (_k3 * ((climb_0 * turn_rate_1) + (climb_1 * turn_rate_0)))) + _s3)
-    return (_s0 * _s0) + (_s2 * _s2), _s4, _k105, _k2
+    _s4 = _k31 * ((_s0 * (_k3 * ((climb_0 * turn_rate_1) + (climb_1 * turn_rate_0)))) + _s3)
+    return (_s0 * _s0) + (_s2 * _s2), _s4, _k109, _k2
 
 
 def _ring_swung_alone(p_ball_radius: Any, berth: Any, circled: Any, climb: Any, climb_0: Any, doubt: Any, fastest: Any, force: Any, force_bend: Any, force_rate: Any, p_gravity: Any, position_error: Any, stride: Any, sway: Any, velocity_error: Any, which: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_swung` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
     _s1 = stride * stride
-    _s2 = ((_k114 * _s0) < (berth - ((_k72 * sway) * _s1))) and ((_k207 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
-    _s3 = _s2 and (which == _k39)
-    _s4 = ((climb * climb_0) < _k2) and (((_k80 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
+    _s2 = ((_k116 * _s0) < (berth - ((_k35 * sway) * _s1))) and ((_k221 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
+    _s3 = _s2 and (which == _k43)
+    _s4 = ((climb * climb_0) < _k2) and (((_k84 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
     _s5 = (_s3 and _s4) and (_k2 < circled)
     _s6 = p_gravity + ((fastest * fastest) * (_k1 / _s0))
-    _s7 = not ((_s6 * (_k208 * ((fastest * velocity_error) + (position_error * _s6)))) < ((_k114 * (p_gravity * p_gravity)) * _s0))
+    _s7 = not ((_s6 * (_k222 * ((fastest * velocity_error) + (position_error * _s6)))) < ((_k116 * (p_gravity * p_gravity)) * _s0))
     return (_k1 if _s4 else circled) if _s3 else _k2, _s5, _k2 if (_s5 and _s7) else doubt
 
 
-def _ring_round_0_alone(along_0: Any, p_ball_radius: Any, climb_0: Any, cos_0: Any, cosine_0: Any, p_gravity: Any, near_0: Any, p_ring_radius: Any, sin_0: Any, sine_0: Any, turn_rate_0: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_0_alone(along_0: Any, p_ball_radius: Any, climb_0: Any, cosine_0: Any, p_gravity: Any, near_0: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, tilted_0: Any, turn_rate_0: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_0` for one shot."""
     _s0 = along_0 * near_0
     _s1 = climb_0 * _s0
-    _s2 = (along_0 * sine_0) - (_k3 * (cosine_0 * turn_rate_0))
-    _s3 = along_0 * cosine_0
-    _s4 = p_ball_radius + p_wire_radius
-    return _s0, _s1, _s2, _s3, ((p_gravity * sine_0) - ((climb_0 * climb_0) * _s4)) - (_s3 * _s0), -(climb_0 * sine_0), climb_0 * cosine_0, -((((_k4 * cosine_0) * p_gravity) + (_s0 * _s2)) / _s4), ((sine_0 * _s1) * _s4) - (_k3 * (climb_0 * turn_rate_0)), p_ring_radius * _s1, -(sin_0 * _s0), cos_0 * _s0
+    _s2 = p_ball_radius + p_wire_radius
+    return _s0, _s1, -(climb_0 * sine_0), climb_0 * cosine_0, -(per_reach * (((_k4 * cosine_0) * p_gravity) + (tilted_0 * _s0))), ((sine_0 * _s1) * _s2) - (_k3 * (climb_0 * turn_rate_0)), p_ring_radius * _s1, ((_k4 * p_ring_radius) * (cosine_0 * _s1)) + (_s1 * _s2)
 
 
-def _ring_round_1_alone(along_0: Any, along_1: Any, around_0: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, cos_0: Any, cos_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, near_0: Any, omega_0: Any, pressed_0: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sine_0: Any, sine_1: Any, tilted_0: Any, turn_rate_0: Any, turn_rate_1: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_1_alone(along_1: Any, around_0: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, near_0: Any, omega_0: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, tilted_0: Any, tilted_1: Any, turn_rate_0: Any, turn_rate_1: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_1` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = -((near_0 * (cosine_1 * near_0)) * _s0)
-    _s2 = (along_0 * _s1) + (along_1 * near_0)
-    _s3 = (climb_0 * _s2) + (climb_1 * omega_0)
-    _s4 = ((along_0 * sine_1) + (along_1 * sine_0)) - (_k3 * ((cosine_0 * turn_rate_1) + (cosine_1 * turn_rate_0)))
-    _s5 = (along_0 * cosine_1) + (along_1 * cosine_0)
-    _s6 = -((_k0 * (((_k4 * cosine_1) * p_gravity) + ((omega_0 * _s4) + (tilted_0 * _s2)))) / _s0)
-    return _s1, _s2, _s3, _s4, _s5, ((p_gravity * sine_1) - (((_k29 * climb_0) * climb_1) * _s0)) - ((omega_0 * _s5) + (pressed_0 * _s2)), -(_k0 * ((climb_0 * sine_1) + (climb_1 * sine_0))), _k0 * ((climb_0 * cosine_1) + (climb_1 * cosine_0)), _s6, _k0 * ((_s0 * ((around_0 * sine_1) + (sine_0 * _s3))) - (_k3 * ((climb_0 * turn_rate_1) + (climb_1 * turn_rate_0)))), (_k0 * p_ring_radius) * _s3, -(_k0 * ((omega_0 * sin_1) + (sin_0 * _s2))), _k0 * ((cos_0 * _s2) + (cos_1 * omega_0))
+    _s1 = near_0 * (along_1 - ((cosine_1 * omega_0) * _s0))
+    _s2 = (climb_0 * _s1) + (climb_1 * omega_0)
+    return _s1, _s2, -(_k0 * ((climb_0 * sine_1) + (climb_1 * sine_0))), _k0 * ((climb_0 * cosine_1) + (climb_1 * cosine_0)), -((_k0 * per_reach) * (((_k4 * cosine_1) * p_gravity) + ((omega_0 * tilted_1) + (tilted_0 * _s1)))), _k0 * ((_s0 * ((around_0 * sine_1) + (sine_0 * _s2))) - (_k3 * ((climb_0 * turn_rate_1) + (climb_1 * turn_rate_0)))), (_k0 * p_ring_radius) * _s2, _k0 * (((_k4 * p_ring_radius) * ((around_0 * cosine_1) + (cosine_0 * _s2))) + (_s0 * _s2))
 
 
-def _ring_round_2_alone(along_0: Any, along_1: Any, along_2: Any, around_0: Any, around_1: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, cos_0: Any, cos_1: Any, cos_2: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, p_gravity: Any, near_0: Any, near_1: Any, omega_0: Any, omega_1: Any, pressed_0: Any, pressed_1: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sine_0: Any, sine_1: Any, sine_2: Any, tilted_0: Any, tilted_1: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_2_alone(along_2: Any, around_0: Any, around_1: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_2` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = -((near_0 * _s0) * ((cosine_1 * near_1) + (cosine_2 * near_0)))
-    _s2 = ((along_0 * _s1) + (along_1 * near_1)) + (along_2 * near_0)
-    _s3 = ((climb_0 * _s2) + (climb_1 * omega_1)) + (climb_2 * omega_0)
-    _s4 = (((along_0 * sine_2) + (along_1 * sine_1)) + (along_2 * sine_0)) - (_k3 * (((cosine_0 * turn_rate_2) + (cosine_1 * turn_rate_1)) + (cosine_2 * turn_rate_0)))
-    _s5 = ((along_0 * cosine_2) + (along_1 * cosine_1)) + (along_2 * cosine_0)
-    _s6 = ((p_gravity * sine_2) - (_s0 * ((climb_1 * climb_1) + ((_k29 * climb_0) * climb_2)))) - (((omega_0 * _s5) + (omega_1 * pressed_1)) + (pressed_0 * _s2))
-    _s7 = (_k58 * (((_k4 * cosine_2) * p_gravity) + (((omega_0 * _s4) + (omega_1 * tilted_1)) + (tilted_0 * _s2)))) / _s0
-    _s8 = _k58 * ((_s0 * (((around_0 * sine_2) + (around_1 * sine_1)) + (sine_0 * _s3))) - (_k3 * (((climb_0 * turn_rate_2) + (climb_1 * turn_rate_1)) + (climb_2 * turn_rate_0))))
-    return _s1, _s2, _s3, _s4, _s5, _s6, -(_k58 * (((climb_0 * sine_2) + (climb_1 * sine_1)) + (climb_2 * sine_0))), _k58 * (((climb_0 * cosine_2) + (climb_1 * cosine_1)) + (climb_2 * cosine_0)), -_s7, _s8, (_k58 * p_ring_radius) * _s3, -(_k58 * (((omega_0 * sin_2) + (omega_1 * sin_1)) + (sin_0 * _s2))), _k58 * (((cos_0 * _s2) + (cos_1 * omega_1)) + (cos_2 * omega_0))
+    _s1 = near_0 * (along_2 - (_s0 * ((cosine_1 * omega_1) + (cosine_2 * omega_0))))
+    _s2 = ((climb_0 * _s1) + (climb_1 * omega_1)) + (climb_2 * omega_0)
+    _s3 = -((_k62 * per_reach) * (((_k4 * cosine_2) * p_gravity) + (((omega_0 * tilted_2) + (omega_1 * tilted_1)) + (tilted_0 * _s1))))
+    _s4 = _k62 * ((_s0 * (((around_0 * sine_2) + (around_1 * sine_1)) + (sine_0 * _s2))) - (_k3 * (((climb_0 * turn_rate_2) + (climb_1 * turn_rate_1)) + (climb_2 * turn_rate_0))))
+    _s5 = _k62 * (((_k4 * p_ring_radius) * (((around_0 * cosine_2) + (around_1 * cosine_1)) + (cosine_0 * _s2))) + (_s0 * _s2))
+    return _s1, _s2, -(_k62 * (((climb_0 * sine_2) + (climb_1 * sine_1)) + (climb_2 * sine_0))), _k62 * (((climb_0 * cosine_2) + (climb_1 * cosine_1)) + (climb_2 * cosine_0)), _s3, _s4, (_k62 * p_ring_radius) * _s2, _s5
 
 
-def _ring_round_3_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, around_0: Any, around_1: Any, around_2: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, omega_0: Any, omega_1: Any, omega_2: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_3_alone(along_3: Any, around_0: Any, around_1: Any, around_2: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_3` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = -((near_0 * _s0) * (((cosine_1 * near_2) + (cosine_2 * near_1)) + (cosine_3 * near_0)))
-    _s2 = (((along_0 * _s1) + (along_1 * near_2)) + (along_2 * near_1)) + (along_3 * near_0)
-    _s3 = (((climb_0 * _s2) + (climb_1 * omega_2)) + (climb_2 * omega_1)) + (climb_3 * omega_0)
-    _s4 = ((((along_0 * sine_3) + (along_1 * sine_2)) + (along_2 * sine_1)) + (along_3 * sine_0)) - (_k3 * ((((cosine_0 * turn_rate_3) + (cosine_1 * turn_rate_2)) + (cosine_2 * turn_rate_1)) + (cosine_3 * turn_rate_0)))
-    _s5 = (((along_0 * cosine_3) + (along_1 * cosine_2)) + (along_2 * cosine_1)) + (along_3 * cosine_0)
-    _s6 = ((p_gravity * sine_3) - (_s0 * (((_k29 * climb_0) * climb_3) + ((_k29 * climb_1) * climb_2)))) - ((((omega_0 * _s5) + (omega_1 * pressed_2)) + (omega_2 * pressed_1)) + (pressed_0 * _s2))
-    _s7 = -(_k28 * ((((climb_0 * sine_3) + (climb_1 * sine_2)) + (climb_2 * sine_1)) + (climb_3 * sine_0)))
-    _s8 = _k28 * (((_k4 * cosine_3) * p_gravity) + ((((omega_0 * _s4) + (omega_1 * tilted_2)) + (omega_2 * tilted_1)) + (tilted_0 * _s2)))
-    _s9 = (_s0 * ((((around_0 * sine_3) + (around_1 * sine_2)) + (around_2 * sine_1)) + (sine_0 * _s3))) - (_k3 * ((((climb_0 * turn_rate_3) + (climb_1 * turn_rate_2)) + (climb_2 * turn_rate_1)) + (climb_3 * turn_rate_0)))
-    _s10 = -(_k28 * ((((omega_0 * sin_3) + (omega_1 * sin_2)) + (omega_2 * sin_1)) + (sin_0 * _s2)))
-    return _s1, _s2, _s3, _s4, _s5, _s6, _s7, _k28 * ((((climb_0 * cosine_3) + (climb_1 * cosine_2)) + (climb_2 * cosine_1)) + (climb_3 * cosine_0)), -(_s8 / _s0), _k28 * _s9, (_k28 * p_ring_radius) * _s3, _s10, _k28 * ((((cos_0 * _s2) + (cos_1 * omega_2)) + (cos_2 * omega_1)) + (cos_3 * omega_0))
+    _s1 = near_0 * (along_3 - (_s0 * (((cosine_1 * omega_2) + (cosine_2 * omega_1)) + (cosine_3 * omega_0))))
+    _s2 = (((climb_0 * _s1) + (climb_1 * omega_2)) + (climb_2 * omega_1)) + (climb_3 * omega_0)
+    _s3 = -(_k30 * ((((climb_0 * sine_3) + (climb_1 * sine_2)) + (climb_2 * sine_1)) + (climb_3 * sine_0)))
+    _s4 = (_k30 * per_reach) * (((_k4 * cosine_3) * p_gravity) + ((((omega_0 * tilted_3) + (omega_1 * tilted_2)) + (omega_2 * tilted_1)) + (tilted_0 * _s1)))
+    _s5 = (_s0 * ((((around_0 * sine_3) + (around_1 * sine_2)) + (around_2 * sine_1)) + (sine_0 * _s2))) - (_k3 * ((((climb_0 * turn_rate_3) + (climb_1 * turn_rate_2)) + (climb_2 * turn_rate_1)) + (climb_3 * turn_rate_0)))
+    _s6 = ((_k4 * p_ring_radius) * ((((around_0 * cosine_3) + (around_1 * cosine_2)) + (around_2 * cosine_1)) + (cosine_0 * _s2))) + (_s0 * _s2)
+    return _s1, _s2, _s3, _k30 * ((((climb_0 * cosine_3) + (climb_1 * cosine_2)) + (climb_2 * cosine_1)) + (climb_3 * cosine_0)), -_s4, _k30 * _s5, (_k30 * p_ring_radius) * _s2, _k30 * _s6
 
 
-def _ring_round_4_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_4_alone(along_4: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_4` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = -((near_0 * _s0) * ((((cosine_1 * near_3) + (cosine_2 * near_2)) + (cosine_3 * near_1)) + (cosine_4 * near_0)))
-    _s2 = ((((along_0 * _s1) + (along_1 * near_3)) + (along_2 * near_2)) + (along_3 * near_1)) + (along_4 * near_0)
+    _s1 = along_4 - (_s0 * ((((cosine_1 * omega_3) + (cosine_2 * omega_2)) + (cosine_3 * omega_1)) + (cosine_4 * omega_0)))
+    _s2 = near_0 * _s1
     _s3 = ((((climb_0 * _s2) + (climb_1 * omega_3)) + (climb_2 * omega_2)) + (climb_3 * omega_1)) + (climb_4 * omega_0)
-    _s4 = _k3 * (((((cosine_0 * turn_rate_4) + (cosine_1 * turn_rate_3)) + (cosine_2 * turn_rate_2)) + (cosine_3 * turn_rate_1)) + (cosine_4 * turn_rate_0))
-    _s5 = (((((along_0 * sine_4) + (along_1 * sine_3)) + (along_2 * sine_2)) + (along_3 * sine_1)) + (along_4 * sine_0)) - _s4
-    _s6 = ((((along_0 * cosine_4) + (along_1 * cosine_3)) + (along_2 * cosine_2)) + (along_3 * cosine_1)) + (along_4 * cosine_0)
-    _s7 = (p_gravity * sine_4) - (_s0 * (((climb_2 * climb_2) + ((_k29 * climb_0) * climb_4)) + ((_k29 * climb_1) * climb_3)))
-    _s8 = _s7 - (((((omega_0 * _s6) + (omega_1 * pressed_3)) + (omega_2 * pressed_2)) + (omega_3 * pressed_1)) + (pressed_0 * _s2))
-    _s9 = _k62 * (((((climb_0 * sine_4) + (climb_1 * sine_3)) + (climb_2 * sine_2)) + (climb_3 * sine_1)) + (climb_4 * sine_0))
-    _s10 = _k62 * (((((climb_0 * cosine_4) + (climb_1 * cosine_3)) + (climb_2 * cosine_2)) + (climb_3 * cosine_1)) + (climb_4 * cosine_0))
-    _s11 = ((_k4 * cosine_4) * p_gravity) + (((((omega_0 * _s5) + (omega_1 * tilted_3)) + (omega_2 * tilted_2)) + (omega_3 * tilted_1)) + (tilted_0 * _s2))
-    _s12 = _s0 * (((((around_0 * sine_4) + (around_1 * sine_3)) + (around_2 * sine_2)) + (around_3 * sine_1)) + (sine_0 * _s3))
-    _s13 = _k3 * (((((climb_0 * turn_rate_4) + (climb_1 * turn_rate_3)) + (climb_2 * turn_rate_2)) + (climb_3 * turn_rate_1)) + (climb_4 * turn_rate_0))
-    _s14 = _k62 * (((((omega_0 * sin_4) + (omega_1 * sin_3)) + (omega_2 * sin_2)) + (omega_3 * sin_1)) + (sin_0 * _s2))
-    _s15 = _k62 * (((((cos_0 * _s2) + (cos_1 * omega_3)) + (cos_2 * omega_2)) + (cos_3 * omega_1)) + (cos_4 * omega_0))
-    return _s1, _s2, _s3, _s5, _s6, _s8, -_s9, _s10, -((_k62 * _s11) / _s0), _k62 * (_s12 - _s13), (_k62 * p_ring_radius) * _s3, -_s14, _s15
+    _s4 = _k66 * (((((climb_0 * sine_4) + (climb_1 * sine_3)) + (climb_2 * sine_2)) + (climb_3 * sine_1)) + (climb_4 * sine_0))
+    _s5 = _k66 * (((((climb_0 * cosine_4) + (climb_1 * cosine_3)) + (climb_2 * cosine_2)) + (climb_3 * cosine_1)) + (climb_4 * cosine_0))
+    _s6 = ((_k4 * cosine_4) * p_gravity) + (((((omega_0 * tilted_4) + (omega_1 * tilted_3)) + (omega_2 * tilted_2)) + (omega_3 * tilted_1)) + (tilted_0 * _s2))
+    _s7 = _s0 * (((((around_0 * sine_4) + (around_1 * sine_3)) + (around_2 * sine_2)) + (around_3 * sine_1)) + (sine_0 * _s3))
+    _s8 = _k3 * (((((climb_0 * turn_rate_4) + (climb_1 * turn_rate_3)) + (climb_2 * turn_rate_2)) + (climb_3 * turn_rate_1)) + (climb_4 * turn_rate_0))
+    _s9 = (_k4 * p_ring_radius) * (((((around_0 * cosine_4) + (around_1 * cosine_3)) + (around_2 * cosine_2)) + (around_3 * cosine_1)) + (cosine_0 * _s3))
+    return _s2, _s3, -_s4, _s5, -((_k66 * per_reach) * _s6), _k66 * (_s7 - _s8), (_k66 * p_ring_radius) * _s3, _k66 * (_s9 + (_s0 * _s3))
 
 
-def _ring_round_5_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_5_alone(along_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_5` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = (near_0 * _s0) * (((((cosine_1 * near_4) + (cosine_2 * near_3)) + (cosine_3 * near_2)) + (cosine_4 * near_1)) + (cosine_5 * near_0))
-    _s2 = -_s1
-    _s3 = (((((along_0 * _s2) + (along_1 * near_4)) + (along_2 * near_3)) + (along_3 * near_2)) + (along_4 * near_1)) + (along_5 * near_0)
-    _s4 = (((((climb_0 * _s3) + (climb_1 * omega_4)) + (climb_2 * omega_3)) + (climb_3 * omega_2)) + (climb_4 * omega_1)) + (climb_5 * omega_0)
-    _s5 = (((((along_0 * sine_5) + (along_1 * sine_4)) + (along_2 * sine_3)) + (along_3 * sine_2)) + (along_4 * sine_1)) + (along_5 * sine_0)
-    _s6 = (((((cosine_0 * turn_rate_5) + (cosine_1 * turn_rate_4)) + (cosine_2 * turn_rate_3)) + (cosine_3 * turn_rate_2)) + (cosine_4 * turn_rate_1)) + (cosine_5 * turn_rate_0)
-    _s7 = _s5 - (_k3 * _s6)
-    _s8 = (((((along_0 * cosine_5) + (along_1 * cosine_4)) + (along_2 * cosine_3)) + (along_3 * cosine_2)) + (along_4 * cosine_1)) + (along_5 * cosine_0)
-    _s9 = (p_gravity * sine_5) - (_s0 * ((((_k29 * climb_0) * climb_5) + ((_k29 * climb_1) * climb_4)) + ((_k29 * climb_2) * climb_3)))
-    _s10 = (((((omega_0 * _s8) + (omega_1 * pressed_4)) + (omega_2 * pressed_3)) + (omega_3 * pressed_2)) + (omega_4 * pressed_1)) + (pressed_0 * _s3)
-    _s11 = (((((climb_0 * sine_5) + (climb_1 * sine_4)) + (climb_2 * sine_3)) + (climb_3 * sine_2)) + (climb_4 * sine_1)) + (climb_5 * sine_0)
-    _s12 = (((((climb_0 * cosine_5) + (climb_1 * cosine_4)) + (climb_2 * cosine_3)) + (climb_3 * cosine_2)) + (climb_4 * cosine_1)) + (climb_5 * cosine_0)
-    _s13 = (((((omega_0 * _s7) + (omega_1 * tilted_4)) + (omega_2 * tilted_3)) + (omega_3 * tilted_2)) + (omega_4 * tilted_1)) + (tilted_0 * _s3)
-    _s14 = -((_k66 * (((_k4 * cosine_5) * p_gravity) + _s13)) / _s0)
-    _s15 = (((((around_0 * sine_5) + (around_1 * sine_4)) + (around_2 * sine_3)) + (around_3 * sine_2)) + (around_4 * sine_1)) + (sine_0 * _s4)
-    _s16 = (((((climb_0 * turn_rate_5) + (climb_1 * turn_rate_4)) + (climb_2 * turn_rate_3)) + (climb_3 * turn_rate_2)) + (climb_4 * turn_rate_1)) + (climb_5 * turn_rate_0)
-    _s17 = (((((omega_0 * sin_5) + (omega_1 * sin_4)) + (omega_2 * sin_3)) + (omega_3 * sin_2)) + (omega_4 * sin_1)) + (sin_0 * _s3)
-    _s18 = (((((cos_0 * _s3) + (cos_1 * omega_4)) + (cos_2 * omega_3)) + (cos_3 * omega_2)) + (cos_4 * omega_1)) + (cos_5 * omega_0)
-    return _s2, _s3, _s4, _s7, _s8, _s9 - _s10, -(_k66 * _s11), _k66 * _s12, _s14, _k66 * ((_s0 * _s15) - (_k3 * _s16)), (_k66 * p_ring_radius) * _s4, -(_k66 * _s17), _k66 * _s18
+    _s1 = _s0 * (((((cosine_1 * omega_4) + (cosine_2 * omega_3)) + (cosine_3 * omega_2)) + (cosine_4 * omega_1)) + (cosine_5 * omega_0))
+    _s2 = near_0 * (along_5 - _s1)
+    _s3 = (((((climb_0 * _s2) + (climb_1 * omega_4)) + (climb_2 * omega_3)) + (climb_3 * omega_2)) + (climb_4 * omega_1)) + (climb_5 * omega_0)
+    _s4 = (((((climb_0 * sine_5) + (climb_1 * sine_4)) + (climb_2 * sine_3)) + (climb_3 * sine_2)) + (climb_4 * sine_1)) + (climb_5 * sine_0)
+    _s5 = (((((climb_0 * cosine_5) + (climb_1 * cosine_4)) + (climb_2 * cosine_3)) + (climb_3 * cosine_2)) + (climb_4 * cosine_1)) + (climb_5 * cosine_0)
+    _s6 = (((((omega_0 * tilted_5) + (omega_1 * tilted_4)) + (omega_2 * tilted_3)) + (omega_3 * tilted_2)) + (omega_4 * tilted_1)) + (tilted_0 * _s2)
+    _s7 = (((((around_0 * sine_5) + (around_1 * sine_4)) + (around_2 * sine_3)) + (around_3 * sine_2)) + (around_4 * sine_1)) + (sine_0 * _s3)
+    _s8 = (((((climb_0 * turn_rate_5) + (climb_1 * turn_rate_4)) + (climb_2 * turn_rate_3)) + (climb_3 * turn_rate_2)) + (climb_4 * turn_rate_1)) + (climb_5 * turn_rate_0)
+    _s9 = (((((around_0 * cosine_5) + (around_1 * cosine_4)) + (around_2 * cosine_3)) + (around_3 * cosine_2)) + (around_4 * cosine_1)) + (cosine_0 * _s3)
+    return _s2, _s3, -(_k70 * _s4), _k70 * _s5, -((_k70 * per_reach) * (((_k4 * cosine_5) * p_gravity) + _s6)), _k70 * ((_s0 * _s7) - (_k3 * _s8)), (_k70 * p_ring_radius) * _s3, _k70 * (((_k4 * p_ring_radius) * _s9) + (_s0 * _s3))
 
 
-def _ring_round_6_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_6_alone(along_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_6` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = (((((cosine_1 * near_5) + (cosine_2 * near_4)) + (cosine_3 * near_3)) + (cosine_4 * near_2)) + (cosine_5 * near_1)) + (cosine_6 * near_0)
-    _s2 = -((near_0 * _s0) * _s1)
-    _s3 = (((((along_0 * _s2) + (along_1 * near_5)) + (along_2 * near_4)) + (along_3 * near_3)) + (along_4 * near_2)) + (along_5 * near_1)
-    _s4 = _s3 + (along_6 * near_0)
-    _s5 = (((((climb_0 * _s4) + (climb_1 * omega_5)) + (climb_2 * omega_4)) + (climb_3 * omega_3)) + (climb_4 * omega_2)) + (climb_5 * omega_1)
-    _s6 = _s5 + (climb_6 * omega_0)
-    _s7 = (((((along_0 * sine_6) + (along_1 * sine_5)) + (along_2 * sine_4)) + (along_3 * sine_3)) + (along_4 * sine_2)) + (along_5 * sine_1)
-    _s8 = (((((cosine_0 * turn_rate_6) + (cosine_1 * turn_rate_5)) + (cosine_2 * turn_rate_4)) + (cosine_3 * turn_rate_3)) + (cosine_4 * turn_rate_2)) + (cosine_5 * turn_rate_1)
-    _s9 = (_s7 + (along_6 * sine_0)) - (_k3 * (_s8 + (cosine_6 * turn_rate_0)))
-    _s10 = (((((along_0 * cosine_6) + (along_1 * cosine_5)) + (along_2 * cosine_4)) + (along_3 * cosine_3)) + (along_4 * cosine_2)) + (along_5 * cosine_1)
-    _s11 = _s10 + (along_6 * cosine_0)
-    _s12 = _s0 * ((((climb_3 * climb_3) + ((_k29 * climb_0) * climb_6)) + ((_k29 * climb_1) * climb_5)) + ((_k29 * climb_2) * climb_4))
-    _s13 = (((((omega_0 * _s11) + (omega_1 * pressed_5)) + (omega_2 * pressed_4)) + (omega_3 * pressed_3)) + (omega_4 * pressed_2)) + (omega_5 * pressed_1)
-    _s14 = (((((climb_0 * sine_6) + (climb_1 * sine_5)) + (climb_2 * sine_4)) + (climb_3 * sine_3)) + (climb_4 * sine_2)) + (climb_5 * sine_1)
-    _s15 = (((((climb_0 * cosine_6) + (climb_1 * cosine_5)) + (climb_2 * cosine_4)) + (climb_3 * cosine_3)) + (climb_4 * cosine_2)) + (climb_5 * cosine_1)
-    _s16 = (((((omega_0 * _s9) + (omega_1 * tilted_5)) + (omega_2 * tilted_4)) + (omega_3 * tilted_3)) + (omega_4 * tilted_2)) + (omega_5 * tilted_1)
-    _s17 = -((_k68 * (((_k4 * cosine_6) * p_gravity) + (_s16 + (tilted_0 * _s4)))) / _s0)
-    _s18 = (((((around_0 * sine_6) + (around_1 * sine_5)) + (around_2 * sine_4)) + (around_3 * sine_3)) + (around_4 * sine_2)) + (around_5 * sine_1)
-    _s19 = (((((climb_0 * turn_rate_6) + (climb_1 * turn_rate_5)) + (climb_2 * turn_rate_4)) + (climb_3 * turn_rate_3)) + (climb_4 * turn_rate_2)) + (climb_5 * turn_rate_1)
-    _s20 = (((((omega_0 * sin_6) + (omega_1 * sin_5)) + (omega_2 * sin_4)) + (omega_3 * sin_3)) + (omega_4 * sin_2)) + (omega_5 * sin_1)
-    _s21 = (((((cos_0 * _s4) + (cos_1 * omega_5)) + (cos_2 * omega_4)) + (cos_3 * omega_3)) + (cos_4 * omega_2)) + (cos_5 * omega_1)
-    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_6) - _s12) - (_s13 + (pressed_0 * _s4)), -(_k68 * (_s14 + (climb_6 * sine_0))), _k68 * (_s15 + (climb_6 * cosine_0)), _s17, _k68 * ((_s0 * (_s18 + (sine_0 * _s6))) - (_k3 * (_s19 + (climb_6 * turn_rate_0)))), (_k68 * p_ring_radius) * _s6, -(_k68 * (_s20 + (sin_0 * _s4))), _k68 * (_s21 + (cos_6 * omega_0))
+    _s1 = (((((cosine_1 * omega_5) + (cosine_2 * omega_4)) + (cosine_3 * omega_3)) + (cosine_4 * omega_2)) + (cosine_5 * omega_1)) + (cosine_6 * omega_0)
+    _s2 = near_0 * (along_6 - (_s0 * _s1))
+    _s3 = (((((climb_0 * _s2) + (climb_1 * omega_5)) + (climb_2 * omega_4)) + (climb_3 * omega_3)) + (climb_4 * omega_2)) + (climb_5 * omega_1)
+    _s4 = _s3 + (climb_6 * omega_0)
+    _s5 = (((((climb_0 * sine_6) + (climb_1 * sine_5)) + (climb_2 * sine_4)) + (climb_3 * sine_3)) + (climb_4 * sine_2)) + (climb_5 * sine_1)
+    _s6 = (((((climb_0 * cosine_6) + (climb_1 * cosine_5)) + (climb_2 * cosine_4)) + (climb_3 * cosine_3)) + (climb_4 * cosine_2)) + (climb_5 * cosine_1)
+    _s7 = (((((omega_0 * tilted_6) + (omega_1 * tilted_5)) + (omega_2 * tilted_4)) + (omega_3 * tilted_3)) + (omega_4 * tilted_2)) + (omega_5 * tilted_1)
+    _s8 = (((((around_0 * sine_6) + (around_1 * sine_5)) + (around_2 * sine_4)) + (around_3 * sine_3)) + (around_4 * sine_2)) + (around_5 * sine_1)
+    _s9 = (((((climb_0 * turn_rate_6) + (climb_1 * turn_rate_5)) + (climb_2 * turn_rate_4)) + (climb_3 * turn_rate_3)) + (climb_4 * turn_rate_2)) + (climb_5 * turn_rate_1)
+    _s10 = (((((around_0 * cosine_6) + (around_1 * cosine_5)) + (around_2 * cosine_4)) + (around_3 * cosine_3)) + (around_4 * cosine_2)) + (around_5 * cosine_1)
+    return _s2, _s4, -(_k72 * (_s5 + (climb_6 * sine_0))), _k72 * (_s6 + (climb_6 * cosine_0)), -((_k72 * per_reach) * (((_k4 * cosine_6) * p_gravity) + (_s7 + (tilted_0 * _s2)))), _k72 * ((_s0 * (_s8 + (sine_0 * _s4))) - (_k3 * (_s9 + (climb_6 * turn_rate_0)))), (_k72 * p_ring_radius) * _s4, _k72 * (((_k4 * p_ring_radius) * (_s10 + (cosine_0 * _s4))) + (_s0 * _s4))
 
 
-def _ring_round_7_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_7_alone(along_7: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_7` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = (((((cosine_1 * near_6) + (cosine_2 * near_5)) + (cosine_3 * near_4)) + (cosine_4 * near_3)) + (cosine_5 * near_2)) + (cosine_6 * near_1)
-    _s2 = -((near_0 * _s0) * (_s1 + (cosine_7 * near_0)))
-    _s3 = (((((along_0 * _s2) + (along_1 * near_6)) + (along_2 * near_5)) + (along_3 * near_4)) + (along_4 * near_3)) + (along_5 * near_2)
-    _s4 = (_s3 + (along_6 * near_1)) + (along_7 * near_0)
-    _s5 = (((((climb_0 * _s4) + (climb_1 * omega_6)) + (climb_2 * omega_5)) + (climb_3 * omega_4)) + (climb_4 * omega_3)) + (climb_5 * omega_2)
-    _s6 = (_s5 + (climb_6 * omega_1)) + (climb_7 * omega_0)
-    _s7 = (((((along_0 * sine_7) + (along_1 * sine_6)) + (along_2 * sine_5)) + (along_3 * sine_4)) + (along_4 * sine_3)) + (along_5 * sine_2)
-    _s8 = (((((cosine_0 * turn_rate_7) + (cosine_1 * turn_rate_6)) + (cosine_2 * turn_rate_5)) + (cosine_3 * turn_rate_4)) + (cosine_4 * turn_rate_3)) + (cosine_5 * turn_rate_2)
-    _s9 = ((_s7 + (along_6 * sine_1)) + (along_7 * sine_0)) - (_k3 * ((_s8 + (cosine_6 * turn_rate_1)) + (cosine_7 * turn_rate_0)))
-    _s10 = (((((along_0 * cosine_7) + (along_1 * cosine_6)) + (along_2 * cosine_5)) + (along_3 * cosine_4)) + (along_4 * cosine_3)) + (along_5 * cosine_2)
-    _s11 = (_s10 + (along_6 * cosine_1)) + (along_7 * cosine_0)
-    _s12 = _s0 * (((((_k29 * climb_0) * climb_7) + ((_k29 * climb_1) * climb_6)) + ((_k29 * climb_2) * climb_5)) + ((_k29 * climb_3) * climb_4))
-    _s13 = (((((omega_0 * _s11) + (omega_1 * pressed_6)) + (omega_2 * pressed_5)) + (omega_3 * pressed_4)) + (omega_4 * pressed_3)) + (omega_5 * pressed_2)
-    _s14 = (((((climb_0 * sine_7) + (climb_1 * sine_6)) + (climb_2 * sine_5)) + (climb_3 * sine_4)) + (climb_4 * sine_3)) + (climb_5 * sine_2)
-    _s15 = (((((climb_0 * cosine_7) + (climb_1 * cosine_6)) + (climb_2 * cosine_5)) + (climb_3 * cosine_4)) + (climb_4 * cosine_3)) + (climb_5 * cosine_2)
-    _s16 = (((((omega_0 * _s9) + (omega_1 * tilted_6)) + (omega_2 * tilted_5)) + (omega_3 * tilted_4)) + (omega_4 * tilted_3)) + (omega_5 * tilted_2)
-    _s17 = (_k72 * (((_k4 * cosine_7) * p_gravity) + ((_s16 + (omega_6 * tilted_1)) + (tilted_0 * _s4)))) / _s0
-    _s18 = (((((around_0 * sine_7) + (around_1 * sine_6)) + (around_2 * sine_5)) + (around_3 * sine_4)) + (around_4 * sine_3)) + (around_5 * sine_2)
-    _s19 = (((((climb_0 * turn_rate_7) + (climb_1 * turn_rate_6)) + (climb_2 * turn_rate_5)) + (climb_3 * turn_rate_4)) + (climb_4 * turn_rate_3)) + (climb_5 * turn_rate_2)
-    _s20 = _k72 * ((_s0 * ((_s18 + (around_6 * sine_1)) + (sine_0 * _s6))) - (_k3 * ((_s19 + (climb_6 * turn_rate_1)) + (climb_7 * turn_rate_0))))
-    _s21 = (((((omega_0 * sin_7) + (omega_1 * sin_6)) + (omega_2 * sin_5)) + (omega_3 * sin_4)) + (omega_4 * sin_3)) + (omega_5 * sin_2)
-    _s22 = (((((cos_0 * _s4) + (cos_1 * omega_6)) + (cos_2 * omega_5)) + (cos_3 * omega_4)) + (cos_4 * omega_3)) + (cos_5 * omega_2)
-    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_7) - _s12) - ((_s13 + (omega_6 * pressed_1)) + (pressed_0 * _s4)), -(_k72 * ((_s14 + (climb_6 * sine_1)) + (climb_7 * sine_0))), _k72 * ((_s15 + (climb_6 * cosine_1)) + (climb_7 * cosine_0)), -_s17, _s20, (_k72 * p_ring_radius) * _s6, -(_k72 * ((_s21 + (omega_6 * sin_1)) + (sin_0 * _s4))), _k72 * ((_s22 + (cos_6 * omega_1)) + (cos_7 * omega_0))
+    _s1 = (((((cosine_1 * omega_6) + (cosine_2 * omega_5)) + (cosine_3 * omega_4)) + (cosine_4 * omega_3)) + (cosine_5 * omega_2)) + (cosine_6 * omega_1)
+    _s2 = near_0 * (along_7 - (_s0 * (_s1 + (cosine_7 * omega_0))))
+    _s3 = (((((climb_0 * _s2) + (climb_1 * omega_6)) + (climb_2 * omega_5)) + (climb_3 * omega_4)) + (climb_4 * omega_3)) + (climb_5 * omega_2)
+    _s4 = (_s3 + (climb_6 * omega_1)) + (climb_7 * omega_0)
+    _s5 = (((((climb_0 * sine_7) + (climb_1 * sine_6)) + (climb_2 * sine_5)) + (climb_3 * sine_4)) + (climb_4 * sine_3)) + (climb_5 * sine_2)
+    _s6 = (((((climb_0 * cosine_7) + (climb_1 * cosine_6)) + (climb_2 * cosine_5)) + (climb_3 * cosine_4)) + (climb_4 * cosine_3)) + (climb_5 * cosine_2)
+    _s7 = (((((omega_0 * tilted_7) + (omega_1 * tilted_6)) + (omega_2 * tilted_5)) + (omega_3 * tilted_4)) + (omega_4 * tilted_3)) + (omega_5 * tilted_2)
+    _s8 = -((_k35 * per_reach) * (((_k4 * cosine_7) * p_gravity) + ((_s7 + (omega_6 * tilted_1)) + (tilted_0 * _s2))))
+    _s9 = (((((around_0 * sine_7) + (around_1 * sine_6)) + (around_2 * sine_5)) + (around_3 * sine_4)) + (around_4 * sine_3)) + (around_5 * sine_2)
+    _s10 = (((((climb_0 * turn_rate_7) + (climb_1 * turn_rate_6)) + (climb_2 * turn_rate_5)) + (climb_3 * turn_rate_4)) + (climb_4 * turn_rate_3)) + (climb_5 * turn_rate_2)
+    _s11 = _k35 * ((_s0 * ((_s9 + (around_6 * sine_1)) + (sine_0 * _s4))) - (_k3 * ((_s10 + (climb_6 * turn_rate_1)) + (climb_7 * turn_rate_0))))
+    _s12 = (((((around_0 * cosine_7) + (around_1 * cosine_6)) + (around_2 * cosine_5)) + (around_3 * cosine_4)) + (around_4 * cosine_3)) + (around_5 * cosine_2)
+    _s13 = _k35 * (((_k4 * p_ring_radius) * ((_s12 + (around_6 * cosine_1)) + (cosine_0 * _s4))) + (_s0 * _s4))
+    return _s2, _s4, -(_k35 * ((_s5 + (climb_6 * sine_1)) + (climb_7 * sine_0))), _k35 * ((_s6 + (climb_6 * cosine_1)) + (climb_7 * cosine_0)), _s8, _s11, (_k35 * p_ring_radius) * _s4, _s13
 
 
-def _ring_round_8_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_8_alone(along_8: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_8` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = (((((cosine_1 * near_7) + (cosine_2 * near_6)) + (cosine_3 * near_5)) + (cosine_4 * near_4)) + (cosine_5 * near_3)) + (cosine_6 * near_2)
-    _s2 = -((near_0 * _s0) * ((_s1 + (cosine_7 * near_1)) + (cosine_8 * near_0)))
-    _s3 = (((((along_0 * _s2) + (along_1 * near_7)) + (along_2 * near_6)) + (along_3 * near_5)) + (along_4 * near_4)) + (along_5 * near_3)
-    _s4 = ((_s3 + (along_6 * near_2)) + (along_7 * near_1)) + (along_8 * near_0)
-    _s5 = (((((climb_0 * _s4) + (climb_1 * omega_7)) + (climb_2 * omega_6)) + (climb_3 * omega_5)) + (climb_4 * omega_4)) + (climb_5 * omega_3)
-    _s6 = ((_s5 + (climb_6 * omega_2)) + (climb_7 * omega_1)) + (climb_8 * omega_0)
-    _s7 = (((((along_0 * sine_8) + (along_1 * sine_7)) + (along_2 * sine_6)) + (along_3 * sine_5)) + (along_4 * sine_4)) + (along_5 * sine_3)
-    _s8 = (((((cosine_0 * turn_rate_8) + (cosine_1 * turn_rate_7)) + (cosine_2 * turn_rate_6)) + (cosine_3 * turn_rate_5)) + (cosine_4 * turn_rate_4)) + (cosine_5 * turn_rate_3)
-    _s9 = (((_s7 + (along_6 * sine_2)) + (along_7 * sine_1)) + (along_8 * sine_0)) - (_k3 * (((_s8 + (cosine_6 * turn_rate_2)) + (cosine_7 * turn_rate_1)) + (cosine_8 * turn_rate_0)))
-    _s10 = (((((along_0 * cosine_8) + (along_1 * cosine_7)) + (along_2 * cosine_6)) + (along_3 * cosine_5)) + (along_4 * cosine_4)) + (along_5 * cosine_3)
-    _s11 = ((_s10 + (along_6 * cosine_2)) + (along_7 * cosine_1)) + (along_8 * cosine_0)
-    _s12 = ((((climb_4 * climb_4) + ((_k29 * climb_0) * climb_8)) + ((_k29 * climb_1) * climb_7)) + ((_k29 * climb_2) * climb_6)) + ((_k29 * climb_3) * climb_5)
-    _s13 = (((((omega_0 * _s11) + (omega_1 * pressed_7)) + (omega_2 * pressed_6)) + (omega_3 * pressed_5)) + (omega_4 * pressed_4)) + (omega_5 * pressed_3)
-    _s14 = (((((climb_0 * sine_8) + (climb_1 * sine_7)) + (climb_2 * sine_6)) + (climb_3 * sine_5)) + (climb_4 * sine_4)) + (climb_5 * sine_3)
-    _s15 = -(_k74 * (((_s14 + (climb_6 * sine_2)) + (climb_7 * sine_1)) + (climb_8 * sine_0)))
-    _s16 = (((((climb_0 * cosine_8) + (climb_1 * cosine_7)) + (climb_2 * cosine_6)) + (climb_3 * cosine_5)) + (climb_4 * cosine_4)) + (climb_5 * cosine_3)
-    _s17 = (((((omega_0 * _s9) + (omega_1 * tilted_7)) + (omega_2 * tilted_6)) + (omega_3 * tilted_5)) + (omega_4 * tilted_4)) + (omega_5 * tilted_3)
-    _s18 = _k74 * (((_k4 * cosine_8) * p_gravity) + (((_s17 + (omega_6 * tilted_2)) + (omega_7 * tilted_1)) + (tilted_0 * _s4)))
-    _s19 = (((((around_0 * sine_8) + (around_1 * sine_7)) + (around_2 * sine_6)) + (around_3 * sine_5)) + (around_4 * sine_4)) + (around_5 * sine_3)
-    _s20 = (((((climb_0 * turn_rate_8) + (climb_1 * turn_rate_7)) + (climb_2 * turn_rate_6)) + (climb_3 * turn_rate_5)) + (climb_4 * turn_rate_4)) + (climb_5 * turn_rate_3)
-    _s21 = (_s0 * (((_s19 + (around_6 * sine_2)) + (around_7 * sine_1)) + (sine_0 * _s6))) - (_k3 * (((_s20 + (climb_6 * turn_rate_2)) + (climb_7 * turn_rate_1)) + (climb_8 * turn_rate_0)))
-    _s22 = (((((omega_0 * sin_8) + (omega_1 * sin_7)) + (omega_2 * sin_6)) + (omega_3 * sin_5)) + (omega_4 * sin_4)) + (omega_5 * sin_3)
-    _s23 = -(_k74 * (((_s22 + (omega_6 * sin_2)) + (omega_7 * sin_1)) + (sin_0 * _s4)))
-    _s24 = (((((cos_0 * _s4) + (cos_1 * omega_7)) + (cos_2 * omega_6)) + (cos_3 * omega_5)) + (cos_4 * omega_4)) + (cos_5 * omega_3)
-    return _s2, _s4, _s6, _s9, _s11, ((p_gravity * sine_8) - (_s0 * _s12)) - (((_s13 + (omega_6 * pressed_2)) + (omega_7 * pressed_1)) + (pressed_0 * _s4)), _s15, _k74 * (((_s16 + (climb_6 * cosine_2)) + (climb_7 * cosine_1)) + (climb_8 * cosine_0)), -(_s18 / _s0), _k74 * _s21, (_k74 * p_ring_radius) * _s6, _s23, _k74 * (((_s24 + (cos_6 * omega_2)) + (cos_7 * omega_1)) + (cos_8 * omega_0))
+    _s1 = (((((cosine_1 * omega_7) + (cosine_2 * omega_6)) + (cosine_3 * omega_5)) + (cosine_4 * omega_4)) + (cosine_5 * omega_3)) + (cosine_6 * omega_2)
+    _s2 = near_0 * (along_8 - (_s0 * ((_s1 + (cosine_7 * omega_1)) + (cosine_8 * omega_0))))
+    _s3 = (((((climb_0 * _s2) + (climb_1 * omega_7)) + (climb_2 * omega_6)) + (climb_3 * omega_5)) + (climb_4 * omega_4)) + (climb_5 * omega_3)
+    _s4 = ((_s3 + (climb_6 * omega_2)) + (climb_7 * omega_1)) + (climb_8 * omega_0)
+    _s5 = (((((climb_0 * sine_8) + (climb_1 * sine_7)) + (climb_2 * sine_6)) + (climb_3 * sine_5)) + (climb_4 * sine_4)) + (climb_5 * sine_3)
+    _s6 = -(_k76 * (((_s5 + (climb_6 * sine_2)) + (climb_7 * sine_1)) + (climb_8 * sine_0)))
+    _s7 = (((((climb_0 * cosine_8) + (climb_1 * cosine_7)) + (climb_2 * cosine_6)) + (climb_3 * cosine_5)) + (climb_4 * cosine_4)) + (climb_5 * cosine_3)
+    _s8 = (((((omega_0 * tilted_8) + (omega_1 * tilted_7)) + (omega_2 * tilted_6)) + (omega_3 * tilted_5)) + (omega_4 * tilted_4)) + (omega_5 * tilted_3)
+    _s9 = (_k76 * per_reach) * (((_k4 * cosine_8) * p_gravity) + (((_s8 + (omega_6 * tilted_2)) + (omega_7 * tilted_1)) + (tilted_0 * _s2)))
+    _s10 = (((((around_0 * sine_8) + (around_1 * sine_7)) + (around_2 * sine_6)) + (around_3 * sine_5)) + (around_4 * sine_4)) + (around_5 * sine_3)
+    _s11 = (((((climb_0 * turn_rate_8) + (climb_1 * turn_rate_7)) + (climb_2 * turn_rate_6)) + (climb_3 * turn_rate_5)) + (climb_4 * turn_rate_4)) + (climb_5 * turn_rate_3)
+    _s12 = (_s0 * (((_s10 + (around_6 * sine_2)) + (around_7 * sine_1)) + (sine_0 * _s4))) - (_k3 * (((_s11 + (climb_6 * turn_rate_2)) + (climb_7 * turn_rate_1)) + (climb_8 * turn_rate_0)))
+    _s13 = (((((around_0 * cosine_8) + (around_1 * cosine_7)) + (around_2 * cosine_6)) + (around_3 * cosine_5)) + (around_4 * cosine_4)) + (around_5 * cosine_3)
+    _s14 = ((_k4 * p_ring_radius) * (((_s13 + (around_6 * cosine_2)) + (around_7 * cosine_1)) + (cosine_0 * _s4))) + (_s0 * _s4)
+    return _s2, _s4, _s6, _k76 * (((_s7 + (climb_6 * cosine_2)) + (climb_7 * cosine_1)) + (climb_8 * cosine_0)), -_s9, _k76 * _s12, (_k76 * p_ring_radius) * _s4, _k76 * _s14
 
 
-def _ring_round_9_alone(along_0: Any, along_1: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_9_alone(along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_9` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = (((((cosine_1 * near_8) + (cosine_2 * near_7)) + (cosine_3 * near_6)) + (cosine_4 * near_5)) + (cosine_5 * near_4)) + (cosine_6 * near_3)
-    _s2 = -((near_0 * _s0) * (((_s1 + (cosine_7 * near_2)) + (cosine_8 * near_1)) + (cosine_9 * near_0)))
-    _s3 = (((((along_0 * _s2) + (along_1 * near_8)) + (along_2 * near_7)) + (along_3 * near_6)) + (along_4 * near_5)) + (along_5 * near_4)
-    _s4 = (((_s3 + (along_6 * near_3)) + (along_7 * near_2)) + (along_8 * near_1)) + (along_9 * near_0)
-    _s5 = (((((climb_0 * _s4) + (climb_1 * omega_8)) + (climb_2 * omega_7)) + (climb_3 * omega_6)) + (climb_4 * omega_5)) + (climb_5 * omega_4)
-    _s6 = (((_s5 + (climb_6 * omega_3)) + (climb_7 * omega_2)) + (climb_8 * omega_1)) + (climb_9 * omega_0)
-    _s7 = (((((along_0 * sine_9) + (along_1 * sine_8)) + (along_2 * sine_7)) + (along_3 * sine_6)) + (along_4 * sine_5)) + (along_5 * sine_4)
-    _s8 = (((((cosine_0 * turn_rate_9) + (cosine_1 * turn_rate_8)) + (cosine_2 * turn_rate_7)) + (cosine_3 * turn_rate_6)) + (cosine_4 * turn_rate_5)) + (cosine_5 * turn_rate_4)
-    _s9 = _k3 * ((((_s8 + (cosine_6 * turn_rate_3)) + (cosine_7 * turn_rate_2)) + (cosine_8 * turn_rate_1)) + (cosine_9 * turn_rate_0))
-    _s10 = ((((_s7 + (along_6 * sine_3)) + (along_7 * sine_2)) + (along_8 * sine_1)) + (along_9 * sine_0)) - _s9
-    _s11 = (((((along_0 * cosine_9) + (along_1 * cosine_8)) + (along_2 * cosine_7)) + (along_3 * cosine_6)) + (along_4 * cosine_5)) + (along_5 * cosine_4)
-    _s12 = (((_s11 + (along_6 * cosine_3)) + (along_7 * cosine_2)) + (along_8 * cosine_1)) + (along_9 * cosine_0)
-    _s13 = (((((_k29 * climb_0) * climb_9) + ((_k29 * climb_1) * climb_8)) + ((_k29 * climb_2) * climb_7)) + ((_k29 * climb_3) * climb_6)) + ((_k29 * climb_4) * climb_5)
-    _s14 = (((((omega_0 * _s12) + (omega_1 * pressed_8)) + (omega_2 * pressed_7)) + (omega_3 * pressed_6)) + (omega_4 * pressed_5)) + (omega_5 * pressed_4)
-    _s15 = ((p_gravity * sine_9) - (_s0 * _s13)) - ((((_s14 + (omega_6 * pressed_3)) + (omega_7 * pressed_2)) + (omega_8 * pressed_1)) + (pressed_0 * _s4))
-    _s16 = (((((climb_0 * sine_9) + (climb_1 * sine_8)) + (climb_2 * sine_7)) + (climb_3 * sine_6)) + (climb_4 * sine_5)) + (climb_5 * sine_4)
-    _s17 = _k211 * ((((_s16 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
-    _s18 = (((((climb_0 * cosine_9) + (climb_1 * cosine_8)) + (climb_2 * cosine_7)) + (climb_3 * cosine_6)) + (climb_4 * cosine_5)) + (climb_5 * cosine_4)
-    _s19 = _k211 * ((((_s18 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
-    _s20 = (((((omega_0 * _s10) + (omega_1 * tilted_8)) + (omega_2 * tilted_7)) + (omega_3 * tilted_6)) + (omega_4 * tilted_5)) + (omega_5 * tilted_4)
-    _s21 = ((_k4 * cosine_9) * p_gravity) + ((((_s20 + (omega_6 * tilted_3)) + (omega_7 * tilted_2)) + (omega_8 * tilted_1)) + (tilted_0 * _s4))
-    _s22 = (((((around_0 * sine_9) + (around_1 * sine_8)) + (around_2 * sine_7)) + (around_3 * sine_6)) + (around_4 * sine_5)) + (around_5 * sine_4)
-    _s23 = _s0 * ((((_s22 + (around_6 * sine_3)) + (around_7 * sine_2)) + (around_8 * sine_1)) + (sine_0 * _s6))
-    _s24 = (((((climb_0 * turn_rate_9) + (climb_1 * turn_rate_8)) + (climb_2 * turn_rate_7)) + (climb_3 * turn_rate_6)) + (climb_4 * turn_rate_5)) + (climb_5 * turn_rate_4)
-    _s25 = _k3 * ((((_s24 + (climb_6 * turn_rate_3)) + (climb_7 * turn_rate_2)) + (climb_8 * turn_rate_1)) + (climb_9 * turn_rate_0))
-    _s26 = (((((omega_0 * sin_9) + (omega_1 * sin_8)) + (omega_2 * sin_7)) + (omega_3 * sin_6)) + (omega_4 * sin_5)) + (omega_5 * sin_4)
-    _s27 = _k211 * ((((_s26 + (omega_6 * sin_3)) + (omega_7 * sin_2)) + (omega_8 * sin_1)) + (sin_0 * _s4))
-    _s28 = (((((cos_0 * _s4) + (cos_1 * omega_8)) + (cos_2 * omega_7)) + (cos_3 * omega_6)) + (cos_4 * omega_5)) + (cos_5 * omega_4)
-    _s29 = _k211 * ((((_s28 + (cos_6 * omega_3)) + (cos_7 * omega_2)) + (cos_8 * omega_1)) + (cos_9 * omega_0))
-    return _s2, _s4, _s6, _s10, _s12, _s15, -_s17, _s19, -((_k211 * _s21) / _s0), _k211 * (_s23 - _s25), (_k211 * p_ring_radius) * _s6, -_s27, _s29
+    _s1 = (((((cosine_1 * omega_8) + (cosine_2 * omega_7)) + (cosine_3 * omega_6)) + (cosine_4 * omega_5)) + (cosine_5 * omega_4)) + (cosine_6 * omega_3)
+    _s2 = along_9 - (_s0 * (((_s1 + (cosine_7 * omega_2)) + (cosine_8 * omega_1)) + (cosine_9 * omega_0)))
+    _s3 = near_0 * _s2
+    _s4 = (((((climb_0 * _s3) + (climb_1 * omega_8)) + (climb_2 * omega_7)) + (climb_3 * omega_6)) + (climb_4 * omega_5)) + (climb_5 * omega_4)
+    _s5 = (((_s4 + (climb_6 * omega_3)) + (climb_7 * omega_2)) + (climb_8 * omega_1)) + (climb_9 * omega_0)
+    _s6 = (((((climb_0 * sine_9) + (climb_1 * sine_8)) + (climb_2 * sine_7)) + (climb_3 * sine_6)) + (climb_4 * sine_5)) + (climb_5 * sine_4)
+    _s7 = _k200 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
+    _s8 = (((((climb_0 * cosine_9) + (climb_1 * cosine_8)) + (climb_2 * cosine_7)) + (climb_3 * cosine_6)) + (climb_4 * cosine_5)) + (climb_5 * cosine_4)
+    _s9 = _k200 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
+    _s10 = (((((omega_0 * tilted_9) + (omega_1 * tilted_8)) + (omega_2 * tilted_7)) + (omega_3 * tilted_6)) + (omega_4 * tilted_5)) + (omega_5 * tilted_4)
+    _s11 = ((_k4 * cosine_9) * p_gravity) + ((((_s10 + (omega_6 * tilted_3)) + (omega_7 * tilted_2)) + (omega_8 * tilted_1)) + (tilted_0 * _s3))
+    _s12 = (((((around_0 * sine_9) + (around_1 * sine_8)) + (around_2 * sine_7)) + (around_3 * sine_6)) + (around_4 * sine_5)) + (around_5 * sine_4)
+    _s13 = _s0 * ((((_s12 + (around_6 * sine_3)) + (around_7 * sine_2)) + (around_8 * sine_1)) + (sine_0 * _s5))
+    _s14 = (((((climb_0 * turn_rate_9) + (climb_1 * turn_rate_8)) + (climb_2 * turn_rate_7)) + (climb_3 * turn_rate_6)) + (climb_4 * turn_rate_5)) + (climb_5 * turn_rate_4)
+    _s15 = _k3 * ((((_s14 + (climb_6 * turn_rate_3)) + (climb_7 * turn_rate_2)) + (climb_8 * turn_rate_1)) + (climb_9 * turn_rate_0))
+    _s16 = (((((around_0 * cosine_9) + (around_1 * cosine_8)) + (around_2 * cosine_7)) + (around_3 * cosine_6)) + (around_4 * cosine_5)) + (around_5 * cosine_4)
+    _s17 = (_k4 * p_ring_radius) * ((((_s16 + (around_6 * cosine_3)) + (around_7 * cosine_2)) + (around_8 * cosine_1)) + (cosine_0 * _s5))
+    return _s3, _s5, -_s7, _s9, -((_k200 * per_reach) * _s11), _k200 * (_s13 - _s15), (_k200 * p_ring_radius) * _s5, _k200 * (_s17 + (_s0 * _s5))
 
 
-def _ring_round_10_alone(along_0: Any, along_1: Any, along_10: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_10_alone(along_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_10` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = (((((cosine_1 * near_9) + (cosine_10 * near_0)) + (cosine_2 * near_8)) + (cosine_3 * near_7)) + (cosine_4 * near_6)) + (cosine_5 * near_5)
-    _s2 = (near_0 * _s0) * ((((_s1 + (cosine_6 * near_4)) + (cosine_7 * near_3)) + (cosine_8 * near_2)) + (cosine_9 * near_1))
-    _s3 = -_s2
-    _s4 = (((((along_0 * _s3) + (along_1 * near_9)) + (along_10 * near_0)) + (along_2 * near_8)) + (along_3 * near_7)) + (along_4 * near_6)
-    _s5 = ((((_s4 + (along_5 * near_5)) + (along_6 * near_4)) + (along_7 * near_3)) + (along_8 * near_2)) + (along_9 * near_1)
-    _s6 = (((((climb_0 * _s5) + (climb_1 * omega_9)) + (climb_10 * omega_0)) + (climb_2 * omega_8)) + (climb_3 * omega_7)) + (climb_4 * omega_6)
-    _s7 = ((((_s6 + (climb_5 * omega_5)) + (climb_6 * omega_4)) + (climb_7 * omega_3)) + (climb_8 * omega_2)) + (climb_9 * omega_1)
-    _s8 = (((((along_0 * sine_10) + (along_1 * sine_9)) + (along_10 * sine_0)) + (along_2 * sine_8)) + (along_3 * sine_7)) + (along_4 * sine_6)
-    _s9 = ((((_s8 + (along_5 * sine_5)) + (along_6 * sine_4)) + (along_7 * sine_3)) + (along_8 * sine_2)) + (along_9 * sine_1)
-    _s10 = (((((cosine_0 * turn_rate_10) + (cosine_1 * turn_rate_9)) + (cosine_10 * turn_rate_0)) + (cosine_2 * turn_rate_8)) + (cosine_3 * turn_rate_7)) + (cosine_4 * turn_rate_6)
-    _s11 = ((((_s10 + (cosine_5 * turn_rate_5)) + (cosine_6 * turn_rate_4)) + (cosine_7 * turn_rate_3)) + (cosine_8 * turn_rate_2)) + (cosine_9 * turn_rate_1)
-    _s12 = _s9 - (_k3 * _s11)
-    _s13 = (((((along_0 * cosine_10) + (along_1 * cosine_9)) + (along_10 * cosine_0)) + (along_2 * cosine_8)) + (along_3 * cosine_7)) + (along_4 * cosine_6)
-    _s14 = ((((_s13 + (along_5 * cosine_5)) + (along_6 * cosine_4)) + (along_7 * cosine_3)) + (along_8 * cosine_2)) + (along_9 * cosine_1)
-    _s15 = ((((climb_5 * climb_5) + ((_k29 * climb_0) * climb_10)) + ((_k29 * climb_1) * climb_9)) + ((_k29 * climb_2) * climb_8)) + ((_k29 * climb_3) * climb_7)
-    _s16 = (((((omega_0 * _s14) + (omega_1 * pressed_9)) + (omega_2 * pressed_8)) + (omega_3 * pressed_7)) + (omega_4 * pressed_6)) + (omega_5 * pressed_5)
-    _s17 = ((((_s16 + (omega_6 * pressed_4)) + (omega_7 * pressed_3)) + (omega_8 * pressed_2)) + (omega_9 * pressed_1)) + (pressed_0 * _s5)
-    _s18 = ((p_gravity * sine_10) - (_s0 * (_s15 + ((_k29 * climb_4) * climb_6)))) - _s17
-    _s19 = (((((climb_0 * sine_10) + (climb_1 * sine_9)) + (climb_10 * sine_0)) + (climb_2 * sine_8)) + (climb_3 * sine_7)) + (climb_4 * sine_6)
-    _s20 = ((((_s19 + (climb_5 * sine_5)) + (climb_6 * sine_4)) + (climb_7 * sine_3)) + (climb_8 * sine_2)) + (climb_9 * sine_1)
-    _s21 = (((((climb_0 * cosine_10) + (climb_1 * cosine_9)) + (climb_10 * cosine_0)) + (climb_2 * cosine_8)) + (climb_3 * cosine_7)) + (climb_4 * cosine_6)
-    _s22 = ((((_s21 + (climb_5 * cosine_5)) + (climb_6 * cosine_4)) + (climb_7 * cosine_3)) + (climb_8 * cosine_2)) + (climb_9 * cosine_1)
-    _s23 = (((((omega_0 * _s12) + (omega_1 * tilted_9)) + (omega_2 * tilted_8)) + (omega_3 * tilted_7)) + (omega_4 * tilted_6)) + (omega_5 * tilted_5)
-    _s24 = ((((_s23 + (omega_6 * tilted_4)) + (omega_7 * tilted_3)) + (omega_8 * tilted_2)) + (omega_9 * tilted_1)) + (tilted_0 * _s5)
-    _s25 = -((_k213 * (((_k4 * cosine_10) * p_gravity) + _s24)) / _s0)
-    _s26 = (((((around_0 * sine_10) + (around_1 * sine_9)) + (around_2 * sine_8)) + (around_3 * sine_7)) + (around_4 * sine_6)) + (around_5 * sine_5)
-    _s27 = ((((_s26 + (around_6 * sine_4)) + (around_7 * sine_3)) + (around_8 * sine_2)) + (around_9 * sine_1)) + (sine_0 * _s7)
-    _s28 = (((((climb_0 * turn_rate_10) + (climb_1 * turn_rate_9)) + (climb_10 * turn_rate_0)) + (climb_2 * turn_rate_8)) + (climb_3 * turn_rate_7)) + (climb_4 * turn_rate_6)
-    _s29 = ((((_s28 + (climb_5 * turn_rate_5)) + (climb_6 * turn_rate_4)) + (climb_7 * turn_rate_3)) + (climb_8 * turn_rate_2)) + (climb_9 * turn_rate_1)
-    _s30 = (((((omega_0 * sin_10) + (omega_1 * sin_9)) + (omega_2 * sin_8)) + (omega_3 * sin_7)) + (omega_4 * sin_6)) + (omega_5 * sin_5)
-    _s31 = ((((_s30 + (omega_6 * sin_4)) + (omega_7 * sin_3)) + (omega_8 * sin_2)) + (omega_9 * sin_1)) + (sin_0 * _s5)
-    _s32 = (((((cos_0 * _s5) + (cos_1 * omega_9)) + (cos_10 * omega_0)) + (cos_2 * omega_8)) + (cos_3 * omega_7)) + (cos_4 * omega_6)
-    _s33 = ((((_s32 + (cos_5 * omega_5)) + (cos_6 * omega_4)) + (cos_7 * omega_3)) + (cos_8 * omega_2)) + (cos_9 * omega_1)
-    return _s3, _s5, _s7, _s12, _s14, _s18, -(_k213 * _s20), _k213 * _s22, _s25, _k213 * ((_s0 * _s27) - (_k3 * _s29)), (_k213 * p_ring_radius) * _s7, -(_k213 * _s31), _k213 * _s33
+    _s1 = (((((cosine_1 * omega_9) + (cosine_10 * omega_0)) + (cosine_2 * omega_8)) + (cosine_3 * omega_7)) + (cosine_4 * omega_6)) + (cosine_5 * omega_5)
+    _s2 = _s0 * ((((_s1 + (cosine_6 * omega_4)) + (cosine_7 * omega_3)) + (cosine_8 * omega_2)) + (cosine_9 * omega_1))
+    _s3 = near_0 * (along_10 - _s2)
+    _s4 = (((((climb_0 * _s3) + (climb_1 * omega_9)) + (climb_10 * omega_0)) + (climb_2 * omega_8)) + (climb_3 * omega_7)) + (climb_4 * omega_6)
+    _s5 = ((((_s4 + (climb_5 * omega_5)) + (climb_6 * omega_4)) + (climb_7 * omega_3)) + (climb_8 * omega_2)) + (climb_9 * omega_1)
+    _s6 = (((((climb_0 * sine_10) + (climb_1 * sine_9)) + (climb_10 * sine_0)) + (climb_2 * sine_8)) + (climb_3 * sine_7)) + (climb_4 * sine_6)
+    _s7 = ((((_s6 + (climb_5 * sine_5)) + (climb_6 * sine_4)) + (climb_7 * sine_3)) + (climb_8 * sine_2)) + (climb_9 * sine_1)
+    _s8 = (((((climb_0 * cosine_10) + (climb_1 * cosine_9)) + (climb_10 * cosine_0)) + (climb_2 * cosine_8)) + (climb_3 * cosine_7)) + (climb_4 * cosine_6)
+    _s9 = ((((_s8 + (climb_5 * cosine_5)) + (climb_6 * cosine_4)) + (climb_7 * cosine_3)) + (climb_8 * cosine_2)) + (climb_9 * cosine_1)
+    _s10 = (((((omega_0 * tilted_10) + (omega_1 * tilted_9)) + (omega_2 * tilted_8)) + (omega_3 * tilted_7)) + (omega_4 * tilted_6)) + (omega_5 * tilted_5)
+    _s11 = ((((_s10 + (omega_6 * tilted_4)) + (omega_7 * tilted_3)) + (omega_8 * tilted_2)) + (omega_9 * tilted_1)) + (tilted_0 * _s3)
+    _s12 = (((((around_0 * sine_10) + (around_1 * sine_9)) + (around_2 * sine_8)) + (around_3 * sine_7)) + (around_4 * sine_6)) + (around_5 * sine_5)
+    _s13 = ((((_s12 + (around_6 * sine_4)) + (around_7 * sine_3)) + (around_8 * sine_2)) + (around_9 * sine_1)) + (sine_0 * _s5)
+    _s14 = (((((climb_0 * turn_rate_10) + (climb_1 * turn_rate_9)) + (climb_10 * turn_rate_0)) + (climb_2 * turn_rate_8)) + (climb_3 * turn_rate_7)) + (climb_4 * turn_rate_6)
+    _s15 = ((((_s14 + (climb_5 * turn_rate_5)) + (climb_6 * turn_rate_4)) + (climb_7 * turn_rate_3)) + (climb_8 * turn_rate_2)) + (climb_9 * turn_rate_1)
+    _s16 = (((((around_0 * cosine_10) + (around_1 * cosine_9)) + (around_2 * cosine_8)) + (around_3 * cosine_7)) + (around_4 * cosine_6)) + (around_5 * cosine_5)
+    _s17 = ((((_s16 + (around_6 * cosine_4)) + (around_7 * cosine_3)) + (around_8 * cosine_2)) + (around_9 * cosine_1)) + (cosine_0 * _s5)
+    return _s3, _s5, -(_k201 * _s7), _k201 * _s9, -((_k201 * per_reach) * (((_k4 * cosine_10) * p_gravity) + _s11)), _k201 * ((_s0 * _s13) - (_k3 * _s15)), (_k201 * p_ring_radius) * _s5, _k201 * (((_k4 * p_ring_radius) * _s17) + (_s0 * _s5))
 
 
-def _ring_round_11_alone(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, around_0: Any, around_1: Any, around_10: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cos_1: Any, cos_10: Any, cos_11: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, cos_8: Any, cos_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, near_1: Any, near_10: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, near_8: Any, near_9: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, pressed_0: Any, pressed_1: Any, pressed_10: Any, pressed_2: Any, pressed_3: Any, pressed_4: Any, pressed_5: Any, pressed_6: Any, pressed_7: Any, pressed_8: Any, pressed_9: Any, p_ring_radius: Any, sin_0: Any, sin_1: Any, sin_10: Any, sin_11: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, sin_8: Any, sin_9: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_round_11_alone(along_11: Any, around_0: Any, around_1: Any, around_10: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_11: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_round_11` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = (((((cosine_1 * near_10) + (cosine_10 * near_1)) + (cosine_11 * near_0)) + (cosine_2 * near_9)) + (cosine_3 * near_8)) + (cosine_4 * near_7)
-    _s2 = ((((_s1 + (cosine_5 * near_6)) + (cosine_6 * near_5)) + (cosine_7 * near_4)) + (cosine_8 * near_3)) + (cosine_9 * near_2)
-    _s3 = -((near_0 * _s0) * _s2)
-    _s4 = (((((along_0 * _s3) + (along_1 * near_10)) + (along_10 * near_1)) + (along_11 * near_0)) + (along_2 * near_9)) + (along_3 * near_8)
-    _s5 = ((((_s4 + (along_4 * near_7)) + (along_5 * near_6)) + (along_6 * near_5)) + (along_7 * near_4)) + (along_8 * near_3)
-    _s6 = _s5 + (along_9 * near_2)
-    _s7 = (((((climb_0 * _s6) + (climb_1 * omega_10)) + (climb_10 * omega_1)) + (climb_11 * omega_0)) + (climb_2 * omega_9)) + (climb_3 * omega_8)
-    _s8 = ((((_s7 + (climb_4 * omega_7)) + (climb_5 * omega_6)) + (climb_6 * omega_5)) + (climb_7 * omega_4)) + (climb_8 * omega_3)
-    _s9 = _s8 + (climb_9 * omega_2)
-    _s10 = (((((along_0 * sine_11) + (along_1 * sine_10)) + (along_10 * sine_1)) + (along_11 * sine_0)) + (along_2 * sine_9)) + (along_3 * sine_8)
-    _s11 = ((((_s10 + (along_4 * sine_7)) + (along_5 * sine_6)) + (along_6 * sine_5)) + (along_7 * sine_4)) + (along_8 * sine_3)
-    _s12 = (((((cosine_0 * turn_rate_11) + (cosine_1 * turn_rate_10)) + (cosine_10 * turn_rate_1)) + (cosine_11 * turn_rate_0)) + (cosine_2 * turn_rate_9)) + (cosine_3 * turn_rate_8)
-    _s13 = ((((_s12 + (cosine_4 * turn_rate_7)) + (cosine_5 * turn_rate_6)) + (cosine_6 * turn_rate_5)) + (cosine_7 * turn_rate_4)) + (cosine_8 * turn_rate_3)
-    _s14 = (_s11 + (along_9 * sine_2)) - (_k3 * (_s13 + (cosine_9 * turn_rate_2)))
-    _s15 = (((((along_0 * cosine_11) + (along_1 * cosine_10)) + (along_10 * cosine_1)) + (along_11 * cosine_0)) + (along_2 * cosine_9)) + (along_3 * cosine_8)
-    _s16 = ((((_s15 + (along_4 * cosine_7)) + (along_5 * cosine_6)) + (along_6 * cosine_5)) + (along_7 * cosine_4)) + (along_8 * cosine_3)
-    _s17 = _s16 + (along_9 * cosine_2)
-    _s18 = (((((_k29 * climb_0) * climb_11) + ((_k29 * climb_1) * climb_10)) + ((_k29 * climb_2) * climb_9)) + ((_k29 * climb_3) * climb_8)) + ((_k29 * climb_4) * climb_7)
-    _s19 = (((((omega_0 * _s17) + (omega_1 * pressed_10)) + (omega_10 * pressed_1)) + (omega_2 * pressed_9)) + (omega_3 * pressed_8)) + (omega_4 * pressed_7)
-    _s20 = ((((_s19 + (omega_5 * pressed_6)) + (omega_6 * pressed_5)) + (omega_7 * pressed_4)) + (omega_8 * pressed_3)) + (omega_9 * pressed_2)
-    _s21 = ((p_gravity * sine_11) - (_s0 * (_s18 + ((_k29 * climb_5) * climb_6)))) - (_s20 + (pressed_0 * _s6))
-    _s22 = (((((climb_0 * sine_11) + (climb_1 * sine_10)) + (climb_10 * sine_1)) + (climb_11 * sine_0)) + (climb_2 * sine_9)) + (climb_3 * sine_8)
-    _s23 = ((((_s22 + (climb_4 * sine_7)) + (climb_5 * sine_6)) + (climb_6 * sine_5)) + (climb_7 * sine_4)) + (climb_8 * sine_3)
-    _s24 = (((((climb_0 * cosine_11) + (climb_1 * cosine_10)) + (climb_10 * cosine_1)) + (climb_11 * cosine_0)) + (climb_2 * cosine_9)) + (climb_3 * cosine_8)
-    _s25 = ((((_s24 + (climb_4 * cosine_7)) + (climb_5 * cosine_6)) + (climb_6 * cosine_5)) + (climb_7 * cosine_4)) + (climb_8 * cosine_3)
-    _s26 = (((((omega_0 * _s14) + (omega_1 * tilted_10)) + (omega_10 * tilted_1)) + (omega_2 * tilted_9)) + (omega_3 * tilted_8)) + (omega_4 * tilted_7)
-    _s27 = ((((_s26 + (omega_5 * tilted_6)) + (omega_6 * tilted_5)) + (omega_7 * tilted_4)) + (omega_8 * tilted_3)) + (omega_9 * tilted_2)
-    _s28 = -((_k215 * (((_k4 * cosine_11) * p_gravity) + (_s27 + (tilted_0 * _s6)))) / _s0)
-    _s29 = (((((around_0 * sine_11) + (around_1 * sine_10)) + (around_10 * sine_1)) + (around_2 * sine_9)) + (around_3 * sine_8)) + (around_4 * sine_7)
-    _s30 = ((((_s29 + (around_5 * sine_6)) + (around_6 * sine_5)) + (around_7 * sine_4)) + (around_8 * sine_3)) + (around_9 * sine_2)
-    _s31 = (((((climb_0 * turn_rate_11) + (climb_1 * turn_rate_10)) + (climb_10 * turn_rate_1)) + (climb_11 * turn_rate_0)) + (climb_2 * turn_rate_9)) + (climb_3 * turn_rate_8)
-    _s32 = ((((_s31 + (climb_4 * turn_rate_7)) + (climb_5 * turn_rate_6)) + (climb_6 * turn_rate_5)) + (climb_7 * turn_rate_4)) + (climb_8 * turn_rate_3)
-    _s33 = (((((omega_0 * sin_11) + (omega_1 * sin_10)) + (omega_10 * sin_1)) + (omega_2 * sin_9)) + (omega_3 * sin_8)) + (omega_4 * sin_7)
-    _s34 = ((((_s33 + (omega_5 * sin_6)) + (omega_6 * sin_5)) + (omega_7 * sin_4)) + (omega_8 * sin_3)) + (omega_9 * sin_2)
-    _s35 = (((((cos_0 * _s6) + (cos_1 * omega_10)) + (cos_10 * omega_1)) + (cos_11 * omega_0)) + (cos_2 * omega_9)) + (cos_3 * omega_8)
-    _s36 = ((((_s35 + (cos_4 * omega_7)) + (cos_5 * omega_6)) + (cos_6 * omega_5)) + (cos_7 * omega_4)) + (cos_8 * omega_3)
-    return _s3, _s6, _s9, _s14, _s17, _s21, -(_k215 * (_s23 + (climb_9 * sine_2))), _k215 * (_s25 + (climb_9 * cosine_2)), _s28, _k215 * ((_s0 * (_s30 + (sine_0 * _s9))) - (_k3 * (_s32 + (climb_9 * turn_rate_2)))), (_k215 * p_ring_radius) * _s9, -(_k215 * (_s34 + (sin_0 * _s6))), _k215 * (_s36 + (cos_9 * omega_2))
+    _s1 = (((((cosine_1 * omega_10) + (cosine_10 * omega_1)) + (cosine_11 * omega_0)) + (cosine_2 * omega_9)) + (cosine_3 * omega_8)) + (cosine_4 * omega_7)
+    _s2 = ((((_s1 + (cosine_5 * omega_6)) + (cosine_6 * omega_5)) + (cosine_7 * omega_4)) + (cosine_8 * omega_3)) + (cosine_9 * omega_2)
+    _s3 = near_0 * (along_11 - (_s0 * _s2))
+    _s4 = (((((climb_0 * _s3) + (climb_1 * omega_10)) + (climb_10 * omega_1)) + (climb_11 * omega_0)) + (climb_2 * omega_9)) + (climb_3 * omega_8)
+    _s5 = ((((_s4 + (climb_4 * omega_7)) + (climb_5 * omega_6)) + (climb_6 * omega_5)) + (climb_7 * omega_4)) + (climb_8 * omega_3)
+    _s6 = _s5 + (climb_9 * omega_2)
+    _s7 = (((((climb_0 * sine_11) + (climb_1 * sine_10)) + (climb_10 * sine_1)) + (climb_11 * sine_0)) + (climb_2 * sine_9)) + (climb_3 * sine_8)
+    _s8 = ((((_s7 + (climb_4 * sine_7)) + (climb_5 * sine_6)) + (climb_6 * sine_5)) + (climb_7 * sine_4)) + (climb_8 * sine_3)
+    _s9 = (((((climb_0 * cosine_11) + (climb_1 * cosine_10)) + (climb_10 * cosine_1)) + (climb_11 * cosine_0)) + (climb_2 * cosine_9)) + (climb_3 * cosine_8)
+    _s10 = ((((_s9 + (climb_4 * cosine_7)) + (climb_5 * cosine_6)) + (climb_6 * cosine_5)) + (climb_7 * cosine_4)) + (climb_8 * cosine_3)
+    _s11 = (((((omega_0 * tilted_11) + (omega_1 * tilted_10)) + (omega_10 * tilted_1)) + (omega_2 * tilted_9)) + (omega_3 * tilted_8)) + (omega_4 * tilted_7)
+    _s12 = ((((_s11 + (omega_5 * tilted_6)) + (omega_6 * tilted_5)) + (omega_7 * tilted_4)) + (omega_8 * tilted_3)) + (omega_9 * tilted_2)
+    _s13 = (((((around_0 * sine_11) + (around_1 * sine_10)) + (around_10 * sine_1)) + (around_2 * sine_9)) + (around_3 * sine_8)) + (around_4 * sine_7)
+    _s14 = ((((_s13 + (around_5 * sine_6)) + (around_6 * sine_5)) + (around_7 * sine_4)) + (around_8 * sine_3)) + (around_9 * sine_2)
+    _s15 = (((((climb_0 * turn_rate_11) + (climb_1 * turn_rate_10)) + (climb_10 * turn_rate_1)) + (climb_11 * turn_rate_0)) + (climb_2 * turn_rate_9)) + (climb_3 * turn_rate_8)
+    _s16 = ((((_s15 + (climb_4 * turn_rate_7)) + (climb_5 * turn_rate_6)) + (climb_6 * turn_rate_5)) + (climb_7 * turn_rate_4)) + (climb_8 * turn_rate_3)
+    _s17 = (((((around_0 * cosine_11) + (around_1 * cosine_10)) + (around_10 * cosine_1)) + (around_2 * cosine_9)) + (around_3 * cosine_8)) + (around_4 * cosine_7)
+    _s18 = ((((_s17 + (around_5 * cosine_6)) + (around_6 * cosine_5)) + (around_7 * cosine_4)) + (around_8 * cosine_3)) + (around_9 * cosine_2)
+    return _s3, _s6, -(_k202 * (_s8 + (climb_9 * sine_2))), _k202 * (_s10 + (climb_9 * cosine_2)), -((_k202 * per_reach) * (((_k4 * cosine_11) * p_gravity) + (_s12 + (tilted_0 * _s3)))), _k202 * ((_s0 * (_s14 + (sine_0 * _s6))) - (_k3 * (_s16 + (climb_9 * turn_rate_2)))), (_k202 * p_ring_radius) * _s6, _k202 * (((_k4 * p_ring_radius) * (_s18 + (cosine_0 * _s6))) + (_s0 * _s6))
 
 
 def _ring_enter_alone(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
@@ -7662,7 +7574,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s7 = p_ball_radius + p_board_half_width
     _s8 = _s7 if _s7 < _s2 else _s2
     _s9 = _s6 if _s6 < _s8 else _s8
-    _s10 = _k216 * _s9
+    _s10 = _k224 * _s9
     _s11 = _s2 + _s10
     _s12 = p_board_distance + _s1
     _s13 = _s12 + x
@@ -7677,7 +7589,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s22 = vz * vz
     _s23 = (z - _s5) - _s3
     _s24 = (_s4 + _s10) - _s5
-    _s25 = _k29 * p_gravity
+    _s25 = _k31 * p_gravity
     _s26 = _s22 + (_s25 * (_s23 + _s24))
     _s27 = _k1 / p_gravity
     _s28 = _root(_s26)
@@ -7686,7 +7598,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s31 = _s30 if _s21 < _s30 else _s21
     _s32 = _s22 + (_s25 * (_s23 - _s24))
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = (_s27 * (vz + _s28)) if _s29 else _k105
+    _s34 = (_s27 * (vz + _s28)) if _s29 else _k109
     _s35 = _k2 < _s32
     _s36 = (_s27 * (vz - _s33)) if _s35 else _s34
     _s37 = (_s18 - _s19) / _s17
@@ -7701,11 +7613,11 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k29 * (((_k217 * abs((-p_gravity))) * (p_ball_radius + (_k120 * _s9))) + (_k55 * (_s48 * _s48)))
+    _s49 = _k31 * (((_k225 * abs((-p_gravity))) * (p_ball_radius + (_k122 * _s9))) + (_k59 * (_s48 * _s48)))
     _s50 = _s7 if _s2 < _s7 else _s2
     _s51 = ((_s12 + extent) + abs((_s5 + _s3))) + (_s6 if _s50 < _s6 else _s50)
-    _s52 = (_root(_k29) * _root((_s27 * (_s51 + _s9)))) + ((_k29 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k127 * (((speed * speed) * _s27) + _s51))) - (_k115 * _s9)
+    _s52 = (_root(_k31) * _root((_s27 * (_s51 + _s9)))) + ((_k31 * speed) * _s27)
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k129 * (((speed * speed) * _s27) + _s51))) - (_k117 * _s9)
     return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53
 
 
@@ -7715,21 +7627,21 @@ def _backboard_margins_alone(horizon: Any, extent: Any, speed: Any, position_err
     _s1 = p_ball_radius + p_board_half_width
     _s2 = p_ball_radius + (_k0 * p_board_thickness)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k120 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k122 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
-    _s7 = _k34 * _s6
-    _s8 = _k29 * ((position_error + (horizon * velocity_error)) + (_k21 * _s6))
-    _s9 = ((_k224 * p_board_half_width) + _s7) + _s8
-    _s10 = _k223 * _s4
-    _s11 = (((_k224 * p_board_distance) + (_k34 * p_board_thickness)) + (_k224 * _s6)) + _s8
-    _s12 = (((_k34 * abs(p_board_bottom)) + (_k34 * abs(p_board_top))) + _s7) + _s8
-    _s13 = ((((_k222 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k225 * horizon) * _s4) * _s5)
-    _s14 = _k228 * _s5
-    _s15 = ((((_k226 * _s4) * (velocity_error + (_k224 * _s5))) + ((_k227 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k223 * _s5
-    _s17 = ((((_k229 * _s4) * (velocity_error + (_k34 * _s5))) + ((_k230 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k225 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s7 = _k38 * _s6
+    _s8 = _k31 * ((position_error + (horizon * velocity_error)) + (_k21 * _s6))
+    _s9 = ((_k232 * p_board_half_width) + _s7) + _s8
+    _s10 = _k231 * _s4
+    _s11 = (((_k232 * p_board_distance) + (_k38 * p_board_thickness)) + (_k232 * _s6)) + _s8
+    _s12 = (((_k38 * abs(p_board_bottom)) + (_k38 * abs(p_board_top))) + _s7) + _s8
+    _s13 = ((((_k230 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k233 * horizon) * _s4) * _s5)
+    _s14 = _k236 * _s5
+    _s15 = ((((_k234 * _s4) * (velocity_error + (_k232 * _s5))) + ((_k235 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k231 * _s5
+    _s17 = ((((_k237 * _s4) * (velocity_error + (_k38 * _s5))) + ((_k238 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k233 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7748,7 +7660,7 @@ def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: An
     _s11 = _s10 - p_board_top
     _s12 = p_board_bottom - _s10
     _s13 = (_k2 if _s11 < _k2 else _s11) - (_k2 if _s12 < _k2 else _s12)
-    _s14 = _k29 * (((vx * _s4) + (vy * _s8)) + ((vz - (p_gravity * t)) * _s13))
+    _s14 = _k31 * (((vx * _s4) + (vy * _s8)) + ((vz - (p_gravity * t)) * _s13))
     _s15 = z - p_board_top
     _s16 = p_board_bottom - z
     _s17 = (_k2 if _s15 < _k2 else _s15) - (_k2 if _s16 < _k2 else _s16)
@@ -7797,32 +7709,32 @@ def _backboard_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_m
     _s26 = (((t * (_s3 * (_s2 + _s7))) if (_k2 < (_s2 * _s7)) else (_s8 - (_s2 * _s2))) + ((t * (vx * (_s12 + _s16))) if (_k2 < (_s12 * _s16)) else (_s17 - (_s12 * _s12)))) + ((t * (vy * (_s20 + _s24))) if (_k2 < (_s20 * _s24)) else (_s25 - (_s20 * _s20)))
     _s27 = _s26 if (_k2 < leaving) else (((_s8 + _s17) + _s25) - (p_ball_radius * p_ball_radius))
     _s28 = vz - (p_gravity * t)
-    _s29 = _k29 * (((vx * _s16) + (vy * _s24)) + (_s28 * _s7))
+    _s29 = _k31 * (((vx * _s16) + (vy * _s24)) + (_s28 * _s7))
     _s30 = abs(_s7)
-    _s31 = _k29 * (((((_s28 * _s28) - (p_gravity * _s7)) if (_k2 < _s30) else _k2) + ((vx * vx) if (_k2 < abs(_s16)) else _k2)) + ((vy * vy) if (_k2 < abs(_s24)) else _k2))
+    _s31 = _k31 * (((((_s28 * _s28) - (p_gravity * _s7)) if (_k2 < _s30) else _k2) + ((vx * vx) if (_k2 < abs(_s16)) else _k2)) + ((vy * vy) if (_k2 < abs(_s24)) else _k2))
     _s32 = abs((-p_gravity))
     _s33 = (p_ball_radius + (_k0 * p_board_top)) - (_k0 * p_board_bottom)
     _s34 = p_ball_radius + p_board_half_width
     _s35 = p_ball_radius + (_k0 * p_board_thickness)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k120 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k122 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
     _s41 = -_s31
     _s42 = _s38 < _k2
-    _s43 = _k29 * _s40
-    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k42 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
+    _s43 = _k31 * _s40
+    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k46 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
     _s45 = end - t
     _s46 = _s44 if _s44 < _s45 else _s45
     _s47 = ((((_k0 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
-    _s48 = (_k91 * ceiling) + (_k29 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
-    _s49 = ((_k29 * _s48) * _s40) + (_s38 * _s38)
+    _s48 = (_k95 * ceiling) + (_k31 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
+    _s49 = ((_k31 * _s48) * _s40) + (_s38 * _s38)
     _s50 = _root(_s49)
     _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if _k2 < _s48 else _k2))) if (_k2 <= _s49) else _k10
     _s52 = _s51 if _s51 < _s46 else _s46
     _s53 = -(rate_margin + _s29)
-    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k31 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
+    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k34 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
 
 
 def _backboard_beside_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -7837,8 +7749,8 @@ def _backboard_beside_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_dis
     _s7 = -(p_board_half_width + y)
     _s8 = (_k2 if _s6 < _k2 else _s6) - (_k2 if _s7 < _k2 else _s7)
     _s9 = _root((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)))
-    _s10 = ((_k29 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k29 * ((_k2 if (_s3 < _k2) else vx) - (_k2 if (_s4 < _k2) else (-vx)))) * _s5)
-    _s11 = _s10 + ((_k29 * ((_k2 if (_s6 < _k2) else vy) - (_k2 if (_s7 < _k2) else (-vy)))) * _s8)
+    _s10 = ((_k31 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k31 * ((_k2 if (_s3 < _k2) else vx) - (_k2 if (_s4 < _k2) else (-vx)))) * _s5)
+    _s11 = _s10 + ((_k31 * ((_k2 if (_s6 < _k2) else vy) - (_k2 if (_s7 < _k2) else (-vy)))) * _s8)
     return _s9 - p_ball_radius, (_k0 * _s11) / _s9, _k2
 
 
@@ -7858,18 +7770,18 @@ def _backboard_off_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distan
 
 def _backboard_tube_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_tube` for one shot."""
-    _s0 = _k109 * p_ball_radius
-    _s1 = (_s0 + (_k52 * p_board_distance)) + (_k109 * p_board_thickness)
+    _s0 = _k83 * p_ball_radius
+    _s1 = (_s0 + (_k56 * p_board_distance)) + (_k83 * p_board_thickness)
     _s2 = p_board_distance + x
     _s3 = -_s1
     _s4 = -((p_board_distance + p_board_thickness) + x)
     _s5 = _k1 if (((_s1 < _s2) or ((_s3 < _s2) and (_k2 < vx))) or ((_s1 < _s4) or ((_s3 < _s4) and (_k2 < (-vx))))) else _k2
-    _s6 = _s0 + (_k52 * p_board_half_width)
+    _s6 = _s0 + (_k56 * p_board_half_width)
     _s7 = y - p_board_half_width
     _s8 = -_s6
     _s9 = -(p_board_half_width + y)
     _s10 = _k1 if (((_s6 < _s7) or ((_s8 < _s7) and (_k2 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (_k2 < (-vy))))) else _k2
-    _s11 = (_s0 + (_k109 * abs(p_board_bottom))) + (_k109 * abs(p_board_top))
+    _s11 = (_s0 + (_k83 * abs(p_board_bottom))) + (_k83 * abs(p_board_top))
     _s12 = z - p_board_top
     _s13 = -_s11
     _s14 = p_board_bottom - z
@@ -7883,58 +7795,66 @@ def _backboard_parting_alone(p_board_bottom: Any, p_board_distance: Any, p_board
     _s1 = _s0 < _k2
     _s2 = p_board_bottom - z
     _s3 = _s2 < _k2
-    _s4 = (_k2 if _s1 else (-p_gravity)) - (_k2 if _s3 else p_gravity)
+    _s4 = (_k2 if _s1 else vz) - (_k2 if _s3 else (-vz))
     _s5 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s2 < _k2 else _s2)
-    _s6 = (_k2 if _s1 else vz) - (_k2 if _s3 else (-vz))
-    _s7 = p_board_distance + x
-    _s8 = -((p_board_distance + p_board_thickness) + x)
-    _s9 = (_k2 if (_s7 < _k2) else vx) - (_k2 if (_s8 < _k2) else (-vx))
+    _s6 = p_board_distance + x
+    _s7 = -((p_board_distance + p_board_thickness) + x)
+    _s8 = (_k2 if (_s6 < _k2) else vx) - (_k2 if (_s7 < _k2) else (-vx))
+    _s9 = (_k2 if _s6 < _k2 else _s6) - (_k2 if _s7 < _k2 else _s7)
     _s10 = y - p_board_half_width
     _s11 = -(p_board_half_width + y)
     _s12 = (_k2 if (_s10 < _k2) else vy) - (_k2 if (_s11 < _k2) else (-vy))
-    _s13 = ((((_k29 * _s4) * _s5) + (_k29 * (_s6 * _s6))) + (_k29 * (_s9 * _s9))) + (_k29 * (_s12 * _s12))
-    _s14 = (_k2 if _s7 < _k2 else _s7) - (_k2 if _s8 < _k2 else _s8)
-    _s15 = (_k2 if _s10 < _k2 else _s10) - (_k2 if _s11 < _k2 else _s11)
-    _s16 = ((_s5 * _s5) + (_s14 * _s14)) + (_s15 * _s15)
-    _s17 = _root(_s16)
-    _s18 = (((_k29 * _s6) * _s5) + ((_k29 * _s9) * _s14)) + ((_k29 * _s12) * _s15)
-    _s19 = _s18 * _s18
-    _s20 = _s17 * _s16
-    _s21 = (_k9 * _s4) * _s6
-    _s22 = _s16 * _s16
-    _s23 = _s17 * _s22
-    _s24 = (((_k0 * (_k9 * (_s4 * _s4))) / _s17) + (((_k189 * _s19) * _s13) / _s23)) - ((_k190 * (_s19 * _s19)) / (_s20 * _s22))
-    return ((_k0 * _s13) / _s17) - ((_k28 * _s19) / _s20), (((_k0 * _s21) / _s17) + ((_k187 * (_s18 * _s19)) / _s23)) - (((_k188 * _s18) * _s13) / _s20), (_s24 - ((_k188 * (_s13 * _s13)) / _s20)) - ((_s21 * _s18) / _s20)
+    _s13 = (_k2 if _s10 < _k2 else _s10) - (_k2 if _s11 < _k2 else _s11)
+    _s14 = (((_k31 * _s4) * _s5) + ((_k31 * _s8) * _s9)) + ((_k31 * _s12) * _s13)
+    _s15 = _k1 / _root((((_s5 * _s5) + (_s9 * _s9)) + (_s13 * _s13)))
+    _s16 = (_k0 * _s14) * _s15
+    _s17 = _s15 * _s15
+    _s18 = -(_s16 * _s17)
+    _s19 = (_k2 if _s1 else (-p_gravity)) - (_k2 if _s3 else p_gravity)
+    _s20 = ((_k31 * ((_s19 * _s5) + (_s4 * _s4))) + (_k31 * (_s8 * _s8))) + (_k31 * (_s12 * _s12))
+    _s21 = _k0 * ((_s18 * _s14) + (_s20 * _s15))
+    _s22 = _s18 * _s20
+    _s23 = _k31 * _s18
+    _s24 = -((_s21 * _s17) + ((_s23 * _s16) * _s15))
+    _s25 = _k31 * (((_k31 * _s19) * _s4) + (_s19 * _s4))
+    _s26 = _k0 * ((_s22 + (_s14 * _s24)) + (_s22 + (_s25 * _s15)))
+    _s27 = _s18 * _s25
+    _s28 = _s20 * _s24
+    _s29 = _s27 + _s28
+    _s30 = _s29 + (_s27 + (_s15 * (_k31 * (_k59 * (_s19 * _s19)))))
+    _s31 = ((_s26 * _s17) + ((_s23 * _s21) * _s15)) + (_k31 * ((((_s18 * _s18) * _s16) + ((_s18 * _s21) * _s15)) + ((_s16 * _s24) * _s15)))
+    _s32 = _k0 * (_s30 + (_s29 + ((_s14 * (-_s31)) + _s28)))
+    return _s21, _s26, _s32
 
 
 def _backboard_seam0_alone(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `backboard_seam0` for one shot."""
-    return (p_board_distance + p_board_thickness) + x, vx, ((_k109 * p_ball_radius) + (_k52 * p_board_distance)) + (_k109 * p_board_thickness)
+    return (p_board_distance + p_board_thickness) + x, vx, ((_k83 * p_ball_radius) + (_k56 * p_board_distance)) + (_k83 * p_board_thickness)
 
 
 def _backboard_seam1_alone(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `backboard_seam1` for one shot."""
-    return p_board_distance + x, vx, ((_k109 * p_ball_radius) + (_k52 * p_board_distance)) + (_k109 * p_board_thickness)
+    return p_board_distance + x, vx, ((_k83 * p_ball_radius) + (_k56 * p_board_distance)) + (_k83 * p_board_thickness)
 
 
 def _backboard_seam2_alone(p_ball_radius: Any, p_board_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `backboard_seam2` for one shot."""
-    return p_board_half_width + y, vy, (_k109 * p_ball_radius) + (_k52 * p_board_half_width)
+    return p_board_half_width + y, vy, (_k83 * p_ball_radius) + (_k56 * p_board_half_width)
 
 
 def _backboard_seam3_alone(p_ball_radius: Any, p_board_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `backboard_seam3` for one shot."""
-    return y - p_board_half_width, vy, (_k109 * p_ball_radius) + (_k52 * p_board_half_width)
+    return y - p_board_half_width, vy, (_k83 * p_ball_radius) + (_k56 * p_board_half_width)
 
 
 def _backboard_seam4_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, vz: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_seam4` for one shot."""
-    return z - p_board_bottom, vz, ((_k109 * p_ball_radius) + (_k109 * abs(p_board_bottom))) + (_k109 * abs(p_board_top))
+    return z - p_board_bottom, vz, ((_k83 * p_ball_radius) + (_k83 * abs(p_board_bottom))) + (_k83 * abs(p_board_top))
 
 
 def _backboard_seam5_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, vz: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_seam5` for one shot."""
-    return z - p_board_top, vz, ((_k109 * p_ball_radius) + (_k109 * abs(p_board_bottom))) + (_k109 * abs(p_board_top))
+    return z - p_board_top, vz, ((_k83 * p_ball_radius) + (_k83 * abs(p_board_bottom))) + (_k83 * abs(p_board_top))
 
 
 def _backboard_around_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -7952,8 +7872,8 @@ def _backboard_around_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_dis
     _s10 = _root(((_s5 * _s5) + (_s8 * _s8))) - _s9
     _s11 = _s10 if _k2 < _s10 else _k2
     _s12 = _root(((_s2 * _s2) + (_s11 * _s11)))
-    _s13 = -((_k0 * (((_k29 * vx) * x) + ((_k29 * vy) * y))) / _s9)
-    _s14 = ((_k29 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k29 * _s11) * (_s13 if (_k2 < _s10) else _k2))
+    _s13 = -((_k0 * (((_k31 * vx) * x) + ((_k31 * vy) * y))) * (_k1 / _s9))
+    _s14 = ((_k31 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k31 * _s11) * (_s13 if (_k2 < _s10) else _k2))
     return _s12 - p_ball_radius, (_k0 * _s14) / _s12
 
 
@@ -7990,7 +7910,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s7 = _s2 - _s6
     _s8 = _s5 if _s5 < _s7 else _s7
     _s9 = _s4 if _s4 < _s8 else _s8
-    _s10 = _k216 * _s9
+    _s10 = _k224 * _s9
     _s11 = (_s2 + _s10) - _s6
     _s12 = (_s1 + _s6) + x
     _s13 = (-_s12) if (vx < _k2) else _s12
@@ -8004,7 +7924,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s21 = vz * vz
     _s22 = _s4 + _s10
     _s23 = (_s3 + z) - p_wire_radius
-    _s24 = _k29 * p_gravity
+    _s24 = _k31 * p_gravity
     _s25 = _s21 + (_s24 * (_s22 + _s23))
     _s26 = _k1 / p_gravity
     _s27 = _root(_s25)
@@ -8013,7 +7933,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s30 = _s29 if _s20 < _s29 else _s20
     _s31 = _s21 + (_s24 * (_s23 - _s22))
     _s32 = _root((_k2 if _s31 < _k2 else _s31))
-    _s33 = (_s26 * (vz + _s27)) if _s28 else _k105
+    _s33 = (_s26 * (vz + _s27)) if _s28 else _k109
     _s34 = _k2 < _s31
     _s35 = (_s26 * (vz - _s32)) if _s34 else _s33
     _s36 = (_s17 - _s18) / _s16
@@ -8028,11 +7948,11 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s45 = _s43 if _s44 < _s43 else _s44
     _s46 = _s45 if _s45 < horizon else horizon
     _s47 = speed + (p_gravity * _s46)
-    _s48 = _k29 * (((_k217 * abs((-p_gravity))) * (p_ball_radius + (_k120 * _s9))) + (_k55 * (_s47 * _s47)))
+    _s48 = _k31 * (((_k225 * abs((-p_gravity))) * (p_ball_radius + (_k122 * _s9))) + (_k59 * (_s47 * _s47)))
     _s49 = _s5 if _s7 < _s5 else _s7
     _s50 = (((_s1 + extent) + _s6) + abs((_s3 - p_wire_radius))) + (_s4 if _s49 < _s4 else _s49)
-    _s51 = (_root(_k29) * _root((_s26 * (_s50 + _s9)))) + ((_k29 * speed) * _s26)
-    _s52 = ((position_error + (velocity_error * (_s51 if _s51 < horizon else horizon))) + (_k127 * (((speed * speed) * _s26) + _s50))) - (_k115 * _s9)
+    _s51 = (_root(_k31) * _root((_s26 * (_s50 + _s9)))) + ((_k31 * speed) * _s26)
+    _s52 = ((position_error + (velocity_error * (_s51 if _s51 < horizon else horizon))) + (_k129 * (((speed * speed) * _s26) + _s50))) - (_k117 * _s9)
     return _s30 if _k2 < _s30 else _k2, _s40 if _s40 < horizon else horizon, _s42 if _k2 < _s42 else _k2, _s43 if _s43 < horizon else horizon, _s48, _s46, _s52
 
 
@@ -8042,21 +7962,21 @@ def _bridge_margins_alone(horizon: Any, extent: Any, speed: Any, position_error:
     _s1 = p_ball_radius + p_bridge_half_width
     _s2 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k120 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k122 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
-    _s7 = _k34 * _s6
-    _s8 = _k29 * ((position_error + (horizon * velocity_error)) + (_k21 * _s6))
-    _s9 = ((_k224 * p_bridge_half_width) + _s7) + _s8
-    _s10 = _k223 * _s4
-    _s11 = (((_k30 * p_board_distance) + (_k30 * p_ring_radius)) + _s7) + _s8
-    _s12 = (((_k34 * p_bridge_depth) + (_k231 * p_wire_radius)) + (_k224 * _s6)) + _s8
-    _s13 = ((((_k222 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k225 * horizon) * _s4) * _s5)
-    _s14 = _k228 * _s5
-    _s15 = ((((_k226 * _s4) * (velocity_error + (_k224 * _s5))) + ((_k227 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k223 * _s5
-    _s17 = ((((_k229 * _s4) * (velocity_error + (_k34 * _s5))) + ((_k230 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k225 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s7 = _k38 * _s6
+    _s8 = _k31 * ((position_error + (horizon * velocity_error)) + (_k21 * _s6))
+    _s9 = ((_k232 * p_bridge_half_width) + _s7) + _s8
+    _s10 = _k231 * _s4
+    _s11 = (((_k33 * p_board_distance) + (_k33 * p_ring_radius)) + _s7) + _s8
+    _s12 = (((_k38 * p_bridge_depth) + (_k239 * p_wire_radius)) + (_k232 * _s6)) + _s8
+    _s13 = ((((_k230 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k233 * horizon) * _s4) * _s5)
+    _s14 = _k236 * _s5
+    _s15 = ((((_k234 * _s4) * (velocity_error + (_k232 * _s5))) + ((_k235 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k231 * _s5
+    _s17 = ((((_k237 * _s4) * (velocity_error + (_k38 * _s5))) + ((_k238 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k233 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -8075,7 +7995,7 @@ def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, 
     _s11 = p_wire_radius - p_bridge_depth
     _s12 = _s11 - _s9
     _s13 = (_k2 if _s10 < _k2 else _s10) - (_k2 if _s12 < _k2 else _s12)
-    _s14 = _k29 * (((vx * _s3) + (vy * _s7)) + ((vz - (p_gravity * t)) * _s13))
+    _s14 = _k31 * (((vx * _s3) + (vy * _s7)) + ((vz - (p_gravity * t)) * _s13))
     _s15 = p_ring_radius + x
     _s16 = -(p_board_distance + x)
     _s17 = (_k2 if _s15 < _k2 else _s15) - (_k2 if _s16 < _k2 else _s16)
@@ -8124,32 +8044,32 @@ def _bridge_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_marg
     _s26 = (((t * (vx * (_s2 + _s6))) if (_k2 < (_s2 * _s6)) else (_s7 - (_s2 * _s2))) + ((t * (vy * (_s10 + _s14))) if (_k2 < (_s10 * _s14)) else (_s15 - (_s10 * _s10)))) + ((t * (_s20 * (_s19 + _s24))) if (_k2 < (_s19 * _s24)) else (_s25 - (_s19 * _s19)))
     _s27 = _s26 if (_k2 < leaving) else (((_s7 + _s15) + _s25) - (p_ball_radius * p_ball_radius))
     _s28 = vz - (p_gravity * t)
-    _s29 = _k29 * (((vx * _s6) + (vy * _s14)) + (_s28 * _s24))
+    _s29 = _k31 * (((vx * _s6) + (vy * _s14)) + (_s28 * _s24))
     _s30 = abs(_s24)
-    _s31 = _k29 * ((((vx * vx) if (_k2 < abs(_s6)) else _k2) + ((vy * vy) if (_k2 < abs(_s14)) else _k2)) + (((_s28 * _s28) - (p_gravity * _s24)) if (_k2 < _s30) else _k2))
+    _s31 = _k31 * ((((vx * vx) if (_k2 < abs(_s6)) else _k2) + ((vy * vy) if (_k2 < abs(_s14)) else _k2)) + (((_s28 * _s28) - (p_gravity * _s24)) if (_k2 < _s30) else _k2))
     _s32 = abs((-p_gravity))
     _s33 = p_ball_radius + (_k0 * p_bridge_depth)
     _s34 = p_ball_radius + p_bridge_half_width
     _s35 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k120 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k122 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
     _s41 = -_s31
     _s42 = _s38 < _k2
-    _s43 = _k29 * _s40
-    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k42 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
+    _s43 = _k31 * _s40
+    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k46 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
     _s45 = end - t
     _s46 = _s44 if _s44 < _s45 else _s45
     _s47 = ((((_k0 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
-    _s48 = (_k91 * ceiling) + (_k29 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
-    _s49 = ((_k29 * _s48) * _s40) + (_s38 * _s38)
+    _s48 = (_k95 * ceiling) + (_k31 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
+    _s49 = ((_k31 * _s48) * _s40) + (_s38 * _s38)
     _s50 = _root(_s49)
     _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if _k2 < _s48 else _k2))) if (_k2 <= _s49) else _k10
     _s52 = _s51 if _s51 < _s46 else _s46
     _s53 = -(rate_margin + _s29)
-    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k31 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
+    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k34 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
 
 
 def _bridge_beside_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -8164,8 +8084,8 @@ def _bridge_beside_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_dep
     _s7 = (p_wire_radius - p_bridge_depth) - z
     _s8 = (_k2 if _s6 < _k2 else _s6) - (_k2 if _s7 < _k2 else _s7)
     _s9 = _root((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)))
-    _s10 = ((_k29 * ((_k2 if (_s0 < _k2) else vx) - (_k2 if (_s1 < _k2) else (-vx)))) * _s2) + ((_k29 * ((_k2 if (_s3 < _k2) else vy) - (_k2 if (_s4 < _k2) else (-vy)))) * _s5)
-    _s11 = _s10 + ((_k29 * ((_k2 if (_s6 < _k2) else vz) - (_k2 if (_s7 < _k2) else (-vz)))) * _s8)
+    _s10 = ((_k31 * ((_k2 if (_s0 < _k2) else vx) - (_k2 if (_s1 < _k2) else (-vx)))) * _s2) + ((_k31 * ((_k2 if (_s3 < _k2) else vy) - (_k2 if (_s4 < _k2) else (-vy)))) * _s5)
+    _s11 = _s10 + ((_k31 * ((_k2 if (_s6 < _k2) else vz) - (_k2 if (_s7 < _k2) else (-vz)))) * _s8)
     return _s9 - p_ball_radius, (_k0 * _s11) / _s9, _k2
 
 
@@ -8185,18 +8105,18 @@ def _bridge_off_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth:
 
 def _bridge_tube_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_tube` for one shot."""
-    _s0 = _k109 * p_ball_radius
-    _s1 = (_s0 + (_k109 * p_board_distance)) + (_k109 * p_ring_radius)
+    _s0 = _k83 * p_ball_radius
+    _s1 = (_s0 + (_k83 * p_board_distance)) + (_k83 * p_ring_radius)
     _s2 = p_ring_radius + x
     _s3 = -_s1
     _s4 = -(p_board_distance + x)
     _s5 = _k1 if (((_s1 < _s2) or ((_s3 < _s2) and (_k2 < vx))) or ((_s1 < _s4) or ((_s3 < _s4) and (_k2 < (-vx))))) else _k2
-    _s6 = _s0 + (_k52 * p_bridge_half_width)
+    _s6 = _s0 + (_k56 * p_bridge_half_width)
     _s7 = y - p_bridge_half_width
     _s8 = -_s6
     _s9 = -(p_bridge_half_width + y)
     _s10 = _k1 if (((_s6 < _s7) or ((_s8 < _s7) and (_k2 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (_k2 < (-vy))))) else _k2
-    _s11 = (_s0 + (_k109 * p_wire_radius)) + (_k109 * abs((p_bridge_depth - p_wire_radius)))
+    _s11 = (_s0 + (_k83 * p_wire_radius)) + (_k83 * abs((p_bridge_depth - p_wire_radius)))
     _s12 = z - p_wire_radius
     _s13 = -_s11
     _s14 = (p_wire_radius - p_bridge_depth) - z
@@ -8206,62 +8126,70 @@ def _bridge_tube_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth
 
 def _bridge_parting_alone(p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_parting` for one shot."""
-    _s0 = z - p_wire_radius
-    _s1 = _s0 < _k2
-    _s2 = (p_wire_radius - p_bridge_depth) - z
-    _s3 = _s2 < _k2
-    _s4 = (_k2 if _s1 else (-p_gravity)) - (_k2 if _s3 else p_gravity)
-    _s5 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s2 < _k2 else _s2)
-    _s6 = (_k2 if _s1 else vz) - (_k2 if _s3 else (-vz))
-    _s7 = p_ring_radius + x
-    _s8 = -(p_board_distance + x)
-    _s9 = (_k2 if (_s7 < _k2) else vx) - (_k2 if (_s8 < _k2) else (-vx))
-    _s10 = y - p_bridge_half_width
-    _s11 = -(p_bridge_half_width + y)
-    _s12 = (_k2 if (_s10 < _k2) else vy) - (_k2 if (_s11 < _k2) else (-vy))
-    _s13 = ((((_k29 * _s4) * _s5) + (_k29 * (_s6 * _s6))) + (_k29 * (_s9 * _s9))) + (_k29 * (_s12 * _s12))
-    _s14 = (_k2 if _s7 < _k2 else _s7) - (_k2 if _s8 < _k2 else _s8)
-    _s15 = (_k2 if _s10 < _k2 else _s10) - (_k2 if _s11 < _k2 else _s11)
-    _s16 = ((_s14 * _s14) + (_s15 * _s15)) + (_s5 * _s5)
-    _s17 = _root(_s16)
-    _s18 = (((_k29 * _s9) * _s14) + ((_k29 * _s12) * _s15)) + ((_k29 * _s6) * _s5)
-    _s19 = _s18 * _s18
-    _s20 = _s17 * _s16
-    _s21 = (_k9 * _s4) * _s6
-    _s22 = _s16 * _s16
-    _s23 = _s17 * _s22
-    _s24 = (((_k0 * (_k9 * (_s4 * _s4))) / _s17) + (((_k189 * _s19) * _s13) / _s23)) - ((_k190 * (_s19 * _s19)) / (_s20 * _s22))
-    return ((_k0 * _s13) / _s17) - ((_k28 * _s19) / _s20), (((_k0 * _s21) / _s17) + ((_k187 * (_s18 * _s19)) / _s23)) - (((_k188 * _s18) * _s13) / _s20), (_s24 - ((_k188 * (_s13 * _s13)) / _s20)) - ((_s21 * _s18) / _s20)
+    _s0 = p_ring_radius + x
+    _s1 = -(p_board_distance + x)
+    _s2 = (_k2 if (_s0 < _k2) else vx) - (_k2 if (_s1 < _k2) else (-vx))
+    _s3 = (_k2 if _s0 < _k2 else _s0) - (_k2 if _s1 < _k2 else _s1)
+    _s4 = y - p_bridge_half_width
+    _s5 = -(p_bridge_half_width + y)
+    _s6 = (_k2 if (_s4 < _k2) else vy) - (_k2 if (_s5 < _k2) else (-vy))
+    _s7 = (_k2 if _s4 < _k2 else _s4) - (_k2 if _s5 < _k2 else _s5)
+    _s8 = z - p_wire_radius
+    _s9 = _s8 < _k2
+    _s10 = (p_wire_radius - p_bridge_depth) - z
+    _s11 = _s10 < _k2
+    _s12 = (_k2 if _s9 else vz) - (_k2 if _s11 else (-vz))
+    _s13 = (_k2 if _s8 < _k2 else _s8) - (_k2 if _s10 < _k2 else _s10)
+    _s14 = (((_k31 * _s2) * _s3) + ((_k31 * _s6) * _s7)) + ((_k31 * _s12) * _s13)
+    _s15 = _k1 / _root((((_s3 * _s3) + (_s7 * _s7)) + (_s13 * _s13)))
+    _s16 = (_k0 * _s14) * _s15
+    _s17 = _s15 * _s15
+    _s18 = -(_s16 * _s17)
+    _s19 = (_k2 if _s9 else (-p_gravity)) - (_k2 if _s11 else p_gravity)
+    _s20 = ((_k31 * ((_s19 * _s13) + (_s12 * _s12))) + (_k31 * (_s2 * _s2))) + (_k31 * (_s6 * _s6))
+    _s21 = _k0 * ((_s18 * _s14) + (_s20 * _s15))
+    _s22 = _s18 * _s20
+    _s23 = _k31 * _s18
+    _s24 = -((_s21 * _s17) + ((_s23 * _s16) * _s15))
+    _s25 = _k31 * (((_k31 * _s19) * _s12) + (_s19 * _s12))
+    _s26 = _k0 * ((_s22 + (_s14 * _s24)) + (_s22 + (_s25 * _s15)))
+    _s27 = _s18 * _s25
+    _s28 = _s20 * _s24
+    _s29 = _s27 + _s28
+    _s30 = _s29 + (_s27 + (_s15 * (_k31 * (_k59 * (_s19 * _s19)))))
+    _s31 = ((_s26 * _s17) + ((_s23 * _s21) * _s15)) + (_k31 * ((((_s18 * _s18) * _s16) + ((_s18 * _s21) * _s15)) + ((_s16 * _s24) * _s15)))
+    _s32 = _k0 * (_s30 + (_s29 + ((_s14 * (-_s31)) + _s28)))
+    return _s21, _s26, _s32
 
 
 def _bridge_seam0_alone(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `bridge_seam0` for one shot."""
-    return p_board_distance + x, vx, ((_k109 * p_ball_radius) + (_k109 * p_board_distance)) + (_k109 * p_ring_radius)
+    return p_board_distance + x, vx, ((_k83 * p_ball_radius) + (_k83 * p_board_distance)) + (_k83 * p_ring_radius)
 
 
 def _bridge_seam1_alone(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `bridge_seam1` for one shot."""
-    return p_ring_radius + x, vx, ((_k109 * p_ball_radius) + (_k109 * p_board_distance)) + (_k109 * p_ring_radius)
+    return p_ring_radius + x, vx, ((_k83 * p_ball_radius) + (_k83 * p_board_distance)) + (_k83 * p_ring_radius)
 
 
 def _bridge_seam2_alone(p_ball_radius: Any, p_bridge_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `bridge_seam2` for one shot."""
-    return p_bridge_half_width + y, vy, (_k109 * p_ball_radius) + (_k52 * p_bridge_half_width)
+    return p_bridge_half_width + y, vy, (_k83 * p_ball_radius) + (_k56 * p_bridge_half_width)
 
 
 def _bridge_seam3_alone(p_ball_radius: Any, p_bridge_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `bridge_seam3` for one shot."""
-    return y - p_bridge_half_width, vy, (_k109 * p_ball_radius) + (_k52 * p_bridge_half_width)
+    return y - p_bridge_half_width, vy, (_k83 * p_ball_radius) + (_k56 * p_bridge_half_width)
 
 
 def _bridge_seam4_alone(p_ball_radius: Any, p_bridge_depth: Any, vz: Any, p_wire_radius: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_seam4` for one shot."""
-    return (p_bridge_depth + z) - p_wire_radius, vz, ((_k109 * p_ball_radius) + (_k109 * p_wire_radius)) + (_k109 * abs((p_bridge_depth - p_wire_radius)))
+    return (p_bridge_depth + z) - p_wire_radius, vz, ((_k83 * p_ball_radius) + (_k83 * p_wire_radius)) + (_k83 * abs((p_bridge_depth - p_wire_radius)))
 
 
 def _bridge_seam5_alone(p_ball_radius: Any, p_bridge_depth: Any, vz: Any, p_wire_radius: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_seam5` for one shot."""
-    return z - p_wire_radius, vz, ((_k109 * p_ball_radius) + (_k109 * p_wire_radius)) + (_k109 * abs((p_bridge_depth - p_wire_radius)))
+    return z - p_wire_radius, vz, ((_k83 * p_ball_radius) + (_k83 * p_wire_radius)) + (_k83 * abs((p_bridge_depth - p_wire_radius)))
 
 
 def _bridge_around_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -8279,8 +8207,8 @@ def _bridge_around_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_dep
     _s10 = _root(((_s5 * _s5) + (_s8 * _s8))) - _s9
     _s11 = _s10 if _k2 < _s10 else _k2
     _s12 = _root(((_s2 * _s2) + (_s11 * _s11)))
-    _s13 = -((_k0 * (((_k29 * vx) * x) + ((_k29 * vy) * y))) / _s9)
-    _s14 = ((_k29 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k29 * _s11) * (_s13 if (_k2 < _s10) else _k2))
+    _s13 = -((_k0 * (((_k31 * vx) * x) + ((_k31 * vy) * y))) * (_k1 / _s9))
+    _s14 = ((_k31 * ((_k2 if (_s0 < _k2) else vz) - (_k2 if (_s1 < _k2) else (-vz)))) * _s2) + ((_k31 * _s11) * (_s13 if (_k2 < _s10) else _k2))
     return _s12 - p_ball_radius, (_k0 * _s14) / _s12
 
 
@@ -8502,7 +8430,7 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
     _flat_, _tilt_, _rate_slack_, = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
     _t_, _end_, _searching_, = _bridge_enter_alone(_k2, _k2, _high0_, _high1_, _low0_, _low1_, _k2)
     if _searching_:
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k31, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -8515,7 +8443,7 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
     for _ in range(201):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k31, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -8526,7 +8454,7 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
         if _exhausted_:
             _t_, _end_, _searching_, = _bridge_enter_alone(_end_, _end_, _high0_, _high1_, _low0_, _low1_, _t_)
     _arrives_, _refining_, _, = _found_alone(_arrival_)
-    _leaving_, _, = _nearby_alone(_flat_, _k29, _last_, _arrival_, _tilt_)
+    _leaving_, _, = _nearby_alone(_flat_, _k31, _last_, _arrival_, _tilt_)
     if _refining_:
         _refined_, _gap_, _rate_, = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
@@ -8539,7 +8467,7 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
         _refined_, _gap_, _rate_, = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
     _time_, = _landed_alone(_arrival_)
-    _when_, _which_, = _sooner_alone(_arrives_, _k29, _time_, _when_, _which_)
+    _when_, _which_, = _sooner_alone(_arrives_, _k31, _time_, _when_, _which_)
     return (_when_, _which_,)
 
 
@@ -8548,7 +8476,7 @@ def _alone9(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _flat_: 
     for _ in range(_turns):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k31, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -8581,7 +8509,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
         _turn_rate_, = _roll_turn_rate_alone(_p_ball_radius_, _nx_, _ny_, _nz_, _wx_, _wy_, _wz_)
@@ -8592,7 +8520,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
         _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, = _roll_placed_alone(_p_ball_radius_, _gap_, _nx_, _ny_, _nz_, _turn_rate_, _rolled_x_, _rolled_y_, _rolled_z_, _x_, _y_, _z_)
@@ -8605,7 +8533,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8618,7 +8546,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         _lift_5_, _tx_5_, _ty_5_, _tz_5_, _vx_6_, _vy_6_, _vz_6_, _nx_6_, _ny_6_, _nz_6_, _turn_rate_6_, = _roll_5_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_)
         _lift_6_, _tx_6_, _ty_6_, _tz_6_, _vx_7_, _vy_7_, _vz_7_, _nx_7_, _ny_7_, _nz_7_, _turn_rate_7_, = _roll_6_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_)
         _lift_7_, _, _, _, _vx_8_, _vy_8_, _vz_8_, _nx_8_, _ny_8_, _nz_8_, _turn_rate_8_, = _roll_7_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_)
-        _stride_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _brace_, = _roll_pace_alone(_p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_)
+        _stride_, _, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _brace_, = _roll_pace_alone(_p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_)
         _stride_, _which_, _rests_, _, = _leaving_force_alone(_p_ball_radius_, _brace_, _k10, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _k2, _stride_, _k2, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
         _beside_, = _beside_alone(_held_, _k2)
         if _beside_:
@@ -8628,12 +8556,12 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k1, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k29)
+        _beside_, = _beside_alone(_held_, _k31)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k29, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k31, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k55, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k59, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
@@ -8648,7 +8576,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -8669,7 +8597,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8680,27 +8608,27 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         if not _circling_:
             break
         _, _, _, _per_reach_, = _ring_tube_alone(_p_ball_radius_, _p_wire_radius_)
-        _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _near_0_, = _ring_round_start_alone(_p_ball_radius_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
-        _omega_0_, _around_0_, _tilted_0_, _pressed_0_, _force_0_, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _cos_1_, _sin_1_, = _ring_round_0_alone(_along_0_, _p_ball_radius_, _climb_0_, _cos_0_, _cosine_0_, _p_gravity_, _near_0_, _p_ring_radius_, _sin_0_, _sine_0_, _turn_rate_0_, _p_wire_radius_)
-        _near_1_, _omega_1_, _around_1_, _tilted_1_, _pressed_1_, _force_1_, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _cos_2_, _sin_2_, = _ring_round_1_alone(_along_0_, _along_1_, _around_0_, _p_ball_radius_, _climb_0_, _climb_1_, _cos_0_, _cos_1_, _cosine_0_, _cosine_1_, _p_gravity_, _near_0_, _omega_0_, _pressed_0_, _p_ring_radius_, _sin_0_, _sin_1_, _sine_0_, _sine_1_, _tilted_0_, _turn_rate_0_, _turn_rate_1_, _p_wire_radius_)
-        _near_2_, _omega_2_, _around_2_, _tilted_2_, _pressed_2_, _force_2_, _cosine_3_, _sine_3_, _climb_3_, _along_3_, _turn_rate_3_, _cos_3_, _sin_3_, = _ring_round_2_alone(_along_0_, _along_1_, _along_2_, _around_0_, _around_1_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _cos_0_, _cos_1_, _cos_2_, _cosine_0_, _cosine_1_, _cosine_2_, _p_gravity_, _near_0_, _near_1_, _omega_0_, _omega_1_, _pressed_0_, _pressed_1_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sine_0_, _sine_1_, _sine_2_, _tilted_0_, _tilted_1_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _p_wire_radius_)
-        _near_3_, _omega_3_, _around_3_, _tilted_3_, _pressed_3_, _force_3_, _cosine_4_, _sine_4_, _climb_4_, _along_4_, _turn_rate_4_, _cos_4_, _sin_4_, = _ring_round_3_alone(_along_0_, _along_1_, _along_2_, _along_3_, _around_0_, _around_1_, _around_2_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _p_gravity_, _near_0_, _near_1_, _near_2_, _omega_0_, _omega_1_, _omega_2_, _pressed_0_, _pressed_1_, _pressed_2_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _tilted_0_, _tilted_1_, _tilted_2_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _p_wire_radius_)
-        _near_4_, _omega_4_, _around_4_, _tilted_4_, _pressed_4_, _force_4_, _cosine_5_, _sine_5_, _climb_5_, _along_5_, _turn_rate_5_, _cos_5_, _sin_5_, = _ring_round_4_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _around_0_, _around_1_, _around_2_, _around_3_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _p_wire_radius_)
-        _near_5_, _omega_5_, _around_5_, _tilted_5_, _pressed_5_, _force_5_, _cosine_6_, _sine_6_, _climb_6_, _along_6_, _turn_rate_6_, _cos_6_, _sin_6_, = _ring_round_5_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _p_wire_radius_)
-        _near_6_, _omega_6_, _around_6_, _tilted_6_, _pressed_6_, _force_6_, _cosine_7_, _sine_7_, _climb_7_, _along_7_, _turn_rate_7_, _cos_7_, _sin_7_, = _ring_round_6_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _p_wire_radius_)
-        _near_7_, _omega_7_, _around_7_, _tilted_7_, _pressed_7_, _force_7_, _cosine_8_, _sine_8_, _climb_8_, _along_8_, _turn_rate_8_, _cos_8_, _sin_8_, = _ring_round_7_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _p_wire_radius_)
-        _near_8_, _omega_8_, _around_8_, _tilted_8_, _pressed_8_, _force_8_, _cosine_9_, _sine_9_, _climb_9_, _along_9_, _turn_rate_9_, _cos_9_, _sin_9_, = _ring_round_8_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _p_wire_radius_)
-        _near_9_, _omega_9_, _around_9_, _tilted_9_, _pressed_9_, _force_9_, _cosine_10_, _sine_10_, _climb_10_, _along_10_, _turn_rate_10_, _cos_10_, _sin_10_, = _ring_round_9_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _near_10_, _omega_10_, _around_10_, _tilted_10_, _pressed_10_, _force_10_, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _cos_11_, _sin_11_, = _ring_round_10_alone(_along_0_, _along_1_, _along_10_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _, _, _, _, _, _force_11_, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _cos_12_, _sin_12_, = _ring_round_11_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_10_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_10_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _stride_, _strongest_, _fastest_, _sway_, _force_, _force_rate_, _force_bend_, _brace_, _vx_1_, _vy_1_, _vz_1_, = _ring_round_pace_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_12_, _cosine_0_, _cosine_12_, _force_0_, _force_1_, _force_10_, _force_11_, _force_2_, _force_3_, _force_4_, _force_5_, _force_6_, _force_7_, _force_8_, _force_9_, _p_gravity_, _omega_0_, _p_ring_radius_, _sin_0_, _sin_12_, _sine_0_, _sine_12_, _turn_rate_0_, _turn_rate_11_, _turn_rate_12_, _p_wire_radius_)
+        _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _tilted_0_, _near_0_, = _ring_round_start_alone(_p_ball_radius_, _per_reach_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
+        _omega_0_, _around_0_, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _tilted_1_, = _ring_round_0_alone(_along_0_, _p_ball_radius_, _climb_0_, _cosine_0_, _p_gravity_, _near_0_, _per_reach_, _p_ring_radius_, _sine_0_, _tilted_0_, _turn_rate_0_, _p_wire_radius_)
+        _omega_1_, _around_1_, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _tilted_2_, = _ring_round_1_alone(_along_1_, _around_0_, _p_ball_radius_, _climb_0_, _climb_1_, _cosine_0_, _cosine_1_, _p_gravity_, _near_0_, _omega_0_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _tilted_0_, _tilted_1_, _turn_rate_0_, _turn_rate_1_, _p_wire_radius_)
+        _omega_2_, _around_2_, _cosine_3_, _sine_3_, _climb_3_, _along_3_, _turn_rate_3_, _tilted_3_, = _ring_round_2_alone(_along_2_, _around_0_, _around_1_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _cosine_0_, _cosine_1_, _cosine_2_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _tilted_0_, _tilted_1_, _tilted_2_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _p_wire_radius_)
+        _omega_3_, _around_3_, _cosine_4_, _sine_4_, _climb_4_, _along_4_, _turn_rate_4_, _tilted_4_, = _ring_round_3_alone(_along_3_, _around_0_, _around_1_, _around_2_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _p_wire_radius_)
+        _omega_4_, _around_4_, _cosine_5_, _sine_5_, _climb_5_, _along_5_, _turn_rate_5_, _tilted_5_, = _ring_round_4_alone(_along_4_, _around_0_, _around_1_, _around_2_, _around_3_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _p_wire_radius_)
+        _omega_5_, _around_5_, _cosine_6_, _sine_6_, _climb_6_, _along_6_, _turn_rate_6_, _tilted_6_, = _ring_round_5_alone(_along_5_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _p_wire_radius_)
+        _omega_6_, _around_6_, _cosine_7_, _sine_7_, _climb_7_, _along_7_, _turn_rate_7_, _tilted_7_, = _ring_round_6_alone(_along_6_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _p_wire_radius_)
+        _omega_7_, _around_7_, _cosine_8_, _sine_8_, _climb_8_, _along_8_, _turn_rate_8_, _tilted_8_, = _ring_round_7_alone(_along_7_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _p_wire_radius_)
+        _omega_8_, _around_8_, _cosine_9_, _sine_9_, _climb_9_, _along_9_, _turn_rate_9_, _tilted_9_, = _ring_round_8_alone(_along_8_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _p_wire_radius_)
+        _omega_9_, _around_9_, _cosine_10_, _sine_10_, _climb_10_, _along_10_, _turn_rate_10_, _tilted_10_, = _ring_round_9_alone(_along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _omega_10_, _around_10_, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _tilted_11_, = _ring_round_10_alone(_along_10_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _omega_11_, _, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _, = _ring_round_11_alone(_along_11_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_11_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _stride_, _, _strongest_, _fastest_, _sway_, _force_, _force_rate_, _force_bend_, _brace_, _vx_1_, _vy_1_, _vz_1_, = _ring_round_pace_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cosine_0_, _cosine_12_, _p_gravity_, _omega_0_, _omega_1_, _omega_10_, _omega_11_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sin_0_, _sine_0_, _sine_12_, _turn_rate_0_, _turn_rate_11_, _turn_rate_12_, _p_wire_radius_)
         _stride_, _which_, _rests_, _, = _leaving_force_alone(_p_ball_radius_, _brace_, _k10, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _k2, _stride_, _k2, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
         _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k1, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k29, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k31, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k55, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k59, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _over_, = _passing_from_alone(_z_)
         _berth_, _, = _alone_alone()
@@ -8711,7 +8639,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         _berth_, = _cleared_alone(_berth_, _gap_, _forth_, _nearing_)
         _gap_, _nearing_, = _end_around_alone(_p_end_depth_, _vz_, _z_)
         _berth_, = _cleared_alone(_berth_, _gap_, _forth_, _nearing_)
-        _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _climb_, = _ring_round_moved_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_12_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_12_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_12_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_12_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _climb_, = _ring_round_moved_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_12_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _omega_0_, _omega_1_, _omega_10_, _omega_11_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _p_ring_radius_, _sin_0_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_12_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
         _through_, = _passing_in_contact_alone(_over_, _p_ring_radius_, _through_, _x_, _y_, _z_)
         _gap_, _nearing_, = _backboard_around_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _berth_, = _cleared_alone(_berth_, _gap_, _back_, _nearing_)
@@ -8732,7 +8660,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         if _here_:
             _, _, _, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _lift_, _surge_, _snap_, = _backboard_parting_alone(_p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _p_gravity_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _, _, _, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _lift_, _surge_, _snap_, = _bridge_parting_alone(_p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_gravity_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8745,11 +8673,11 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k29)
+        _beside_, = _beside_alone(_held_, _k31)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k55)
+        _beside_, = _beside_alone(_held_, _k59)
         if _beside_:
             _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
@@ -8767,7 +8695,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
@@ -8795,7 +8723,7 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8808,7 +8736,7 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
         _lift_5_, _tx_5_, _ty_5_, _tz_5_, _vx_6_, _vy_6_, _vz_6_, _nx_6_, _ny_6_, _nz_6_, _turn_rate_6_, = _roll_5_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_)
         _lift_6_, _tx_6_, _ty_6_, _tz_6_, _vx_7_, _vy_7_, _vz_7_, _nx_7_, _ny_7_, _nz_7_, _turn_rate_7_, = _roll_6_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_)
         _lift_7_, _, _, _, _vx_8_, _vy_8_, _vz_8_, _nx_8_, _ny_8_, _nz_8_, _turn_rate_8_, = _roll_7_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_)
-        _stride_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _brace_, = _roll_pace_alone(_p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_)
+        _stride_, _, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _brace_, = _roll_pace_alone(_p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_)
         _stride_, _which_, _rests_, _, = _leaving_force_alone(_p_ball_radius_, _brace_, _k10, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _k2, _stride_, _k2, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
         _beside_, = _beside_alone(_held_, _k2)
         if _beside_:
@@ -8818,12 +8746,12 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k1, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k29)
+        _beside_, = _beside_alone(_held_, _k31)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k29, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+            _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k31, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k55, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k59, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
@@ -8838,7 +8766,7 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -8859,7 +8787,7 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
@@ -8875,27 +8803,27 @@ def _alone13(_circled_: Any, _circling_: Any, _clock_: Any, _p_ball_radius_: Any
         if not _circling_:
             break
         _, _, _, _per_reach_, = _ring_tube_alone(_p_ball_radius_, _p_wire_radius_)
-        _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _near_0_, = _ring_round_start_alone(_p_ball_radius_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
-        _omega_0_, _around_0_, _tilted_0_, _pressed_0_, _force_0_, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _cos_1_, _sin_1_, = _ring_round_0_alone(_along_0_, _p_ball_radius_, _climb_0_, _cos_0_, _cosine_0_, _p_gravity_, _near_0_, _p_ring_radius_, _sin_0_, _sine_0_, _turn_rate_0_, _p_wire_radius_)
-        _near_1_, _omega_1_, _around_1_, _tilted_1_, _pressed_1_, _force_1_, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _cos_2_, _sin_2_, = _ring_round_1_alone(_along_0_, _along_1_, _around_0_, _p_ball_radius_, _climb_0_, _climb_1_, _cos_0_, _cos_1_, _cosine_0_, _cosine_1_, _p_gravity_, _near_0_, _omega_0_, _pressed_0_, _p_ring_radius_, _sin_0_, _sin_1_, _sine_0_, _sine_1_, _tilted_0_, _turn_rate_0_, _turn_rate_1_, _p_wire_radius_)
-        _near_2_, _omega_2_, _around_2_, _tilted_2_, _pressed_2_, _force_2_, _cosine_3_, _sine_3_, _climb_3_, _along_3_, _turn_rate_3_, _cos_3_, _sin_3_, = _ring_round_2_alone(_along_0_, _along_1_, _along_2_, _around_0_, _around_1_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _cos_0_, _cos_1_, _cos_2_, _cosine_0_, _cosine_1_, _cosine_2_, _p_gravity_, _near_0_, _near_1_, _omega_0_, _omega_1_, _pressed_0_, _pressed_1_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sine_0_, _sine_1_, _sine_2_, _tilted_0_, _tilted_1_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _p_wire_radius_)
-        _near_3_, _omega_3_, _around_3_, _tilted_3_, _pressed_3_, _force_3_, _cosine_4_, _sine_4_, _climb_4_, _along_4_, _turn_rate_4_, _cos_4_, _sin_4_, = _ring_round_3_alone(_along_0_, _along_1_, _along_2_, _along_3_, _around_0_, _around_1_, _around_2_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _p_gravity_, _near_0_, _near_1_, _near_2_, _omega_0_, _omega_1_, _omega_2_, _pressed_0_, _pressed_1_, _pressed_2_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _tilted_0_, _tilted_1_, _tilted_2_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _p_wire_radius_)
-        _near_4_, _omega_4_, _around_4_, _tilted_4_, _pressed_4_, _force_4_, _cosine_5_, _sine_5_, _climb_5_, _along_5_, _turn_rate_5_, _cos_5_, _sin_5_, = _ring_round_4_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _around_0_, _around_1_, _around_2_, _around_3_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _p_wire_radius_)
-        _near_5_, _omega_5_, _around_5_, _tilted_5_, _pressed_5_, _force_5_, _cosine_6_, _sine_6_, _climb_6_, _along_6_, _turn_rate_6_, _cos_6_, _sin_6_, = _ring_round_5_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _p_wire_radius_)
-        _near_6_, _omega_6_, _around_6_, _tilted_6_, _pressed_6_, _force_6_, _cosine_7_, _sine_7_, _climb_7_, _along_7_, _turn_rate_7_, _cos_7_, _sin_7_, = _ring_round_6_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _p_wire_radius_)
-        _near_7_, _omega_7_, _around_7_, _tilted_7_, _pressed_7_, _force_7_, _cosine_8_, _sine_8_, _climb_8_, _along_8_, _turn_rate_8_, _cos_8_, _sin_8_, = _ring_round_7_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _p_wire_radius_)
-        _near_8_, _omega_8_, _around_8_, _tilted_8_, _pressed_8_, _force_8_, _cosine_9_, _sine_9_, _climb_9_, _along_9_, _turn_rate_9_, _cos_9_, _sin_9_, = _ring_round_8_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _p_wire_radius_)
-        _near_9_, _omega_9_, _around_9_, _tilted_9_, _pressed_9_, _force_9_, _cosine_10_, _sine_10_, _climb_10_, _along_10_, _turn_rate_10_, _cos_10_, _sin_10_, = _ring_round_9_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _near_10_, _omega_10_, _around_10_, _tilted_10_, _pressed_10_, _force_10_, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _cos_11_, _sin_11_, = _ring_round_10_alone(_along_0_, _along_1_, _along_10_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _, _, _, _, _, _force_11_, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _cos_12_, _sin_12_, = _ring_round_11_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_10_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_10_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _stride_, _strongest_, _fastest_, _sway_, _force_, _force_rate_, _force_bend_, _brace_, _vx_1_, _vy_1_, _vz_1_, = _ring_round_pace_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_12_, _cosine_0_, _cosine_12_, _force_0_, _force_1_, _force_10_, _force_11_, _force_2_, _force_3_, _force_4_, _force_5_, _force_6_, _force_7_, _force_8_, _force_9_, _p_gravity_, _omega_0_, _p_ring_radius_, _sin_0_, _sin_12_, _sine_0_, _sine_12_, _turn_rate_0_, _turn_rate_11_, _turn_rate_12_, _p_wire_radius_)
+        _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _tilted_0_, _near_0_, = _ring_round_start_alone(_p_ball_radius_, _per_reach_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
+        _omega_0_, _around_0_, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _tilted_1_, = _ring_round_0_alone(_along_0_, _p_ball_radius_, _climb_0_, _cosine_0_, _p_gravity_, _near_0_, _per_reach_, _p_ring_radius_, _sine_0_, _tilted_0_, _turn_rate_0_, _p_wire_radius_)
+        _omega_1_, _around_1_, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _tilted_2_, = _ring_round_1_alone(_along_1_, _around_0_, _p_ball_radius_, _climb_0_, _climb_1_, _cosine_0_, _cosine_1_, _p_gravity_, _near_0_, _omega_0_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _tilted_0_, _tilted_1_, _turn_rate_0_, _turn_rate_1_, _p_wire_radius_)
+        _omega_2_, _around_2_, _cosine_3_, _sine_3_, _climb_3_, _along_3_, _turn_rate_3_, _tilted_3_, = _ring_round_2_alone(_along_2_, _around_0_, _around_1_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _cosine_0_, _cosine_1_, _cosine_2_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _tilted_0_, _tilted_1_, _tilted_2_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _p_wire_radius_)
+        _omega_3_, _around_3_, _cosine_4_, _sine_4_, _climb_4_, _along_4_, _turn_rate_4_, _tilted_4_, = _ring_round_3_alone(_along_3_, _around_0_, _around_1_, _around_2_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _p_wire_radius_)
+        _omega_4_, _around_4_, _cosine_5_, _sine_5_, _climb_5_, _along_5_, _turn_rate_5_, _tilted_5_, = _ring_round_4_alone(_along_4_, _around_0_, _around_1_, _around_2_, _around_3_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _p_wire_radius_)
+        _omega_5_, _around_5_, _cosine_6_, _sine_6_, _climb_6_, _along_6_, _turn_rate_6_, _tilted_6_, = _ring_round_5_alone(_along_5_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _p_wire_radius_)
+        _omega_6_, _around_6_, _cosine_7_, _sine_7_, _climb_7_, _along_7_, _turn_rate_7_, _tilted_7_, = _ring_round_6_alone(_along_6_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _p_wire_radius_)
+        _omega_7_, _around_7_, _cosine_8_, _sine_8_, _climb_8_, _along_8_, _turn_rate_8_, _tilted_8_, = _ring_round_7_alone(_along_7_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _p_wire_radius_)
+        _omega_8_, _around_8_, _cosine_9_, _sine_9_, _climb_9_, _along_9_, _turn_rate_9_, _tilted_9_, = _ring_round_8_alone(_along_8_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _p_wire_radius_)
+        _omega_9_, _around_9_, _cosine_10_, _sine_10_, _climb_10_, _along_10_, _turn_rate_10_, _tilted_10_, = _ring_round_9_alone(_along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _omega_10_, _around_10_, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _tilted_11_, = _ring_round_10_alone(_along_10_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _omega_11_, _, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _, = _ring_round_11_alone(_along_11_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_11_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _stride_, _, _strongest_, _fastest_, _sway_, _force_, _force_rate_, _force_bend_, _brace_, _vx_1_, _vy_1_, _vz_1_, = _ring_round_pace_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cosine_0_, _cosine_12_, _p_gravity_, _omega_0_, _omega_1_, _omega_10_, _omega_11_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sin_0_, _sine_0_, _sine_12_, _turn_rate_0_, _turn_rate_11_, _turn_rate_12_, _p_wire_radius_)
         _stride_, _which_, _rests_, _, = _leaving_force_alone(_p_ball_radius_, _brace_, _k10, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _per_reach_, _k2, _stride_, _k2, _vx_, _vx_1_, _vy_, _vy_1_, _vz_, _vz_1_, _which_)
         _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k1, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k29, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k31, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k55, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k59, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _over_, = _passing_from_alone(_z_)
         _berth_, _, = _alone_alone()
@@ -8906,7 +8834,7 @@ def _alone13(_circled_: Any, _circling_: Any, _clock_: Any, _p_ball_radius_: Any
         _berth_, = _cleared_alone(_berth_, _gap_, _forth_, _nearing_)
         _gap_, _nearing_, = _end_around_alone(_p_end_depth_, _vz_, _z_)
         _berth_, = _cleared_alone(_berth_, _gap_, _forth_, _nearing_)
-        _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _climb_, = _ring_round_moved_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_12_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_12_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_12_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_12_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _climb_, = _ring_round_moved_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_12_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _omega_0_, _omega_1_, _omega_10_, _omega_11_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _p_ring_radius_, _sin_0_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_12_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
         _through_, = _passing_in_contact_alone(_over_, _p_ring_radius_, _through_, _x_, _y_, _z_)
         _gap_, _nearing_, = _backboard_around_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _berth_, = _cleared_alone(_berth_, _gap_, _back_, _nearing_)
@@ -9143,7 +9071,7 @@ def _alone22(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
     _t_, _end_, _searching_, = _bridge_enter_alone(_k2, _k2, _high0_, _high1_, _low0_, _low1_, _k2)
     _doubt_, = _beyond_windows_alone(_doubt_, _excess_, _late_, _lost_, _pad_, _searching_)
     if _searching_:
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k31, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -9157,7 +9085,7 @@ def _alone22(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
     for _ in range(201):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k31, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -9170,7 +9098,7 @@ def _alone22(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
             _t_, _end_, _searching_, = _bridge_enter_alone(_end_, _end_, _high0_, _high1_, _low0_, _low1_, _t_)
     _doubt_, = _questioned_alone(_doubt_, _t_, _searching_)
     _arrives_, _refining_, _rate_, = _found_alone(_arrival_)
-    _leaving_, _, = _nearby_alone(_flat_, _k29, _last_, _arrival_, _tilt_)
+    _leaving_, _, = _nearby_alone(_flat_, _k31, _last_, _arrival_, _tilt_)
     if _refining_:
         _refined_, _gap_, _rate_, = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
@@ -9188,7 +9116,7 @@ def _alone22(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radi
     _time_, = _landed_alone(_arrival_)
     _delay_, _doubt_, = _landed_surely_alone(_arrives_, _certain_, _clearance_, _delay_, _doubt_, _time_)
     _doubt_, _late_, = _tied_alone(_arrives_, _delay_, _doubt_, _late_, _time_, _when_)
-    _when_, _which_, = _sooner_alone(_arrives_, _k29, _time_, _when_, _which_)
+    _when_, _which_, = _sooner_alone(_arrives_, _k31, _time_, _when_, _which_)
     return (_doubt_, _late_, _when_, _which_,)
 
 
@@ -9197,7 +9125,7 @@ def _alone23(_arrival_: Any, _ceiling_: Any, _certain_: Any, _doubt_: Any, _end_
     for _ in range(_turns):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k29, _last_, _t_, _tilt_)
+        _leaving_, _margin_, = _nearby_alone(_flat_, _k31, _last_, _t_, _tilt_)
         _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _bridge_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
         _hit_, _sure_, _vague_, = _struck_or_still_alone(_bend_, _clearance_, _end_, _gap_, _margin_, _next_, _rate_, _rate_slack_, _share_, _t_)
         if _vague_:
@@ -9231,7 +9159,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
         _turn_rate_, = _roll_turn_rate_alone(_p_ball_radius_, _nx_, _ny_, _nz_, _wx_, _wy_, _wz_)
@@ -9242,7 +9170,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
         _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, = _roll_placed_alone(_p_ball_radius_, _gap_, _nx_, _ny_, _nz_, _turn_rate_, _rolled_x_, _rolled_y_, _rolled_z_, _x_, _y_, _z_)
@@ -9258,7 +9186,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -9271,12 +9199,12 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _lift_5_, _tx_5_, _ty_5_, _tz_5_, _vx_6_, _vy_6_, _vz_6_, _nx_6_, _ny_6_, _nz_6_, _turn_rate_6_, = _roll_5_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_)
         _lift_6_, _tx_6_, _ty_6_, _tz_6_, _vx_7_, _vy_7_, _vz_7_, _nx_7_, _ny_7_, _nz_7_, _turn_rate_7_, = _roll_6_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_)
         _lift_7_, _, _, _, _vx_8_, _vy_8_, _vz_8_, _nx_8_, _ny_8_, _nz_8_, _turn_rate_8_, = _roll_7_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_)
-        _stride_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _brace_, = _roll_pace_alone(_p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_)
+        _stride_, _missed_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _brace_, = _roll_pace_alone(_p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_)
         _drag_, _drag_rate_, _strain_, _strain_rate_, = _pulled_alone(_p_gravity_, _nx_0_, _nx_1_, _ny_0_, _ny_1_, _nz_0_, _nz_1_, _turn_rate_0_, _turn_rate_1_, _tx_0_, _tx_1_, _ty_0_, _ty_1_, _tz_0_, _tz_1_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_backboard_friction_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_bridge_friction_)
         _loses_, = _losing_alone(_grip_lost_, _strain_)
@@ -9292,12 +9220,12 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k1, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k29)
+        _beside_, = _beside_alone(_held_, _k31)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k29, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k31, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k55, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k59, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
@@ -9312,7 +9240,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -9335,7 +9263,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
@@ -9344,7 +9272,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
         _turn_rate_, = _roll_turn_rate_alone(_p_ball_radius_, _far_nx_, _far_ny_, _far_nz_, _far_wx_, _far_wy_, _far_wz_)
@@ -9352,7 +9280,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _far_gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _far_gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_)
@@ -9371,32 +9299,32 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _far_gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _far_gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, = _roll_placed_alone(_p_ball_radius_, _far_gap_, _far_nx_, _far_ny_, _far_nz_, _turn_rate_, _far_vx_, _far_vy_, _far_vz_, _far_x_, _far_y_, _far_z_)
-        _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, = _compared_alone(_apart_, _p_ball_radius_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _far_x_, _far_y_, _far_z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
+        _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, = _compared_alone(_apart_, _p_ball_radius_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _far_x_, _far_y_, _far_z_, _missed_, _stride_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
         _clock_, _rolling_, = _rolled_on_alone(_clock_, _rests_, _stride_, _which_)
     for _ in range(16):
         if not _circling_:
             break
         _position_error_, _velocity_error_, _, _, = _error_bounds_alone(_clock_error_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_)
         _, _, _, _per_reach_, = _ring_tube_alone(_p_ball_radius_, _p_wire_radius_)
-        _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _near_0_, = _ring_round_start_alone(_p_ball_radius_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
-        _omega_0_, _around_0_, _tilted_0_, _pressed_0_, _force_0_, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _cos_1_, _sin_1_, = _ring_round_0_alone(_along_0_, _p_ball_radius_, _climb_0_, _cos_0_, _cosine_0_, _p_gravity_, _near_0_, _p_ring_radius_, _sin_0_, _sine_0_, _turn_rate_0_, _p_wire_radius_)
-        _near_1_, _omega_1_, _around_1_, _tilted_1_, _pressed_1_, _force_1_, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _cos_2_, _sin_2_, = _ring_round_1_alone(_along_0_, _along_1_, _around_0_, _p_ball_radius_, _climb_0_, _climb_1_, _cos_0_, _cos_1_, _cosine_0_, _cosine_1_, _p_gravity_, _near_0_, _omega_0_, _pressed_0_, _p_ring_radius_, _sin_0_, _sin_1_, _sine_0_, _sine_1_, _tilted_0_, _turn_rate_0_, _turn_rate_1_, _p_wire_radius_)
-        _near_2_, _omega_2_, _around_2_, _tilted_2_, _pressed_2_, _force_2_, _cosine_3_, _sine_3_, _climb_3_, _along_3_, _turn_rate_3_, _cos_3_, _sin_3_, = _ring_round_2_alone(_along_0_, _along_1_, _along_2_, _around_0_, _around_1_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _cos_0_, _cos_1_, _cos_2_, _cosine_0_, _cosine_1_, _cosine_2_, _p_gravity_, _near_0_, _near_1_, _omega_0_, _omega_1_, _pressed_0_, _pressed_1_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sine_0_, _sine_1_, _sine_2_, _tilted_0_, _tilted_1_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _p_wire_radius_)
-        _near_3_, _omega_3_, _around_3_, _tilted_3_, _pressed_3_, _force_3_, _cosine_4_, _sine_4_, _climb_4_, _along_4_, _turn_rate_4_, _cos_4_, _sin_4_, = _ring_round_3_alone(_along_0_, _along_1_, _along_2_, _along_3_, _around_0_, _around_1_, _around_2_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _p_gravity_, _near_0_, _near_1_, _near_2_, _omega_0_, _omega_1_, _omega_2_, _pressed_0_, _pressed_1_, _pressed_2_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _tilted_0_, _tilted_1_, _tilted_2_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _p_wire_radius_)
-        _near_4_, _omega_4_, _around_4_, _tilted_4_, _pressed_4_, _force_4_, _cosine_5_, _sine_5_, _climb_5_, _along_5_, _turn_rate_5_, _cos_5_, _sin_5_, = _ring_round_4_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _around_0_, _around_1_, _around_2_, _around_3_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _p_wire_radius_)
-        _near_5_, _omega_5_, _around_5_, _tilted_5_, _pressed_5_, _force_5_, _cosine_6_, _sine_6_, _climb_6_, _along_6_, _turn_rate_6_, _cos_6_, _sin_6_, = _ring_round_5_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _p_wire_radius_)
-        _near_6_, _omega_6_, _around_6_, _tilted_6_, _pressed_6_, _force_6_, _cosine_7_, _sine_7_, _climb_7_, _along_7_, _turn_rate_7_, _cos_7_, _sin_7_, = _ring_round_6_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _p_wire_radius_)
-        _near_7_, _omega_7_, _around_7_, _tilted_7_, _pressed_7_, _force_7_, _cosine_8_, _sine_8_, _climb_8_, _along_8_, _turn_rate_8_, _cos_8_, _sin_8_, = _ring_round_7_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _p_wire_radius_)
-        _near_8_, _omega_8_, _around_8_, _tilted_8_, _pressed_8_, _force_8_, _cosine_9_, _sine_9_, _climb_9_, _along_9_, _turn_rate_9_, _cos_9_, _sin_9_, = _ring_round_8_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _p_wire_radius_)
-        _near_9_, _omega_9_, _around_9_, _tilted_9_, _pressed_9_, _force_9_, _cosine_10_, _sine_10_, _climb_10_, _along_10_, _turn_rate_10_, _cos_10_, _sin_10_, = _ring_round_9_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _near_10_, _omega_10_, _around_10_, _tilted_10_, _pressed_10_, _force_10_, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _cos_11_, _sin_11_, = _ring_round_10_alone(_along_0_, _along_1_, _along_10_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _, _, _, _, _, _force_11_, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _cos_12_, _sin_12_, = _ring_round_11_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_10_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_10_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _stride_, _strongest_, _fastest_, _sway_, _force_, _force_rate_, _force_bend_, _brace_, _vx_1_, _vy_1_, _vz_1_, = _ring_round_pace_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_12_, _cosine_0_, _cosine_12_, _force_0_, _force_1_, _force_10_, _force_11_, _force_2_, _force_3_, _force_4_, _force_5_, _force_6_, _force_7_, _force_8_, _force_9_, _p_gravity_, _omega_0_, _p_ring_radius_, _sin_0_, _sin_12_, _sine_0_, _sine_12_, _turn_rate_0_, _turn_rate_11_, _turn_rate_12_, _p_wire_radius_)
+        _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _tilted_0_, _near_0_, = _ring_round_start_alone(_p_ball_radius_, _per_reach_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
+        _omega_0_, _around_0_, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _tilted_1_, = _ring_round_0_alone(_along_0_, _p_ball_radius_, _climb_0_, _cosine_0_, _p_gravity_, _near_0_, _per_reach_, _p_ring_radius_, _sine_0_, _tilted_0_, _turn_rate_0_, _p_wire_radius_)
+        _omega_1_, _around_1_, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _tilted_2_, = _ring_round_1_alone(_along_1_, _around_0_, _p_ball_radius_, _climb_0_, _climb_1_, _cosine_0_, _cosine_1_, _p_gravity_, _near_0_, _omega_0_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _tilted_0_, _tilted_1_, _turn_rate_0_, _turn_rate_1_, _p_wire_radius_)
+        _omega_2_, _around_2_, _cosine_3_, _sine_3_, _climb_3_, _along_3_, _turn_rate_3_, _tilted_3_, = _ring_round_2_alone(_along_2_, _around_0_, _around_1_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _cosine_0_, _cosine_1_, _cosine_2_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _tilted_0_, _tilted_1_, _tilted_2_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _p_wire_radius_)
+        _omega_3_, _around_3_, _cosine_4_, _sine_4_, _climb_4_, _along_4_, _turn_rate_4_, _tilted_4_, = _ring_round_3_alone(_along_3_, _around_0_, _around_1_, _around_2_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _p_wire_radius_)
+        _omega_4_, _around_4_, _cosine_5_, _sine_5_, _climb_5_, _along_5_, _turn_rate_5_, _tilted_5_, = _ring_round_4_alone(_along_4_, _around_0_, _around_1_, _around_2_, _around_3_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _p_wire_radius_)
+        _omega_5_, _around_5_, _cosine_6_, _sine_6_, _climb_6_, _along_6_, _turn_rate_6_, _tilted_6_, = _ring_round_5_alone(_along_5_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _p_wire_radius_)
+        _omega_6_, _around_6_, _cosine_7_, _sine_7_, _climb_7_, _along_7_, _turn_rate_7_, _tilted_7_, = _ring_round_6_alone(_along_6_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _p_wire_radius_)
+        _omega_7_, _around_7_, _cosine_8_, _sine_8_, _climb_8_, _along_8_, _turn_rate_8_, _tilted_8_, = _ring_round_7_alone(_along_7_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _p_wire_radius_)
+        _omega_8_, _around_8_, _cosine_9_, _sine_9_, _climb_9_, _along_9_, _turn_rate_9_, _tilted_9_, = _ring_round_8_alone(_along_8_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _p_wire_radius_)
+        _omega_9_, _around_9_, _cosine_10_, _sine_10_, _climb_10_, _along_10_, _turn_rate_10_, _tilted_10_, = _ring_round_9_alone(_along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _omega_10_, _around_10_, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _tilted_11_, = _ring_round_10_alone(_along_10_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _omega_11_, _, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _, = _ring_round_11_alone(_along_11_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_11_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _stride_, _missed_, _strongest_, _fastest_, _sway_, _force_, _force_rate_, _force_bend_, _brace_, _vx_1_, _vy_1_, _vz_1_, = _ring_round_pace_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cosine_0_, _cosine_12_, _p_gravity_, _omega_0_, _omega_1_, _omega_10_, _omega_11_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sin_0_, _sine_0_, _sine_12_, _turn_rate_0_, _turn_rate_11_, _turn_rate_12_, _p_wire_radius_)
         _drag_, _drag_rate_, _, _, = _ring_round_pulled_alone(_climb_0_, _climb_1_, _cosine_0_, _cosine_1_, _p_gravity_, _omega_0_, _omega_1_, _turn_rate_0_, _turn_rate_1_)
         _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_ring_friction_)
         _loses_, = _losing_alone(_grip_lost_, _strain_)
@@ -9407,9 +9335,9 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k1, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k29, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k31, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k55, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k59, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _apart_, = _apart_alone(_p_ball_radius_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, _, _, _, = _neighbour_alone(_apart_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
@@ -9422,7 +9350,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _berth_, = _cleared_alone(_berth_, _gap_, _forth_, _nearing_)
         _gap_, _nearing_, = _end_around_alone(_p_end_depth_, _vz_, _z_)
         _berth_, = _cleared_alone(_berth_, _gap_, _forth_, _nearing_)
-        _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _climb_, = _ring_round_moved_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_12_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_12_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_12_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_12_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _climb_, = _ring_round_moved_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_12_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _omega_0_, _omega_1_, _omega_10_, _omega_11_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _p_ring_radius_, _sin_0_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_12_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
         _through_, = _passing_in_contact_alone(_over_, _p_ring_radius_, _through_, _x_, _y_, _z_)
         _gap_, _nearing_, = _backboard_around_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _berth_, = _cleared_alone(_berth_, _gap_, _back_, _nearing_)
@@ -9432,21 +9360,21 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _berth_, = _cleared_alone(_berth_, _gap_, _back_, _nearing_)
         _circled_, _endless_, _doubt_, = _ring_swung_alone(_p_ball_radius_, _berth_, _circled_, _climb_, _climb_0_, _doubt_, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _position_error_, _stride_, _sway_, _velocity_error_, _which_, _p_wire_radius_)
         _which_, = _for_ever_alone(_endless_, _which_)
-        _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _near_0_, = _ring_round_start_alone(_p_ball_radius_, _p_ring_radius_, _far_vx_, _far_vy_, _far_vz_, _p_wire_radius_, _far_wx_, _far_wy_, _far_wz_, _far_x_, _far_y_, _far_z_)
-        _omega_0_, _around_0_, _tilted_0_, _pressed_0_, _, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _cos_1_, _sin_1_, = _ring_round_0_alone(_along_0_, _p_ball_radius_, _climb_0_, _cos_0_, _cosine_0_, _p_gravity_, _near_0_, _p_ring_radius_, _sin_0_, _sine_0_, _turn_rate_0_, _p_wire_radius_)
-        _near_1_, _omega_1_, _around_1_, _tilted_1_, _pressed_1_, _, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _cos_2_, _sin_2_, = _ring_round_1_alone(_along_0_, _along_1_, _around_0_, _p_ball_radius_, _climb_0_, _climb_1_, _cos_0_, _cos_1_, _cosine_0_, _cosine_1_, _p_gravity_, _near_0_, _omega_0_, _pressed_0_, _p_ring_radius_, _sin_0_, _sin_1_, _sine_0_, _sine_1_, _tilted_0_, _turn_rate_0_, _turn_rate_1_, _p_wire_radius_)
-        _near_2_, _omega_2_, _around_2_, _tilted_2_, _pressed_2_, _, _cosine_3_, _sine_3_, _climb_3_, _along_3_, _turn_rate_3_, _cos_3_, _sin_3_, = _ring_round_2_alone(_along_0_, _along_1_, _along_2_, _around_0_, _around_1_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _cos_0_, _cos_1_, _cos_2_, _cosine_0_, _cosine_1_, _cosine_2_, _p_gravity_, _near_0_, _near_1_, _omega_0_, _omega_1_, _pressed_0_, _pressed_1_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sine_0_, _sine_1_, _sine_2_, _tilted_0_, _tilted_1_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _p_wire_radius_)
-        _near_3_, _omega_3_, _around_3_, _tilted_3_, _pressed_3_, _, _cosine_4_, _sine_4_, _climb_4_, _along_4_, _turn_rate_4_, _cos_4_, _sin_4_, = _ring_round_3_alone(_along_0_, _along_1_, _along_2_, _along_3_, _around_0_, _around_1_, _around_2_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _p_gravity_, _near_0_, _near_1_, _near_2_, _omega_0_, _omega_1_, _omega_2_, _pressed_0_, _pressed_1_, _pressed_2_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _tilted_0_, _tilted_1_, _tilted_2_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _p_wire_radius_)
-        _near_4_, _omega_4_, _around_4_, _tilted_4_, _pressed_4_, _, _cosine_5_, _sine_5_, _climb_5_, _along_5_, _turn_rate_5_, _cos_5_, _sin_5_, = _ring_round_4_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _around_0_, _around_1_, _around_2_, _around_3_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _p_wire_radius_)
-        _near_5_, _omega_5_, _around_5_, _tilted_5_, _pressed_5_, _, _cosine_6_, _sine_6_, _climb_6_, _along_6_, _turn_rate_6_, _cos_6_, _sin_6_, = _ring_round_5_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _p_wire_radius_)
-        _near_6_, _omega_6_, _around_6_, _tilted_6_, _pressed_6_, _, _cosine_7_, _sine_7_, _climb_7_, _along_7_, _turn_rate_7_, _cos_7_, _sin_7_, = _ring_round_6_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _p_wire_radius_)
-        _near_7_, _omega_7_, _around_7_, _tilted_7_, _pressed_7_, _, _cosine_8_, _sine_8_, _climb_8_, _along_8_, _turn_rate_8_, _cos_8_, _sin_8_, = _ring_round_7_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _p_wire_radius_)
-        _near_8_, _omega_8_, _around_8_, _tilted_8_, _pressed_8_, _, _cosine_9_, _sine_9_, _climb_9_, _along_9_, _turn_rate_9_, _cos_9_, _sin_9_, = _ring_round_8_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _p_wire_radius_)
-        _near_9_, _omega_9_, _around_9_, _tilted_9_, _pressed_9_, _, _cosine_10_, _sine_10_, _climb_10_, _along_10_, _turn_rate_10_, _cos_10_, _sin_10_, = _ring_round_9_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _near_10_, _omega_10_, _around_10_, _tilted_10_, _pressed_10_, _, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _cos_11_, _sin_11_, = _ring_round_10_alone(_along_0_, _along_1_, _along_10_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _, _, _, _, _, _, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _cos_12_, _sin_12_, = _ring_round_11_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_10_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_10_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, = _ring_round_moved_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_12_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_12_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_12_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_12_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, = _compared_alone(_apart_, _p_ball_radius_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _far_x_, _far_y_, _far_z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
+        _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _tilted_0_, _near_0_, = _ring_round_start_alone(_p_ball_radius_, _per_reach_, _p_ring_radius_, _far_vx_, _far_vy_, _far_vz_, _p_wire_radius_, _far_wx_, _far_wy_, _far_wz_, _far_x_, _far_y_, _far_z_)
+        _omega_0_, _around_0_, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _tilted_1_, = _ring_round_0_alone(_along_0_, _p_ball_radius_, _climb_0_, _cosine_0_, _p_gravity_, _near_0_, _per_reach_, _p_ring_radius_, _sine_0_, _tilted_0_, _turn_rate_0_, _p_wire_radius_)
+        _omega_1_, _around_1_, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _tilted_2_, = _ring_round_1_alone(_along_1_, _around_0_, _p_ball_radius_, _climb_0_, _climb_1_, _cosine_0_, _cosine_1_, _p_gravity_, _near_0_, _omega_0_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _tilted_0_, _tilted_1_, _turn_rate_0_, _turn_rate_1_, _p_wire_radius_)
+        _omega_2_, _around_2_, _cosine_3_, _sine_3_, _climb_3_, _along_3_, _turn_rate_3_, _tilted_3_, = _ring_round_2_alone(_along_2_, _around_0_, _around_1_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _cosine_0_, _cosine_1_, _cosine_2_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _tilted_0_, _tilted_1_, _tilted_2_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _p_wire_radius_)
+        _omega_3_, _around_3_, _cosine_4_, _sine_4_, _climb_4_, _along_4_, _turn_rate_4_, _tilted_4_, = _ring_round_3_alone(_along_3_, _around_0_, _around_1_, _around_2_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _p_wire_radius_)
+        _omega_4_, _around_4_, _cosine_5_, _sine_5_, _climb_5_, _along_5_, _turn_rate_5_, _tilted_5_, = _ring_round_4_alone(_along_4_, _around_0_, _around_1_, _around_2_, _around_3_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _p_wire_radius_)
+        _omega_5_, _around_5_, _cosine_6_, _sine_6_, _climb_6_, _along_6_, _turn_rate_6_, _tilted_6_, = _ring_round_5_alone(_along_5_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _p_wire_radius_)
+        _omega_6_, _around_6_, _cosine_7_, _sine_7_, _climb_7_, _along_7_, _turn_rate_7_, _tilted_7_, = _ring_round_6_alone(_along_6_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _p_wire_radius_)
+        _omega_7_, _around_7_, _cosine_8_, _sine_8_, _climb_8_, _along_8_, _turn_rate_8_, _tilted_8_, = _ring_round_7_alone(_along_7_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _p_wire_radius_)
+        _omega_8_, _around_8_, _cosine_9_, _sine_9_, _climb_9_, _along_9_, _turn_rate_9_, _tilted_9_, = _ring_round_8_alone(_along_8_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _p_wire_radius_)
+        _omega_9_, _around_9_, _cosine_10_, _sine_10_, _climb_10_, _along_10_, _turn_rate_10_, _tilted_10_, = _ring_round_9_alone(_along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _omega_10_, _around_10_, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _tilted_11_, = _ring_round_10_alone(_along_10_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _omega_11_, _, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _, = _ring_round_11_alone(_along_11_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_11_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, = _ring_round_moved_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_12_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _omega_0_, _omega_1_, _omega_10_, _omega_11_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _p_ring_radius_, _sin_0_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_12_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, = _compared_alone(_apart_, _p_ball_radius_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _far_x_, _far_y_, _far_z_, _missed_, _stride_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
         _clock_, _circling_, = _rolled_on_alone(_clock_, _rests_, _stride_, _which_)
     _rolling_, = _rejoined_alone(_circling_, _rolling_)
     if _leaves_:
@@ -9459,7 +9387,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _here_:
             _, _, _, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _lift_, _surge_, _snap_, = _backboard_parting_alone(_p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _p_gravity_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _, _, _, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _lift_, _surge_, _snap_, = _bridge_parting_alone(_p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_gravity_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -9472,11 +9400,11 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k29)
+        _beside_, = _beside_alone(_held_, _k31)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k55)
+        _beside_, = _beside_alone(_held_, _k59)
         if _beside_:
             _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
@@ -9494,7 +9422,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _spare_, = _spared_seam_alone(_gap_, _p_gravity_, _near_, _nearing_, _spare_)
@@ -9523,7 +9451,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _backboard_tube_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _bent_x_, _bent_y_, _bent_z_, _per_reach_, = _bridge_tube_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
@@ -9536,12 +9464,12 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         _lift_5_, _tx_5_, _ty_5_, _tz_5_, _vx_6_, _vy_6_, _vz_6_, _nx_6_, _ny_6_, _nz_6_, _turn_rate_6_, = _roll_5_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_)
         _lift_6_, _tx_6_, _ty_6_, _tz_6_, _vx_7_, _vy_7_, _vz_7_, _nx_7_, _ny_7_, _nz_7_, _turn_rate_7_, = _roll_6_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_)
         _lift_7_, _, _, _, _vx_8_, _vy_8_, _vz_8_, _nx_8_, _ny_8_, _nz_8_, _turn_rate_8_, = _roll_7_alone(_bent_x_, _bent_y_, _bent_z_, _p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_)
-        _stride_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _brace_, = _roll_pace_alone(_p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_)
+        _stride_, _missed_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _brace_, = _roll_pace_alone(_p_gravity_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_)
         _drag_, _drag_rate_, _strain_, _strain_rate_, = _pulled_alone(_p_gravity_, _nx_0_, _nx_1_, _ny_0_, _ny_1_, _nz_0_, _nz_1_, _turn_rate_0_, _turn_rate_1_, _tx_0_, _tx_1_, _ty_0_, _ty_1_, _tz_0_, _tz_1_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_backboard_friction_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_bridge_friction_)
         _loses_, = _losing_alone(_grip_lost_, _strain_)
@@ -9557,12 +9485,12 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         if _beside_:
             _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
             _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k1, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
-        _beside_, = _beside_alone(_held_, _k29)
+        _beside_, = _beside_alone(_held_, _k31)
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k29, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+            _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k31, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k55, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k59, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
@@ -9577,7 +9505,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
             _gap_, _nearing_, _near_, = _backboard_seam5_alone(_p_ball_radius_, _p_board_bottom_, _p_board_top_, _vz_, _z_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _gap_, _nearing_, _near_, = _bridge_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_ring_radius_, _vx_, _x_)
             _stride_, = _beside_seam_alone(_fastest_, _gap_, _near_, _nearing_, _stride_, _strongest_)
@@ -9600,7 +9528,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         if _here_:
             _nx_, _ny_, _nz_, = _backboard_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _x_, _y_, _z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _nx_, _ny_, _nz_, = _bridge_normal_alone(_x_, _y_, _z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_)
@@ -9609,7 +9537,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
         _turn_rate_, = _roll_turn_rate_alone(_p_ball_radius_, _far_nx_, _far_ny_, _far_nz_, _far_wx_, _far_wy_, _far_wz_)
@@ -9617,7 +9545,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _far_gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _far_gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_)
@@ -9636,12 +9564,12 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _backboard_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_)
             _far_gap_, = _backboard_off_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _far_x_, _far_y_, _far_z_)
-        _here_, = _holding_alone(_held_, _k29)
+        _here_, = _holding_alone(_held_, _k31)
         if _here_:
             _far_nx_, _far_ny_, _far_nz_, = _bridge_normal_alone(_far_x_, _far_y_, _far_z_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_)
             _far_gap_, = _bridge_off_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _far_x_, _far_y_, _far_z_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, = _roll_placed_alone(_p_ball_radius_, _far_gap_, _far_nx_, _far_ny_, _far_nz_, _turn_rate_, _far_vx_, _far_vy_, _far_vz_, _far_x_, _far_y_, _far_z_)
-        _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, = _compared_alone(_apart_, _p_ball_radius_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _far_x_, _far_y_, _far_z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
+        _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, = _compared_alone(_apart_, _p_ball_radius_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _far_x_, _far_y_, _far_z_, _missed_, _stride_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
         _clock_, _rolling_, = _rolled_on_alone(_clock_, _rests_, _stride_, _which_)
     return (_clock_, _doubt_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _grip_lost_, _late_, _per_reach_, _position_error_, _rests_, _rolling_, _taut_, _taut_clock_, _taut_rate_, _through_, _velocity_error_, _vx_, _vy_, _vz_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
 
@@ -9653,20 +9581,20 @@ def _alone27(_circled_: Any, _circling_: Any, _clock_: Any, _clock_error_: Any, 
             break
         _position_error_, _velocity_error_, _, _, = _error_bounds_alone(_clock_error_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_)
         _, _, _, _per_reach_, = _ring_tube_alone(_p_ball_radius_, _p_wire_radius_)
-        _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _near_0_, = _ring_round_start_alone(_p_ball_radius_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
-        _omega_0_, _around_0_, _tilted_0_, _pressed_0_, _force_0_, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _cos_1_, _sin_1_, = _ring_round_0_alone(_along_0_, _p_ball_radius_, _climb_0_, _cos_0_, _cosine_0_, _p_gravity_, _near_0_, _p_ring_radius_, _sin_0_, _sine_0_, _turn_rate_0_, _p_wire_radius_)
-        _near_1_, _omega_1_, _around_1_, _tilted_1_, _pressed_1_, _force_1_, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _cos_2_, _sin_2_, = _ring_round_1_alone(_along_0_, _along_1_, _around_0_, _p_ball_radius_, _climb_0_, _climb_1_, _cos_0_, _cos_1_, _cosine_0_, _cosine_1_, _p_gravity_, _near_0_, _omega_0_, _pressed_0_, _p_ring_radius_, _sin_0_, _sin_1_, _sine_0_, _sine_1_, _tilted_0_, _turn_rate_0_, _turn_rate_1_, _p_wire_radius_)
-        _near_2_, _omega_2_, _around_2_, _tilted_2_, _pressed_2_, _force_2_, _cosine_3_, _sine_3_, _climb_3_, _along_3_, _turn_rate_3_, _cos_3_, _sin_3_, = _ring_round_2_alone(_along_0_, _along_1_, _along_2_, _around_0_, _around_1_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _cos_0_, _cos_1_, _cos_2_, _cosine_0_, _cosine_1_, _cosine_2_, _p_gravity_, _near_0_, _near_1_, _omega_0_, _omega_1_, _pressed_0_, _pressed_1_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sine_0_, _sine_1_, _sine_2_, _tilted_0_, _tilted_1_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _p_wire_radius_)
-        _near_3_, _omega_3_, _around_3_, _tilted_3_, _pressed_3_, _force_3_, _cosine_4_, _sine_4_, _climb_4_, _along_4_, _turn_rate_4_, _cos_4_, _sin_4_, = _ring_round_3_alone(_along_0_, _along_1_, _along_2_, _along_3_, _around_0_, _around_1_, _around_2_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _p_gravity_, _near_0_, _near_1_, _near_2_, _omega_0_, _omega_1_, _omega_2_, _pressed_0_, _pressed_1_, _pressed_2_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _tilted_0_, _tilted_1_, _tilted_2_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _p_wire_radius_)
-        _near_4_, _omega_4_, _around_4_, _tilted_4_, _pressed_4_, _force_4_, _cosine_5_, _sine_5_, _climb_5_, _along_5_, _turn_rate_5_, _cos_5_, _sin_5_, = _ring_round_4_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _around_0_, _around_1_, _around_2_, _around_3_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _p_wire_radius_)
-        _near_5_, _omega_5_, _around_5_, _tilted_5_, _pressed_5_, _force_5_, _cosine_6_, _sine_6_, _climb_6_, _along_6_, _turn_rate_6_, _cos_6_, _sin_6_, = _ring_round_5_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _p_wire_radius_)
-        _near_6_, _omega_6_, _around_6_, _tilted_6_, _pressed_6_, _force_6_, _cosine_7_, _sine_7_, _climb_7_, _along_7_, _turn_rate_7_, _cos_7_, _sin_7_, = _ring_round_6_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _p_wire_radius_)
-        _near_7_, _omega_7_, _around_7_, _tilted_7_, _pressed_7_, _force_7_, _cosine_8_, _sine_8_, _climb_8_, _along_8_, _turn_rate_8_, _cos_8_, _sin_8_, = _ring_round_7_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _p_wire_radius_)
-        _near_8_, _omega_8_, _around_8_, _tilted_8_, _pressed_8_, _force_8_, _cosine_9_, _sine_9_, _climb_9_, _along_9_, _turn_rate_9_, _cos_9_, _sin_9_, = _ring_round_8_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _p_wire_radius_)
-        _near_9_, _omega_9_, _around_9_, _tilted_9_, _pressed_9_, _force_9_, _cosine_10_, _sine_10_, _climb_10_, _along_10_, _turn_rate_10_, _cos_10_, _sin_10_, = _ring_round_9_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _near_10_, _omega_10_, _around_10_, _tilted_10_, _pressed_10_, _force_10_, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _cos_11_, _sin_11_, = _ring_round_10_alone(_along_0_, _along_1_, _along_10_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _, _, _, _, _, _force_11_, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _cos_12_, _sin_12_, = _ring_round_11_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_10_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_10_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _stride_, _strongest_, _fastest_, _sway_, _force_, _force_rate_, _force_bend_, _brace_, _vx_1_, _vy_1_, _vz_1_, = _ring_round_pace_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_12_, _cosine_0_, _cosine_12_, _force_0_, _force_1_, _force_10_, _force_11_, _force_2_, _force_3_, _force_4_, _force_5_, _force_6_, _force_7_, _force_8_, _force_9_, _p_gravity_, _omega_0_, _p_ring_radius_, _sin_0_, _sin_12_, _sine_0_, _sine_12_, _turn_rate_0_, _turn_rate_11_, _turn_rate_12_, _p_wire_radius_)
+        _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _tilted_0_, _near_0_, = _ring_round_start_alone(_p_ball_radius_, _per_reach_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
+        _omega_0_, _around_0_, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _tilted_1_, = _ring_round_0_alone(_along_0_, _p_ball_radius_, _climb_0_, _cosine_0_, _p_gravity_, _near_0_, _per_reach_, _p_ring_radius_, _sine_0_, _tilted_0_, _turn_rate_0_, _p_wire_radius_)
+        _omega_1_, _around_1_, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _tilted_2_, = _ring_round_1_alone(_along_1_, _around_0_, _p_ball_radius_, _climb_0_, _climb_1_, _cosine_0_, _cosine_1_, _p_gravity_, _near_0_, _omega_0_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _tilted_0_, _tilted_1_, _turn_rate_0_, _turn_rate_1_, _p_wire_radius_)
+        _omega_2_, _around_2_, _cosine_3_, _sine_3_, _climb_3_, _along_3_, _turn_rate_3_, _tilted_3_, = _ring_round_2_alone(_along_2_, _around_0_, _around_1_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _cosine_0_, _cosine_1_, _cosine_2_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _tilted_0_, _tilted_1_, _tilted_2_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _p_wire_radius_)
+        _omega_3_, _around_3_, _cosine_4_, _sine_4_, _climb_4_, _along_4_, _turn_rate_4_, _tilted_4_, = _ring_round_3_alone(_along_3_, _around_0_, _around_1_, _around_2_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _p_wire_radius_)
+        _omega_4_, _around_4_, _cosine_5_, _sine_5_, _climb_5_, _along_5_, _turn_rate_5_, _tilted_5_, = _ring_round_4_alone(_along_4_, _around_0_, _around_1_, _around_2_, _around_3_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _p_wire_radius_)
+        _omega_5_, _around_5_, _cosine_6_, _sine_6_, _climb_6_, _along_6_, _turn_rate_6_, _tilted_6_, = _ring_round_5_alone(_along_5_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _p_wire_radius_)
+        _omega_6_, _around_6_, _cosine_7_, _sine_7_, _climb_7_, _along_7_, _turn_rate_7_, _tilted_7_, = _ring_round_6_alone(_along_6_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _p_wire_radius_)
+        _omega_7_, _around_7_, _cosine_8_, _sine_8_, _climb_8_, _along_8_, _turn_rate_8_, _tilted_8_, = _ring_round_7_alone(_along_7_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _p_wire_radius_)
+        _omega_8_, _around_8_, _cosine_9_, _sine_9_, _climb_9_, _along_9_, _turn_rate_9_, _tilted_9_, = _ring_round_8_alone(_along_8_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _p_wire_radius_)
+        _omega_9_, _around_9_, _cosine_10_, _sine_10_, _climb_10_, _along_10_, _turn_rate_10_, _tilted_10_, = _ring_round_9_alone(_along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _omega_10_, _around_10_, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _tilted_11_, = _ring_round_10_alone(_along_10_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _omega_11_, _, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _, = _ring_round_11_alone(_along_11_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_11_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _stride_, _missed_, _strongest_, _fastest_, _sway_, _force_, _force_rate_, _force_bend_, _brace_, _vx_1_, _vy_1_, _vz_1_, = _ring_round_pace_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cosine_0_, _cosine_12_, _p_gravity_, _omega_0_, _omega_1_, _omega_10_, _omega_11_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sin_0_, _sine_0_, _sine_12_, _turn_rate_0_, _turn_rate_11_, _turn_rate_12_, _p_wire_radius_)
         _drag_, _drag_rate_, _, _, = _ring_round_pulled_alone(_climb_0_, _climb_1_, _cosine_0_, _cosine_1_, _p_gravity_, _omega_0_, _omega_1_, _turn_rate_0_, _turn_rate_1_)
         _strain_, _strain_rate_, = _ring_impact_strained_alone(_drag_, _drag_rate_, _force_, _force_rate_, _p_ring_friction_)
         _loses_, = _losing_alone(_grip_lost_, _strain_)
@@ -9677,9 +9605,9 @@ def _alone27(_circled_: Any, _circling_: Any, _clock_: Any, _clock_error_: Any, 
         _gap_, _nearing_, _dent_, = _backboard_beside_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k1, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k29, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k31, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k55, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k59, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _apart_, = _apart_alone(_p_ball_radius_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, _, _, _, = _neighbour_alone(_apart_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
@@ -9692,7 +9620,7 @@ def _alone27(_circled_: Any, _circling_: Any, _clock_: Any, _clock_error_: Any, 
         _berth_, = _cleared_alone(_berth_, _gap_, _forth_, _nearing_)
         _gap_, _nearing_, = _end_around_alone(_p_end_depth_, _vz_, _z_)
         _berth_, = _cleared_alone(_berth_, _gap_, _forth_, _nearing_)
-        _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _climb_, = _ring_round_moved_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_12_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_12_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_12_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_12_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _climb_, = _ring_round_moved_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_12_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _omega_0_, _omega_1_, _omega_10_, _omega_11_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _p_ring_radius_, _sin_0_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_12_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
         _through_, = _passing_in_contact_alone(_over_, _p_ring_radius_, _through_, _x_, _y_, _z_)
         _gap_, _nearing_, = _backboard_around_alone(_p_ball_radius_, _p_board_bottom_, _p_board_distance_, _p_board_half_width_, _p_board_thickness_, _p_board_top_, _vx_, _vy_, _vz_, _x_, _y_, _z_)
         _berth_, = _cleared_alone(_berth_, _gap_, _back_, _nearing_)
@@ -9702,21 +9630,21 @@ def _alone27(_circled_: Any, _circling_: Any, _clock_: Any, _clock_error_: Any, 
         _berth_, = _cleared_alone(_berth_, _gap_, _back_, _nearing_)
         _circled_, _endless_, _doubt_, = _ring_swung_alone(_p_ball_radius_, _berth_, _circled_, _climb_, _climb_0_, _doubt_, _fastest_, _force_, _force_bend_, _force_rate_, _p_gravity_, _position_error_, _stride_, _sway_, _velocity_error_, _which_, _p_wire_radius_)
         _which_, = _for_ever_alone(_endless_, _which_)
-        _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _near_0_, = _ring_round_start_alone(_p_ball_radius_, _p_ring_radius_, _far_vx_, _far_vy_, _far_vz_, _p_wire_radius_, _far_wx_, _far_wy_, _far_wz_, _far_x_, _far_y_, _far_z_)
-        _omega_0_, _around_0_, _tilted_0_, _pressed_0_, _, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _cos_1_, _sin_1_, = _ring_round_0_alone(_along_0_, _p_ball_radius_, _climb_0_, _cos_0_, _cosine_0_, _p_gravity_, _near_0_, _p_ring_radius_, _sin_0_, _sine_0_, _turn_rate_0_, _p_wire_radius_)
-        _near_1_, _omega_1_, _around_1_, _tilted_1_, _pressed_1_, _, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _cos_2_, _sin_2_, = _ring_round_1_alone(_along_0_, _along_1_, _around_0_, _p_ball_radius_, _climb_0_, _climb_1_, _cos_0_, _cos_1_, _cosine_0_, _cosine_1_, _p_gravity_, _near_0_, _omega_0_, _pressed_0_, _p_ring_radius_, _sin_0_, _sin_1_, _sine_0_, _sine_1_, _tilted_0_, _turn_rate_0_, _turn_rate_1_, _p_wire_radius_)
-        _near_2_, _omega_2_, _around_2_, _tilted_2_, _pressed_2_, _, _cosine_3_, _sine_3_, _climb_3_, _along_3_, _turn_rate_3_, _cos_3_, _sin_3_, = _ring_round_2_alone(_along_0_, _along_1_, _along_2_, _around_0_, _around_1_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _cos_0_, _cos_1_, _cos_2_, _cosine_0_, _cosine_1_, _cosine_2_, _p_gravity_, _near_0_, _near_1_, _omega_0_, _omega_1_, _pressed_0_, _pressed_1_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sine_0_, _sine_1_, _sine_2_, _tilted_0_, _tilted_1_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _p_wire_radius_)
-        _near_3_, _omega_3_, _around_3_, _tilted_3_, _pressed_3_, _, _cosine_4_, _sine_4_, _climb_4_, _along_4_, _turn_rate_4_, _cos_4_, _sin_4_, = _ring_round_3_alone(_along_0_, _along_1_, _along_2_, _along_3_, _around_0_, _around_1_, _around_2_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _p_gravity_, _near_0_, _near_1_, _near_2_, _omega_0_, _omega_1_, _omega_2_, _pressed_0_, _pressed_1_, _pressed_2_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _tilted_0_, _tilted_1_, _tilted_2_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _p_wire_radius_)
-        _near_4_, _omega_4_, _around_4_, _tilted_4_, _pressed_4_, _, _cosine_5_, _sine_5_, _climb_5_, _along_5_, _turn_rate_5_, _cos_5_, _sin_5_, = _ring_round_4_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _around_0_, _around_1_, _around_2_, _around_3_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _p_wire_radius_)
-        _near_5_, _omega_5_, _around_5_, _tilted_5_, _pressed_5_, _, _cosine_6_, _sine_6_, _climb_6_, _along_6_, _turn_rate_6_, _cos_6_, _sin_6_, = _ring_round_5_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _p_wire_radius_)
-        _near_6_, _omega_6_, _around_6_, _tilted_6_, _pressed_6_, _, _cosine_7_, _sine_7_, _climb_7_, _along_7_, _turn_rate_7_, _cos_7_, _sin_7_, = _ring_round_6_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _p_wire_radius_)
-        _near_7_, _omega_7_, _around_7_, _tilted_7_, _pressed_7_, _, _cosine_8_, _sine_8_, _climb_8_, _along_8_, _turn_rate_8_, _cos_8_, _sin_8_, = _ring_round_7_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _p_wire_radius_)
-        _near_8_, _omega_8_, _around_8_, _tilted_8_, _pressed_8_, _, _cosine_9_, _sine_9_, _climb_9_, _along_9_, _turn_rate_9_, _cos_9_, _sin_9_, = _ring_round_8_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _p_wire_radius_)
-        _near_9_, _omega_9_, _around_9_, _tilted_9_, _pressed_9_, _, _cosine_10_, _sine_10_, _climb_10_, _along_10_, _turn_rate_10_, _cos_10_, _sin_10_, = _ring_round_9_alone(_along_0_, _along_1_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _near_10_, _omega_10_, _around_10_, _tilted_10_, _pressed_10_, _, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _cos_11_, _sin_11_, = _ring_round_10_alone(_along_0_, _along_1_, _along_10_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _, _, _, _, _, _, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _cos_12_, _sin_12_, = _ring_round_11_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _near_1_, _near_10_, _near_2_, _near_3_, _near_4_, _near_5_, _near_6_, _near_7_, _near_8_, _near_9_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _pressed_0_, _pressed_1_, _pressed_10_, _pressed_2_, _pressed_3_, _pressed_4_, _pressed_5_, _pressed_6_, _pressed_7_, _pressed_8_, _pressed_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, = _ring_round_moved_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cos_1_, _cos_10_, _cos_11_, _cos_12_, _cos_2_, _cos_3_, _cos_4_, _cos_5_, _cos_6_, _cos_7_, _cos_8_, _cos_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_12_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_ring_radius_, _sin_0_, _sin_1_, _sin_10_, _sin_11_, _sin_12_, _sin_2_, _sin_3_, _sin_4_, _sin_5_, _sin_6_, _sin_7_, _sin_8_, _sin_9_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_12_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
-        _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, = _compared_alone(_apart_, _p_ball_radius_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _far_x_, _far_y_, _far_z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
+        _cosine_0_, _sine_0_, _climb_0_, _along_0_, _turn_rate_0_, _cos_0_, _sin_0_, _tilted_0_, _near_0_, = _ring_round_start_alone(_p_ball_radius_, _per_reach_, _p_ring_radius_, _far_vx_, _far_vy_, _far_vz_, _p_wire_radius_, _far_wx_, _far_wy_, _far_wz_, _far_x_, _far_y_, _far_z_)
+        _omega_0_, _around_0_, _cosine_1_, _sine_1_, _climb_1_, _along_1_, _turn_rate_1_, _tilted_1_, = _ring_round_0_alone(_along_0_, _p_ball_radius_, _climb_0_, _cosine_0_, _p_gravity_, _near_0_, _per_reach_, _p_ring_radius_, _sine_0_, _tilted_0_, _turn_rate_0_, _p_wire_radius_)
+        _omega_1_, _around_1_, _cosine_2_, _sine_2_, _climb_2_, _along_2_, _turn_rate_2_, _tilted_2_, = _ring_round_1_alone(_along_1_, _around_0_, _p_ball_radius_, _climb_0_, _climb_1_, _cosine_0_, _cosine_1_, _p_gravity_, _near_0_, _omega_0_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _tilted_0_, _tilted_1_, _turn_rate_0_, _turn_rate_1_, _p_wire_radius_)
+        _omega_2_, _around_2_, _cosine_3_, _sine_3_, _climb_3_, _along_3_, _turn_rate_3_, _tilted_3_, = _ring_round_2_alone(_along_2_, _around_0_, _around_1_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _cosine_0_, _cosine_1_, _cosine_2_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _tilted_0_, _tilted_1_, _tilted_2_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _p_wire_radius_)
+        _omega_3_, _around_3_, _cosine_4_, _sine_4_, _climb_4_, _along_4_, _turn_rate_4_, _tilted_4_, = _ring_round_3_alone(_along_3_, _around_0_, _around_1_, _around_2_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _p_wire_radius_)
+        _omega_4_, _around_4_, _cosine_5_, _sine_5_, _climb_5_, _along_5_, _turn_rate_5_, _tilted_5_, = _ring_round_4_alone(_along_4_, _around_0_, _around_1_, _around_2_, _around_3_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _p_wire_radius_)
+        _omega_5_, _around_5_, _cosine_6_, _sine_6_, _climb_6_, _along_6_, _turn_rate_6_, _tilted_6_, = _ring_round_5_alone(_along_5_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _p_wire_radius_)
+        _omega_6_, _around_6_, _cosine_7_, _sine_7_, _climb_7_, _along_7_, _turn_rate_7_, _tilted_7_, = _ring_round_6_alone(_along_6_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _p_wire_radius_)
+        _omega_7_, _around_7_, _cosine_8_, _sine_8_, _climb_8_, _along_8_, _turn_rate_8_, _tilted_8_, = _ring_round_7_alone(_along_7_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _p_wire_radius_)
+        _omega_8_, _around_8_, _cosine_9_, _sine_9_, _climb_9_, _along_9_, _turn_rate_9_, _tilted_9_, = _ring_round_8_alone(_along_8_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _p_wire_radius_)
+        _omega_9_, _around_9_, _cosine_10_, _sine_10_, _climb_10_, _along_10_, _turn_rate_10_, _tilted_10_, = _ring_round_9_alone(_along_9_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _omega_10_, _around_10_, _cosine_11_, _sine_11_, _climb_11_, _along_11_, _turn_rate_11_, _tilted_11_, = _ring_round_10_alone(_along_10_, _around_0_, _around_1_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_10_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _omega_11_, _, _cosine_12_, _sine_12_, _climb_12_, _along_12_, _turn_rate_12_, _, = _ring_round_11_alone(_along_11_, _around_0_, _around_1_, _around_10_, _around_2_, _around_3_, _around_4_, _around_5_, _around_6_, _around_7_, _around_8_, _around_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _p_gravity_, _near_0_, _omega_0_, _omega_1_, _omega_10_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _per_reach_, _p_ring_radius_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _tilted_0_, _tilted_1_, _tilted_10_, _tilted_11_, _tilted_2_, _tilted_3_, _tilted_4_, _tilted_5_, _tilted_6_, _tilted_7_, _tilted_8_, _tilted_9_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, = _ring_round_moved_alone(_along_0_, _along_1_, _along_10_, _along_11_, _along_12_, _along_2_, _along_3_, _along_4_, _along_5_, _along_6_, _along_7_, _along_8_, _along_9_, _p_ball_radius_, _climb_0_, _climb_1_, _climb_10_, _climb_11_, _climb_12_, _climb_2_, _climb_3_, _climb_4_, _climb_5_, _climb_6_, _climb_7_, _climb_8_, _climb_9_, _cos_0_, _cosine_0_, _cosine_1_, _cosine_10_, _cosine_11_, _cosine_12_, _cosine_2_, _cosine_3_, _cosine_4_, _cosine_5_, _cosine_6_, _cosine_7_, _cosine_8_, _cosine_9_, _omega_0_, _omega_1_, _omega_10_, _omega_11_, _omega_2_, _omega_3_, _omega_4_, _omega_5_, _omega_6_, _omega_7_, _omega_8_, _omega_9_, _p_ring_radius_, _sin_0_, _sine_0_, _sine_1_, _sine_10_, _sine_11_, _sine_12_, _sine_2_, _sine_3_, _sine_4_, _sine_5_, _sine_6_, _sine_7_, _sine_8_, _sine_9_, _stride_, _turn_rate_0_, _turn_rate_1_, _turn_rate_10_, _turn_rate_11_, _turn_rate_12_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _turn_rate_9_, _p_wire_radius_)
+        _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, = _compared_alone(_apart_, _p_ball_radius_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _far_x_, _far_y_, _far_z_, _missed_, _stride_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
         _clock_, _circling_, = _rolled_on_alone(_clock_, _rests_, _stride_, _which_)
     return (_circled_, _circling_, _clock_, _doubt_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _grip_lost_, _late_, _per_reach_, _position_error_, _rests_, _taut_, _taut_clock_, _taut_rate_, _through_, _velocity_error_, _vx_, _vy_, _vz_, _which_, _wx_, _wy_, _wz_, _x_, _y_, _z_,)
 
@@ -9774,8 +9702,8 @@ def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _z_0 = columns["z"]
     _room_0 = room(shots)
     _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
-    _near_0, _valid_0, *_ = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
-    _rows1, _count2 = _most(_near_0, shots)
+    _close_0, _valid_0, *_ = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
+    _rows1, _count2 = _most(_close_0, shots)
     if _count2:
         _last_1 = _take(_last_0, _rows1)
         _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
@@ -9794,7 +9722,7 @@ def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _z_1 = _take(_z_0, _rows1)
         _room_1 = room(_count2)
         _valid_1, *_ = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_end_depth_1, _room_1)
-        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _near_0)
+        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _close_0)
     _outcome_0, *_ = admitted(_inf, _finite_0, _permitted_0, _valid_0)
     _through_0, *_ = passing_start(_last_0, _outcome_0, 0.0, _x_0, _y_0, _z_0, _p_ring_radius_0, _p_end_depth_0, _room_0)
     columns["outcome"] = _outcome_0
@@ -9841,8 +9769,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _limited_0, = limited(_time_limit_0)
     _kept_0, _when_0, _rests_0, _rolling_0, _began_0 = kept(_mode_0, _when_0)
     _leaving_0, = left(3.0, _last_0)
-    _time_0, _rate_0, _bend_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
-    _arrives_0, *_ = meeting_plane(_bend_0, _rate_0, _time_0)
+    _time_0, _rate_0, _bend_0, _apex_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
+    _arrives_0, *_ = meeting_plane(_apex_0, _bend_0, _rate_0, _time_0)
     _possible_0, = timely(_arrives_0, 0.0, 0.0, _time_0, _when_0)
     _when_1, _which_1 = sooner(_arrives_0, 3.0, _time_0, _when_0, _which_0)
     _when_0 = _choose(_possible_0, _when_1, _when_0)
@@ -11197,7 +11125,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _lift_5_2, _tx_5_2, _ty_5_2, _tz_5_2, _vx_6_2, _vy_6_2, _vz_6_2, _nx_6_2, _ny_6_2, _nz_6_2, _turn_rate_6_2 = roll_5(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _room_2)
                 _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2 = roll_6(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _room_2)
                 _lift_7_2, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _nx_8_2, _ny_8_2, _nz_8_2, _turn_rate_8_2 = roll_7(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _room_2)
-                _stride_2, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2, _brace_2 = roll_pace(_p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _room_2)
+                _stride_2, _, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2, _brace_2 = roll_pace(_p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _room_2)
                 _stride_2, _which_2, _rests_2, *_ = leaving_force(_p_ball_radius_2, _brace_2, _inf, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, 0.0, _stride_2, 0.0, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
                 _beside_2, = beside(_held_2, 0.0)
                 _rows84, _count85 = _most(_beside_2, _count78)
@@ -11521,20 +11449,20 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn101 in range(16):
                 _room_2 = room(_count100)
                 _, _, _, _per_reach_2 = ring_tube(_p_ball_radius_2, _p_wire_radius_2)
-                _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _p_wire_radius_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
-                _omega_0_2, _around_0_2, _tilted_0_2, _pressed_0_2, _force_0_2, _cosine_1_2, _sine_1_2, _climb_1_2, _along_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2 = ring_round_0(_along_0_2, _p_ball_radius_2, _climb_0_2, _cos_0_2, _cosine_0_2, _p_gravity_2, _near_0_2, _p_ring_radius_2, _sin_0_2, _sine_0_2, _turn_rate_0_2, _p_wire_radius_2, _room_2)
-                _near_1_2, _omega_1_2, _around_1_2, _tilted_1_2, _pressed_1_2, _force_1_2, _cosine_2_2, _sine_2_2, _climb_2_2, _along_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2 = ring_round_1(_along_0_2, _along_1_2, _around_0_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _cos_0_2, _cos_1_2, _cosine_0_2, _cosine_1_2, _p_gravity_2, _near_0_2, _omega_0_2, _pressed_0_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sine_0_2, _sine_1_2, _tilted_0_2, _turn_rate_0_2, _turn_rate_1_2, _p_wire_radius_2, _room_2)
-                _near_2_2, _omega_2_2, _around_2_2, _tilted_2_2, _pressed_2_2, _force_2_2, _cosine_3_2, _sine_3_2, _climb_3_2, _along_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2 = ring_round_2(_along_0_2, _along_1_2, _along_2_2, _around_0_2, _around_1_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _cos_0_2, _cos_1_2, _cos_2_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _p_gravity_2, _near_0_2, _near_1_2, _omega_0_2, _omega_1_2, _pressed_0_2, _pressed_1_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sine_0_2, _sine_1_2, _sine_2_2, _tilted_0_2, _tilted_1_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _p_wire_radius_2, _room_2)
-                _near_3_2, _omega_3_2, _around_3_2, _tilted_3_2, _pressed_3_2, _force_3_2, _cosine_4_2, _sine_4_2, _climb_4_2, _along_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2 = ring_round_3(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _around_0_2, _around_1_2, _around_2_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _omega_0_2, _omega_1_2, _omega_2_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _p_wire_radius_2, _room_2)
-                _near_4_2, _omega_4_2, _around_4_2, _tilted_4_2, _pressed_4_2, _force_4_2, _cosine_5_2, _sine_5_2, _climb_5_2, _along_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2 = ring_round_4(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _p_wire_radius_2, _room_2)
-                _near_5_2, _omega_5_2, _around_5_2, _tilted_5_2, _pressed_5_2, _force_5_2, _cosine_6_2, _sine_6_2, _climb_6_2, _along_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2 = ring_round_5(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _p_wire_radius_2, _room_2)
-                _near_6_2, _omega_6_2, _around_6_2, _tilted_6_2, _pressed_6_2, _force_6_2, _cosine_7_2, _sine_7_2, _climb_7_2, _along_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2 = ring_round_6(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _p_wire_radius_2, _room_2)
-                _near_7_2, _omega_7_2, _around_7_2, _tilted_7_2, _pressed_7_2, _force_7_2, _cosine_8_2, _sine_8_2, _climb_8_2, _along_8_2, _turn_rate_8_2, _cos_8_2, _sin_8_2 = ring_round_7(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _p_wire_radius_2, _room_2)
-                _near_8_2, _omega_8_2, _around_8_2, _tilted_8_2, _pressed_8_2, _force_8_2, _cosine_9_2, _sine_9_2, _climb_9_2, _along_9_2, _turn_rate_9_2, _cos_9_2, _sin_9_2 = ring_round_8(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _p_wire_radius_2, _room_2)
-                _near_9_2, _omega_9_2, _around_9_2, _tilted_9_2, _pressed_9_2, _force_9_2, _cosine_10_2, _sine_10_2, _climb_10_2, _along_10_2, _turn_rate_10_2, _cos_10_2, _sin_10_2 = ring_round_9(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
-                _near_10_2, _omega_10_2, _around_10_2, _tilted_10_2, _pressed_10_2, _force_10_2, _cosine_11_2, _sine_11_2, _climb_11_2, _along_11_2, _turn_rate_11_2, _cos_11_2, _sin_11_2 = ring_round_10(_along_0_2, _along_1_2, _along_10_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
-                _, _, _, _, _, _force_11_2, _cosine_12_2, _sine_12_2, _climb_12_2, _along_12_2, _turn_rate_12_2, _cos_12_2, _sin_12_2 = ring_round_11(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_10_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_10_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_10_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
-                _stride_2, _strongest_2, _fastest_2, _sway_2, _force_2, _force_rate_2, _force_bend_2, _brace_2, _vx_1_2, _vy_1_2, _vz_1_2 = ring_round_pace(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_12_2, _cosine_0_2, _cosine_12_2, _force_0_2, _force_1_2, _force_10_2, _force_11_2, _force_2_2, _force_3_2, _force_4_2, _force_5_2, _force_6_2, _force_7_2, _force_8_2, _force_9_2, _p_gravity_2, _omega_0_2, _p_ring_radius_2, _sin_0_2, _sin_12_2, _sine_0_2, _sine_12_2, _turn_rate_0_2, _turn_rate_11_2, _turn_rate_12_2, _p_wire_radius_2, _room_2)
+                _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _tilted_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _per_reach_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _p_wire_radius_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
+                _omega_0_2, _around_0_2, _cosine_1_2, _sine_1_2, _climb_1_2, _along_1_2, _turn_rate_1_2, _tilted_1_2 = ring_round_0(_along_0_2, _p_ball_radius_2, _climb_0_2, _cosine_0_2, _p_gravity_2, _near_0_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _tilted_0_2, _turn_rate_0_2, _p_wire_radius_2, _room_2)
+                _omega_1_2, _around_1_2, _cosine_2_2, _sine_2_2, _climb_2_2, _along_2_2, _turn_rate_2_2, _tilted_2_2 = ring_round_1(_along_1_2, _around_0_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _cosine_0_2, _cosine_1_2, _p_gravity_2, _near_0_2, _omega_0_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _tilted_0_2, _tilted_1_2, _turn_rate_0_2, _turn_rate_1_2, _p_wire_radius_2, _room_2)
+                _omega_2_2, _around_2_2, _cosine_3_2, _sine_3_2, _climb_3_2, _along_3_2, _turn_rate_3_2, _tilted_3_2 = ring_round_2(_along_2_2, _around_0_2, _around_1_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _p_wire_radius_2, _room_2)
+                _omega_3_2, _around_3_2, _cosine_4_2, _sine_4_2, _climb_4_2, _along_4_2, _turn_rate_4_2, _tilted_4_2 = ring_round_3(_along_3_2, _around_0_2, _around_1_2, _around_2_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _p_wire_radius_2, _room_2)
+                _omega_4_2, _around_4_2, _cosine_5_2, _sine_5_2, _climb_5_2, _along_5_2, _turn_rate_5_2, _tilted_5_2 = ring_round_4(_along_4_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _p_wire_radius_2, _room_2)
+                _omega_5_2, _around_5_2, _cosine_6_2, _sine_6_2, _climb_6_2, _along_6_2, _turn_rate_6_2, _tilted_6_2 = ring_round_5(_along_5_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _p_wire_radius_2, _room_2)
+                _omega_6_2, _around_6_2, _cosine_7_2, _sine_7_2, _climb_7_2, _along_7_2, _turn_rate_7_2, _tilted_7_2 = ring_round_6(_along_6_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _p_wire_radius_2, _room_2)
+                _omega_7_2, _around_7_2, _cosine_8_2, _sine_8_2, _climb_8_2, _along_8_2, _turn_rate_8_2, _tilted_8_2 = ring_round_7(_along_7_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _p_wire_radius_2, _room_2)
+                _omega_8_2, _around_8_2, _cosine_9_2, _sine_9_2, _climb_9_2, _along_9_2, _turn_rate_9_2, _tilted_9_2 = ring_round_8(_along_8_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _p_wire_radius_2, _room_2)
+                _omega_9_2, _around_9_2, _cosine_10_2, _sine_10_2, _climb_10_2, _along_10_2, _turn_rate_10_2, _tilted_10_2 = ring_round_9(_along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _omega_10_2, _around_10_2, _cosine_11_2, _sine_11_2, _climb_11_2, _along_11_2, _turn_rate_11_2, _tilted_11_2 = ring_round_10(_along_10_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _omega_11_2, _, _cosine_12_2, _sine_12_2, _climb_12_2, _along_12_2, _turn_rate_12_2, *_ = ring_round_11(_along_11_2, _around_0_2, _around_1_2, _around_10_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_11_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _stride_2, _, _strongest_2, _fastest_2, _sway_2, _force_2, _force_rate_2, _force_bend_2, _brace_2, _vx_1_2, _vy_1_2, _vz_1_2 = ring_round_pace(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cosine_0_2, _cosine_12_2, _p_gravity_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_11_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _per_reach_2, _p_ring_radius_2, _sin_0_2, _sine_0_2, _sine_12_2, _turn_rate_0_2, _turn_rate_11_2, _turn_rate_12_2, _p_wire_radius_2, _room_2)
                 _stride_2, _which_2, _rests_2, *_ = leaving_force(_p_ball_radius_2, _brace_2, _inf, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, 0.0, _stride_2, 0.0, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
                 _gap_2, _nearing_2, _dent_2 = backboard_beside(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
                 _stride_2, _which_2, *_ = beside_body(_p_ball_radius_2, _dent_2, _inf, _fastest_2, _gap_2, 1.0, 0.0, _nearing_2, 0.0, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
@@ -11552,7 +11480,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _berth_2, = cleared(_berth_2, _gap_2, _forth_2, _nearing_2)
                 _gap_2, _nearing_2 = end_around(_p_end_depth_2, _vz_2, _z_2)
                 _berth_2, = cleared(_berth_2, _gap_2, _forth_2, _nearing_2)
-                _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _climb_2 = ring_round_moved(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_12_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_12_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_12_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_12_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _climb_2 = ring_round_moved(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_12_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_11_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _p_ring_radius_2, _sin_0_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_12_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
                 _through_2, = passing_in_contact(_over_2, _p_ring_radius_2, _through_2, _x_2, _y_2, _z_2)
                 _gap_2, _nearing_2 = backboard_around(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
                 _berth_2, = cleared(_berth_2, _gap_2, _back_2, _nearing_2)
@@ -12423,8 +12351,8 @@ def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _z_0 = columns["z"]
     _room_0 = room(shots)
     _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
-    _near_0, _valid_0, _doubt_0 = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
-    _rows1, _count2 = _most(_near_0, shots)
+    _close_0, _valid_0, _doubt_0 = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
+    _rows1, _count2 = _most(_close_0, shots)
     if _count2:
         _last_1 = _take(_last_0, _rows1)
         _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
@@ -12443,8 +12371,8 @@ def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _z_1 = _take(_z_0, _rows1)
         _room_1 = room(_count2)
         _valid_1, _doubt_1 = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_end_depth_1, _room_1)
-        _doubt_0 = _put(_doubt_0, _rows1, _doubt_1, shots, _near_0)
-        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _near_0)
+        _doubt_0 = _put(_doubt_0, _rows1, _doubt_1, shots, _close_0)
+        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _close_0)
     _outcome_0, _uncertain_0 = admitted(_doubt_0, _finite_0, _permitted_0, _valid_0)
     _through_0, _uncertain_0 = passing_start(_last_0, _outcome_0, _uncertain_0, _x_0, _y_0, _z_0, _p_ring_radius_0, _p_end_depth_0, _room_0)
     columns["outcome"] = _outcome_0
@@ -12512,11 +12440,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _kept_0, _when_0, _rests_0, _rolling_0, _began_0 = kept(_mode_0, _when_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, _apex_0, _height_0 = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
-    _arrives_0, _ceiling_0 = meeting_plane(_bend_0, _rate_0, _time_0)
-    _margin_0, = end_margin(_time_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
+    _arrives_0, _ceiling_0, _nearest_0 = meeting_plane(_apex_0, _bend_0, _rate_0, _time_0)
+    _margin_0, = end_margin(_nearest_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0, _room_0)
     _possible_0, = timely(_arrives_0, _delay_0, _late_0, _time_0, _when_0)
-    _margin_0, = end_margin(_apex_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _doubt_0, = grazed(_apex_0, _doubt_0, _height_0, _margin_0)
     _doubt_1, = crossed(_arrives_0, _clearance_0, _doubt_0, _time_0)
     _doubt_1, _late_1 = tied(_arrives_0, _delay_0, _doubt_1, _late_0, _time_0, _when_0)
@@ -14146,7 +14073,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _lift_5_2, _tx_5_2, _ty_5_2, _tz_5_2, _vx_6_2, _vy_6_2, _vz_6_2, _nx_6_2, _ny_6_2, _nz_6_2, _turn_rate_6_2 = roll_5(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _room_2)
                 _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2 = roll_6(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _room_2)
                 _lift_7_2, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _nx_8_2, _ny_8_2, _nz_8_2, _turn_rate_8_2 = roll_7(_bent_x_2, _bent_y_2, _bent_z_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _room_2)
-                _stride_2, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2, _brace_2 = roll_pace(_p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _room_2)
+                _stride_2, _missed_2, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2, _brace_2 = roll_pace(_p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _room_2)
                 _drag_2, _drag_rate_2, _strain_2, _strain_rate_2 = pulled(_p_gravity_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _room_2)
                 _here_2, = holding(_held_2, 1.0)
                 _strain_3, _strain_rate_3 = ring_impact_strained(_drag_2, _drag_rate_2, _force_2, _force_rate_2, _p_backboard_friction_2)
@@ -14503,7 +14430,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _far_ny_2 = _put(_far_ny_2, _rows110, _far_ny_3, _count78, _here_2)
                     _far_nz_2 = _put(_far_nz_2, _rows110, _far_nz_3, _count78, _here_2)
                 _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2, _turn_rate_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
-                _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = compared(_apart_2, _p_ball_radius_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _far_z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
+                _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = compared(_apart_2, _p_ball_radius_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _far_z_2, _missed_2, _stride_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
                 _clock_2, _rolling_2 = rolled_on(_clock_2, _rests_2, _stride_2, _which_2)
                 _going112 = _where_true(_rolling_2)
                 if len(_going112) == _count78:
@@ -14745,20 +14672,20 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _room_2 = room(_count114)
                 _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
                 _, _, _, _per_reach_2 = ring_tube(_p_ball_radius_2, _p_wire_radius_2)
-                _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _p_wire_radius_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
-                _omega_0_2, _around_0_2, _tilted_0_2, _pressed_0_2, _force_0_2, _cosine_1_2, _sine_1_2, _climb_1_2, _along_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2 = ring_round_0(_along_0_2, _p_ball_radius_2, _climb_0_2, _cos_0_2, _cosine_0_2, _p_gravity_2, _near_0_2, _p_ring_radius_2, _sin_0_2, _sine_0_2, _turn_rate_0_2, _p_wire_radius_2, _room_2)
-                _near_1_2, _omega_1_2, _around_1_2, _tilted_1_2, _pressed_1_2, _force_1_2, _cosine_2_2, _sine_2_2, _climb_2_2, _along_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2 = ring_round_1(_along_0_2, _along_1_2, _around_0_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _cos_0_2, _cos_1_2, _cosine_0_2, _cosine_1_2, _p_gravity_2, _near_0_2, _omega_0_2, _pressed_0_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sine_0_2, _sine_1_2, _tilted_0_2, _turn_rate_0_2, _turn_rate_1_2, _p_wire_radius_2, _room_2)
-                _near_2_2, _omega_2_2, _around_2_2, _tilted_2_2, _pressed_2_2, _force_2_2, _cosine_3_2, _sine_3_2, _climb_3_2, _along_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2 = ring_round_2(_along_0_2, _along_1_2, _along_2_2, _around_0_2, _around_1_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _cos_0_2, _cos_1_2, _cos_2_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _p_gravity_2, _near_0_2, _near_1_2, _omega_0_2, _omega_1_2, _pressed_0_2, _pressed_1_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sine_0_2, _sine_1_2, _sine_2_2, _tilted_0_2, _tilted_1_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _p_wire_radius_2, _room_2)
-                _near_3_2, _omega_3_2, _around_3_2, _tilted_3_2, _pressed_3_2, _force_3_2, _cosine_4_2, _sine_4_2, _climb_4_2, _along_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2 = ring_round_3(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _around_0_2, _around_1_2, _around_2_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _omega_0_2, _omega_1_2, _omega_2_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _p_wire_radius_2, _room_2)
-                _near_4_2, _omega_4_2, _around_4_2, _tilted_4_2, _pressed_4_2, _force_4_2, _cosine_5_2, _sine_5_2, _climb_5_2, _along_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2 = ring_round_4(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _p_wire_radius_2, _room_2)
-                _near_5_2, _omega_5_2, _around_5_2, _tilted_5_2, _pressed_5_2, _force_5_2, _cosine_6_2, _sine_6_2, _climb_6_2, _along_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2 = ring_round_5(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _p_wire_radius_2, _room_2)
-                _near_6_2, _omega_6_2, _around_6_2, _tilted_6_2, _pressed_6_2, _force_6_2, _cosine_7_2, _sine_7_2, _climb_7_2, _along_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2 = ring_round_6(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _p_wire_radius_2, _room_2)
-                _near_7_2, _omega_7_2, _around_7_2, _tilted_7_2, _pressed_7_2, _force_7_2, _cosine_8_2, _sine_8_2, _climb_8_2, _along_8_2, _turn_rate_8_2, _cos_8_2, _sin_8_2 = ring_round_7(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _p_wire_radius_2, _room_2)
-                _near_8_2, _omega_8_2, _around_8_2, _tilted_8_2, _pressed_8_2, _force_8_2, _cosine_9_2, _sine_9_2, _climb_9_2, _along_9_2, _turn_rate_9_2, _cos_9_2, _sin_9_2 = ring_round_8(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _p_wire_radius_2, _room_2)
-                _near_9_2, _omega_9_2, _around_9_2, _tilted_9_2, _pressed_9_2, _force_9_2, _cosine_10_2, _sine_10_2, _climb_10_2, _along_10_2, _turn_rate_10_2, _cos_10_2, _sin_10_2 = ring_round_9(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
-                _near_10_2, _omega_10_2, _around_10_2, _tilted_10_2, _pressed_10_2, _force_10_2, _cosine_11_2, _sine_11_2, _climb_11_2, _along_11_2, _turn_rate_11_2, _cos_11_2, _sin_11_2 = ring_round_10(_along_0_2, _along_1_2, _along_10_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
-                _, _, _, _, _, _force_11_2, _cosine_12_2, _sine_12_2, _climb_12_2, _along_12_2, _turn_rate_12_2, _cos_12_2, _sin_12_2 = ring_round_11(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_10_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_10_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_10_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
-                _stride_2, _strongest_2, _fastest_2, _sway_2, _force_2, _force_rate_2, _force_bend_2, _brace_2, _vx_1_2, _vy_1_2, _vz_1_2 = ring_round_pace(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_12_2, _cosine_0_2, _cosine_12_2, _force_0_2, _force_1_2, _force_10_2, _force_11_2, _force_2_2, _force_3_2, _force_4_2, _force_5_2, _force_6_2, _force_7_2, _force_8_2, _force_9_2, _p_gravity_2, _omega_0_2, _p_ring_radius_2, _sin_0_2, _sin_12_2, _sine_0_2, _sine_12_2, _turn_rate_0_2, _turn_rate_11_2, _turn_rate_12_2, _p_wire_radius_2, _room_2)
+                _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _tilted_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _per_reach_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _p_wire_radius_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
+                _omega_0_2, _around_0_2, _cosine_1_2, _sine_1_2, _climb_1_2, _along_1_2, _turn_rate_1_2, _tilted_1_2 = ring_round_0(_along_0_2, _p_ball_radius_2, _climb_0_2, _cosine_0_2, _p_gravity_2, _near_0_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _tilted_0_2, _turn_rate_0_2, _p_wire_radius_2, _room_2)
+                _omega_1_2, _around_1_2, _cosine_2_2, _sine_2_2, _climb_2_2, _along_2_2, _turn_rate_2_2, _tilted_2_2 = ring_round_1(_along_1_2, _around_0_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _cosine_0_2, _cosine_1_2, _p_gravity_2, _near_0_2, _omega_0_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _tilted_0_2, _tilted_1_2, _turn_rate_0_2, _turn_rate_1_2, _p_wire_radius_2, _room_2)
+                _omega_2_2, _around_2_2, _cosine_3_2, _sine_3_2, _climb_3_2, _along_3_2, _turn_rate_3_2, _tilted_3_2 = ring_round_2(_along_2_2, _around_0_2, _around_1_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _p_wire_radius_2, _room_2)
+                _omega_3_2, _around_3_2, _cosine_4_2, _sine_4_2, _climb_4_2, _along_4_2, _turn_rate_4_2, _tilted_4_2 = ring_round_3(_along_3_2, _around_0_2, _around_1_2, _around_2_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _p_wire_radius_2, _room_2)
+                _omega_4_2, _around_4_2, _cosine_5_2, _sine_5_2, _climb_5_2, _along_5_2, _turn_rate_5_2, _tilted_5_2 = ring_round_4(_along_4_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _p_wire_radius_2, _room_2)
+                _omega_5_2, _around_5_2, _cosine_6_2, _sine_6_2, _climb_6_2, _along_6_2, _turn_rate_6_2, _tilted_6_2 = ring_round_5(_along_5_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _p_wire_radius_2, _room_2)
+                _omega_6_2, _around_6_2, _cosine_7_2, _sine_7_2, _climb_7_2, _along_7_2, _turn_rate_7_2, _tilted_7_2 = ring_round_6(_along_6_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _p_wire_radius_2, _room_2)
+                _omega_7_2, _around_7_2, _cosine_8_2, _sine_8_2, _climb_8_2, _along_8_2, _turn_rate_8_2, _tilted_8_2 = ring_round_7(_along_7_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _p_wire_radius_2, _room_2)
+                _omega_8_2, _around_8_2, _cosine_9_2, _sine_9_2, _climb_9_2, _along_9_2, _turn_rate_9_2, _tilted_9_2 = ring_round_8(_along_8_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _p_wire_radius_2, _room_2)
+                _omega_9_2, _around_9_2, _cosine_10_2, _sine_10_2, _climb_10_2, _along_10_2, _turn_rate_10_2, _tilted_10_2 = ring_round_9(_along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _omega_10_2, _around_10_2, _cosine_11_2, _sine_11_2, _climb_11_2, _along_11_2, _turn_rate_11_2, _tilted_11_2 = ring_round_10(_along_10_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _omega_11_2, _, _cosine_12_2, _sine_12_2, _climb_12_2, _along_12_2, _turn_rate_12_2, *_ = ring_round_11(_along_11_2, _around_0_2, _around_1_2, _around_10_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_11_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _stride_2, _missed_2, _strongest_2, _fastest_2, _sway_2, _force_2, _force_rate_2, _force_bend_2, _brace_2, _vx_1_2, _vy_1_2, _vz_1_2 = ring_round_pace(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cosine_0_2, _cosine_12_2, _p_gravity_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_11_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _per_reach_2, _p_ring_radius_2, _sin_0_2, _sine_0_2, _sine_12_2, _turn_rate_0_2, _turn_rate_11_2, _turn_rate_12_2, _p_wire_radius_2, _room_2)
                 _drag_2, _drag_rate_2, *_ = ring_round_pulled(_climb_0_2, _climb_1_2, _cosine_0_2, _cosine_1_2, _p_gravity_2, _omega_0_2, _omega_1_2, _turn_rate_0_2, _turn_rate_1_2, _room_2)
                 _strain_2, _strain_rate_2 = ring_impact_strained(_drag_2, _drag_rate_2, _force_2, _force_rate_2, _p_ring_friction_2)
                 _loses_2, = losing(_grip_lost_2, _strain_2)
@@ -14793,7 +14720,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _berth_2, = cleared(_berth_2, _gap_2, _forth_2, _nearing_2)
                 _gap_2, _nearing_2 = end_around(_p_end_depth_2, _vz_2, _z_2)
                 _berth_2, = cleared(_berth_2, _gap_2, _forth_2, _nearing_2)
-                _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _climb_2 = ring_round_moved(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_12_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_12_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_12_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_12_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _climb_2 = ring_round_moved(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_12_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_11_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _p_ring_radius_2, _sin_0_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_12_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
                 _through_2, = passing_in_contact(_over_2, _p_ring_radius_2, _through_2, _x_2, _y_2, _z_2)
                 _gap_2, _nearing_2 = backboard_around(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
                 _berth_2, = cleared(_berth_2, _gap_2, _back_2, _nearing_2)
@@ -14803,21 +14730,21 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _berth_2, = cleared(_berth_2, _gap_2, _back_2, _nearing_2)
                 _circled_2, _endless_2, _doubt_2 = ring_swung(_p_ball_radius_2, _berth_2, _circled_2, _climb_2, _climb_0_2, _doubt_2, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _position_error_2, _stride_2, _sway_2, _velocity_error_2, _which_2, _p_wire_radius_2, _room_2)
                 _which_2, = for_ever(_endless_2, _which_2)
-                _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _p_ring_radius_2, _far_vx_2, _far_vy_2, _far_vz_2, _p_wire_radius_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
-                _omega_0_2, _around_0_2, _tilted_0_2, _pressed_0_2, _, _cosine_1_2, _sine_1_2, _climb_1_2, _along_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2 = ring_round_0(_along_0_2, _p_ball_radius_2, _climb_0_2, _cos_0_2, _cosine_0_2, _p_gravity_2, _near_0_2, _p_ring_radius_2, _sin_0_2, _sine_0_2, _turn_rate_0_2, _p_wire_radius_2, _room_2)
-                _near_1_2, _omega_1_2, _around_1_2, _tilted_1_2, _pressed_1_2, _, _cosine_2_2, _sine_2_2, _climb_2_2, _along_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2 = ring_round_1(_along_0_2, _along_1_2, _around_0_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _cos_0_2, _cos_1_2, _cosine_0_2, _cosine_1_2, _p_gravity_2, _near_0_2, _omega_0_2, _pressed_0_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sine_0_2, _sine_1_2, _tilted_0_2, _turn_rate_0_2, _turn_rate_1_2, _p_wire_radius_2, _room_2)
-                _near_2_2, _omega_2_2, _around_2_2, _tilted_2_2, _pressed_2_2, _, _cosine_3_2, _sine_3_2, _climb_3_2, _along_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2 = ring_round_2(_along_0_2, _along_1_2, _along_2_2, _around_0_2, _around_1_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _cos_0_2, _cos_1_2, _cos_2_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _p_gravity_2, _near_0_2, _near_1_2, _omega_0_2, _omega_1_2, _pressed_0_2, _pressed_1_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sine_0_2, _sine_1_2, _sine_2_2, _tilted_0_2, _tilted_1_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _p_wire_radius_2, _room_2)
-                _near_3_2, _omega_3_2, _around_3_2, _tilted_3_2, _pressed_3_2, _, _cosine_4_2, _sine_4_2, _climb_4_2, _along_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2 = ring_round_3(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _around_0_2, _around_1_2, _around_2_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _omega_0_2, _omega_1_2, _omega_2_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _p_wire_radius_2, _room_2)
-                _near_4_2, _omega_4_2, _around_4_2, _tilted_4_2, _pressed_4_2, _, _cosine_5_2, _sine_5_2, _climb_5_2, _along_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2 = ring_round_4(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _p_wire_radius_2, _room_2)
-                _near_5_2, _omega_5_2, _around_5_2, _tilted_5_2, _pressed_5_2, _, _cosine_6_2, _sine_6_2, _climb_6_2, _along_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2 = ring_round_5(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _p_wire_radius_2, _room_2)
-                _near_6_2, _omega_6_2, _around_6_2, _tilted_6_2, _pressed_6_2, _, _cosine_7_2, _sine_7_2, _climb_7_2, _along_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2 = ring_round_6(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _p_wire_radius_2, _room_2)
-                _near_7_2, _omega_7_2, _around_7_2, _tilted_7_2, _pressed_7_2, _, _cosine_8_2, _sine_8_2, _climb_8_2, _along_8_2, _turn_rate_8_2, _cos_8_2, _sin_8_2 = ring_round_7(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _p_wire_radius_2, _room_2)
-                _near_8_2, _omega_8_2, _around_8_2, _tilted_8_2, _pressed_8_2, _, _cosine_9_2, _sine_9_2, _climb_9_2, _along_9_2, _turn_rate_9_2, _cos_9_2, _sin_9_2 = ring_round_8(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _p_wire_radius_2, _room_2)
-                _near_9_2, _omega_9_2, _around_9_2, _tilted_9_2, _pressed_9_2, _, _cosine_10_2, _sine_10_2, _climb_10_2, _along_10_2, _turn_rate_10_2, _cos_10_2, _sin_10_2 = ring_round_9(_along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
-                _near_10_2, _omega_10_2, _around_10_2, _tilted_10_2, _pressed_10_2, _, _cosine_11_2, _sine_11_2, _climb_11_2, _along_11_2, _turn_rate_11_2, _cos_11_2, _sin_11_2 = ring_round_10(_along_0_2, _along_1_2, _along_10_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
-                _, _, _, _, _, _, _cosine_12_2, _sine_12_2, _climb_12_2, _along_12_2, _turn_rate_12_2, _cos_12_2, _sin_12_2 = ring_round_11(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _around_0_2, _around_1_2, _around_10_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _near_1_2, _near_10_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _near_8_2, _near_9_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _pressed_0_2, _pressed_1_2, _pressed_10_2, _pressed_2_2, _pressed_3_2, _pressed_4_2, _pressed_5_2, _pressed_6_2, _pressed_7_2, _pressed_8_2, _pressed_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
-                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, *_ = ring_round_moved(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cos_1_2, _cos_10_2, _cos_11_2, _cos_12_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _cos_8_2, _cos_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_12_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_ring_radius_2, _sin_0_2, _sin_1_2, _sin_10_2, _sin_11_2, _sin_12_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _sin_8_2, _sin_9_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_12_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
-                _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = compared(_apart_2, _p_ball_radius_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _far_z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
+                _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _tilted_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _per_reach_2, _p_ring_radius_2, _far_vx_2, _far_vy_2, _far_vz_2, _p_wire_radius_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
+                _omega_0_2, _around_0_2, _cosine_1_2, _sine_1_2, _climb_1_2, _along_1_2, _turn_rate_1_2, _tilted_1_2 = ring_round_0(_along_0_2, _p_ball_radius_2, _climb_0_2, _cosine_0_2, _p_gravity_2, _near_0_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _tilted_0_2, _turn_rate_0_2, _p_wire_radius_2, _room_2)
+                _omega_1_2, _around_1_2, _cosine_2_2, _sine_2_2, _climb_2_2, _along_2_2, _turn_rate_2_2, _tilted_2_2 = ring_round_1(_along_1_2, _around_0_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _cosine_0_2, _cosine_1_2, _p_gravity_2, _near_0_2, _omega_0_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _tilted_0_2, _tilted_1_2, _turn_rate_0_2, _turn_rate_1_2, _p_wire_radius_2, _room_2)
+                _omega_2_2, _around_2_2, _cosine_3_2, _sine_3_2, _climb_3_2, _along_3_2, _turn_rate_3_2, _tilted_3_2 = ring_round_2(_along_2_2, _around_0_2, _around_1_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _p_wire_radius_2, _room_2)
+                _omega_3_2, _around_3_2, _cosine_4_2, _sine_4_2, _climb_4_2, _along_4_2, _turn_rate_4_2, _tilted_4_2 = ring_round_3(_along_3_2, _around_0_2, _around_1_2, _around_2_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _p_wire_radius_2, _room_2)
+                _omega_4_2, _around_4_2, _cosine_5_2, _sine_5_2, _climb_5_2, _along_5_2, _turn_rate_5_2, _tilted_5_2 = ring_round_4(_along_4_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _p_wire_radius_2, _room_2)
+                _omega_5_2, _around_5_2, _cosine_6_2, _sine_6_2, _climb_6_2, _along_6_2, _turn_rate_6_2, _tilted_6_2 = ring_round_5(_along_5_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _p_wire_radius_2, _room_2)
+                _omega_6_2, _around_6_2, _cosine_7_2, _sine_7_2, _climb_7_2, _along_7_2, _turn_rate_7_2, _tilted_7_2 = ring_round_6(_along_6_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _p_wire_radius_2, _room_2)
+                _omega_7_2, _around_7_2, _cosine_8_2, _sine_8_2, _climb_8_2, _along_8_2, _turn_rate_8_2, _tilted_8_2 = ring_round_7(_along_7_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _p_wire_radius_2, _room_2)
+                _omega_8_2, _around_8_2, _cosine_9_2, _sine_9_2, _climb_9_2, _along_9_2, _turn_rate_9_2, _tilted_9_2 = ring_round_8(_along_8_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _p_wire_radius_2, _room_2)
+                _omega_9_2, _around_9_2, _cosine_10_2, _sine_10_2, _climb_10_2, _along_10_2, _turn_rate_10_2, _tilted_10_2 = ring_round_9(_along_9_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _omega_10_2, _around_10_2, _cosine_11_2, _sine_11_2, _climb_11_2, _along_11_2, _turn_rate_11_2, _tilted_11_2 = ring_round_10(_along_10_2, _around_0_2, _around_1_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _omega_11_2, _, _cosine_12_2, _sine_12_2, _climb_12_2, _along_12_2, _turn_rate_12_2, *_ = ring_round_11(_along_11_2, _around_0_2, _around_1_2, _around_10_2, _around_2_2, _around_3_2, _around_4_2, _around_5_2, _around_6_2, _around_7_2, _around_8_2, _around_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _p_gravity_2, _near_0_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _per_reach_2, _p_ring_radius_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _tilted_0_2, _tilted_1_2, _tilted_10_2, _tilted_11_2, _tilted_2_2, _tilted_3_2, _tilted_4_2, _tilted_5_2, _tilted_6_2, _tilted_7_2, _tilted_8_2, _tilted_9_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, *_ = ring_round_moved(_along_0_2, _along_1_2, _along_10_2, _along_11_2, _along_12_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _p_ball_radius_2, _climb_0_2, _climb_1_2, _climb_10_2, _climb_11_2, _climb_12_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _cos_0_2, _cosine_0_2, _cosine_1_2, _cosine_10_2, _cosine_11_2, _cosine_12_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _omega_0_2, _omega_1_2, _omega_10_2, _omega_11_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _p_ring_radius_2, _sin_0_2, _sine_0_2, _sine_1_2, _sine_10_2, _sine_11_2, _sine_12_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _p_wire_radius_2, _room_2)
+                _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = compared(_apart_2, _p_ball_radius_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _far_z_2, _missed_2, _stride_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
                 _clock_2, _circling_2 = rolled_on(_clock_2, _rests_2, _stride_2, _which_2)
                 _going118 = _where_true(_circling_2)
                 if len(_going118) == _count114:
@@ -15403,14 +15330,10 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _p_ring_restitution_0 = columns["p_ring_restitution"]
     _p_tangential_restitution_0 = columns["p_tangential_restitution"]
     _p_wire_radius_0 = columns["p_wire_radius"]
-    _position_claim_0 = columns["position_claim"]
     _position_error_0 = columns["position_error"]
     _slip_left_0 = columns["slip_left"]
-    _spin_claim_0 = columns["spin_claim"]
-    _time_claim_0 = columns["time_claim"]
     _touches_0 = columns["touches"]
     _uncertain_0 = columns["uncertain"]
-    _velocity_claim_0 = columns["velocity_claim"]
     _velocity_error_0 = columns["velocity_error"]
     _vx_0 = columns["vx"]
     _vy_0 = columns["vy"]
@@ -15423,7 +15346,6 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _x_0 = columns["x"]
     _y_0 = columns["y"]
     _z_0 = columns["z"]
-    _room_0 = room(shots)
     _meeting_0, = meeting(_claims_0, _ends_0, _touches_0)
     _slow_0, = unslowed()
     _rows1, _count2 = _rows(_meeting_0, shots)
@@ -15580,8 +15502,8 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _left_nx_1 = _put(_left_nx_1, _rows7, _left_nx_2, _count2, _again_1)
             _left_ny_1 = _put(_left_ny_1, _rows7, _left_ny_2, _count2, _again_1)
             _left_nz_1 = _put(_left_nz_1, _rows7, _left_nz_2, _count2, _again_1)
-        _dx_1, _dy_1, _dz_1, _lifting_1, _dvx_1, _dvy_1, _dvz_1, _delay_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _late_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _left_nx_1, _left_ny_1, _left_nz_1, _curving_1, _p_gravity_1, _room_1)
-        _clock_error_1, = delayed(_clock_error_1, _delay_1)
+        _dx_1, _dy_1, _dz_1, _lifting_1, _dvx_1, _dvy_1, _dvz_1, _belated_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _late_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _left_nx_1, _left_ny_1, _left_nz_1, _curving_1, _p_gravity_1, _room_1)
+        _clock_error_1, = delayed(_clock_error_1, _belated_1)
         _dx_2, _dy_2, _dz_2 = floored(_dx_1, _dy_1, _dz_1, _shift_1)
         _dx_1 = _choose(_ends_1, _dx_2, _dx_1)
         _dy_1 = _choose(_ends_1, _dy_2, _dy_1)
@@ -16012,12 +15934,25 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _dx_0 = _put(_dx_0, _rows27, _dx_1, shots, _hopped_0)
         _dy_0 = _put(_dy_0, _rows27, _dy_1, shots, _hopped_0)
         _dz_0 = _put(_dz_0, _rows27, _dz_1, shots, _hopped_0)
-    _closed_0, = closing(_claims_0, _outcome_0)
-    _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _room_0)
-    _position_claim_0 = _choose(_closed_0, _position_claim_1, _position_claim_0)
-    _spin_claim_0 = _choose(_closed_0, _spin_claim_1, _spin_claim_0)
-    _time_claim_0 = _choose(_closed_0, _time_claim_1, _time_claim_0)
-    _velocity_claim_0 = _choose(_closed_0, _velocity_claim_1, _velocity_claim_0)
+    _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_claims_0, _outcome_0)
+    _rows29, _count30 = _most(_closed_0, shots)
+    if _count30:
+        _clock_error_1 = _take(_clock_error_0, _rows29)
+        _dvx_1 = _take(_dvx_0, _rows29)
+        _dvy_1 = _take(_dvy_0, _rows29)
+        _dvz_1 = _take(_dvz_0, _rows29)
+        _dwx_1 = _take(_dwx_0, _rows29)
+        _dwy_1 = _take(_dwy_0, _rows29)
+        _dwz_1 = _take(_dwz_0, _rows29)
+        _dx_1 = _take(_dx_0, _rows29)
+        _dy_1 = _take(_dy_0, _rows29)
+        _dz_1 = _take(_dz_0, _rows29)
+        _room_1 = room(_count30)
+        _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _room_1)
+        _position_claim_0 = _put(_position_claim_0, _rows29, _position_claim_1, shots, _closed_0)
+        _spin_claim_0 = _put(_spin_claim_0, _rows29, _spin_claim_1, shots, _closed_0)
+        _time_claim_0 = _put(_time_claim_0, _rows29, _time_claim_1, shots, _closed_0)
+        _velocity_claim_0 = _put(_velocity_claim_0, _rows29, _velocity_claim_1, shots, _closed_0)
     columns["assured"] = _assured_0
     columns["clock_error"] = _clock_error_0
     columns["count_0"] = _count_0_0

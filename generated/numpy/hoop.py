@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 683a817ba09f97be,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 83f26c5ee904c483,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -135,6 +135,7 @@ class Field(NamedTuple):
     name: str
     start: float | None
     bounds: bool
+    dtype: str = "float64"
 
 
 class Result(NamedTuple):
@@ -162,17 +163,17 @@ FIELDS: tuple[Field, ...] = (
     Field("wx", None, False),
     Field("wy", None, False),
     Field("wz", None, False),
-    Field("dx", 0.0, True),
-    Field("dy", 0.0, True),
-    Field("dz", 0.0, True),
-    Field("dvx", 0.0, True),
-    Field("dvy", 0.0, True),
-    Field("dvz", 0.0, True),
-    Field("dwx", 0.0, True),
-    Field("dwy", 0.0, True),
-    Field("dwz", 0.0, True),
+    Field("dx", 0.0, True, "float32"),
+    Field("dy", 0.0, True, "float32"),
+    Field("dz", 0.0, True, "float32"),
+    Field("dvx", 0.0, True, "float32"),
+    Field("dvy", 0.0, True, "float32"),
+    Field("dvz", 0.0, True, "float32"),
+    Field("dwx", 0.0, True, "float32"),
+    Field("dwy", 0.0, True, "float32"),
+    Field("dwz", 0.0, True, "float32"),
     Field("clock", 0.0, False),
-    Field("clock_error", 0.0, True),
+    Field("clock_error", 0.0, True, "float32"),
     Field("last", None, False),
     Field("first", -1, False),
     Field("contacts", 0.0, False),
@@ -180,10 +181,10 @@ FIELDS: tuple[Field, ...] = (
     Field("count_1", 0.0, False),
     Field("count_2", 0.0, False),
     Field("uncertain", 0.0, True),
-    Field("position_claim", 0.0, True),
-    Field("velocity_claim", 0.0, True),
-    Field("spin_claim", 0.0, True),
-    Field("time_claim", 0.0, True),
+    Field("position_claim", 0.0, True, "float32"),
+    Field("velocity_claim", 0.0, True, "float32"),
+    Field("spin_claim", 0.0, True, "float32"),
+    Field("time_claim", 0.0, True, "float32"),
     Field("outcome", -1, False),
 )
 
@@ -218,7 +219,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "aside": ("x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_end_depth",),
     "left": ("index", "last",),
     "released": ("last",),
-    "meeting_plane": ("bend", "rate", "time",),
+    "meeting_plane": ("apex", "bend", "rate", "time",),
     "timely": ("arrives", "delay", "late", "time", "when",),
     "grazed": ("apex", "doubt", "height", "margin",),
     "questioned": ("doubt", "time", "unsure",),
@@ -251,18 +252,18 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "counted": ("count",),
     "elsewhere": (),
     "again": ("index", "last", "which",),
-    "delayed": ("clock_error", "delay",),
-    "floored": ("dx", "dy", "dz", "shift",),
-    "unturned": (),
     "touched": ("body", "first", "which",),
     "timed": ("claims", "index", "which",),
-    "closing": ("claims", "outcome",),
     "body_of": ("which",),
     "admitted": ("doubt", "finite", "permitted", "valid",),
     "expiry": ("clock", "doubt", "late", "time_error", "time_limit", "when", "which",),
     "departed": ("index", "which",),
     "expired": ("body", "clock", "ends", "index", "reached", "time_limit", "which",),
     "accounted": ("contacts", "most_contacts", "reached", "touches",),
+    "delayed": ("clock_error", "delay",),
+    "closing": ("claims", "outcome",),
+    "floored": ("dx", "dy", "dz", "shift",),
+    "unturned": (),
     "reachable": ("p_ball_radius", "p_board_distance", "p_bridge_half_width", "extent", "p_gravity", "horizon", "late", "pad", "position_error", "p_ring_radius", "speed", "velocity_error", "vx", "x",),
     "impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "p_ball_radius", "p_restitution",),
     "carry_impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "contacts", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dnx", "dny", "dnz", "turn", "p_ball_radius", "p_restitution",),
@@ -340,10 +341,10 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "allowed": ("allowed",),
     "finite_parameters": ("permitted",),
     "valid": ("valid", "doubt",),
-    "aside": ("near", "valid", "doubt",),
+    "aside": ("close", "valid", "doubt",),
     "left": ("leaving",),
     "released": ("released", "reachable",),
-    "meeting_plane": ("arrives", "ceiling",),
+    "meeting_plane": ("arrives", "ceiling", "nearest",),
     "timely": ("possible",),
     "grazed": ("doubt",),
     "questioned": ("doubt",),
@@ -376,18 +377,18 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "counted": ("count",),
     "elsewhere": ("curving",),
     "again": ("again",),
-    "delayed": ("clock_error",),
-    "floored": ("dx", "dy", "dz",),
-    "unturned": ("dnx", "dny", "dnz", "turn",),
     "touched": ("first", "last",),
     "timed": ("timed",),
-    "closing": ("closed",),
     "body_of": ("body",),
     "admitted": ("outcome", "uncertain",),
     "expiry": ("time", "delay", "arrives", "doubt",),
     "departed": ("stays", "moves", "ends", "touches", "reached", "edge",),
     "expired": ("clock", "body", "reached", "ends",),
     "accounted": ("contacts", "outcome",),
+    "delayed": ("clock_error",),
+    "closing": ("closed", "position_claim", "velocity_claim", "spin_claim", "time_claim",),
+    "floored": ("dx", "dy", "dz",),
+    "unturned": ("dnx", "dny", "dnz", "turn",),
     "reachable": ("reachable",),
     "impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
     "carry_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
@@ -491,120 +492,130 @@ _k18 = _float64(1.0009765625)
 _k19 = _float64(4.445228907190568e-16)
 _k20 = _float64(3.0029296875)
 _k21 = _float64(4.440892098500626e-16)
-_k22 = _scalar(2.0)
-_k23 = _scalar(1.1102230246251565e-16)
-_k24 = _scalar(1.0)
-_k25 = _scalar(8.0)
-_k26 = _scalar(0.0625)
-_k27 = _float64(1.1102230246251565e-16)
-_k28 = _float64(2.0)
-_k29 = _float64(8.0)
-_k30 = _float64(0.0625)
-_k31 = _scalar(2.220446049250313e-16)
-_k32 = _float64(2.220446049250313e-16)
-_k33 = _scalar(16.0)
-_k34 = _float64(16.0)
-_k35 = _scalar(64.0)
-_k36 = _float64(64.0)
-_k37 = _scalar(0.5)
-_k38 = _scalar(1.7763568394002505e-15)
-_k39 = _float64(4.0)
-_k40 = _float64(1.7763568394002505e-15)
-_k41 = _float64(2.9802322387695312e-08)
-_k42 = _float64(2.842170943040401e-14)
-_k43 = _float64(0.03125)
-_k44 = _float64(5.960464477539063e-08)
-_k45 = _float64(-1.0)
-_k46 = _float64(3.0)
-_k47 = _scalar(9.313225746154785e-10)
-_k48 = _scalar(1.0000000000009095)
-_k49 = _float64(9.313225746154785e-10)
-_k50 = _float64(1.0000000000009095)
-_k51 = _scalar(0.6)
-_k52 = _scalar(4.0)
-_k53 = _float64(0.000244140625)
-_k54 = _float64(1.52587890625e-05)
-_k55 = _float64(5.820766091346741e-11)
-_k56 = _float64(1.00006103515625)
-_k57 = _float64(65536.0)
-_k58 = _float64(6.0003662109375)
-_k59 = _float64(0.0001220703125)
-_k60 = _scalar(8.881784197001252e-16)
-_k61 = _scalar(2.409919865102884e-181)
-_k62 = _scalar(-_inf)
-_k63 = _float64(8.881784197001252e-16)
-_k64 = _float64(2.409919865102884e-181)
-_k65 = _float64(-_inf)
-_k66 = _scalar(5.0)
-_k67 = _scalar(3.552713678800501e-15)
-_k68 = _float64(1.3323489447131243e-15)
-_k69 = _float64(5.00030517578125)
-_k70 = _float64(3.552713678800501e-15)
-_k71 = _float64(5.0)
-_k72 = _scalar(9.094947017729282e-13)
-_k73 = _float64(9.094947017729282e-13)
-_k74 = _float32(1.00006103515625)
-_k75 = _float32(2.0)
-_k76 = _scalar(_float32(4.76837158203125e-07))
-_k77 = _float32(1.0)
-_k78 = _scalar(_float32(9.5367431640625e-07))
-_k79 = _scalar(_float32(0.0))
-_k80 = _scalar(_float32(_inf))
-_k81 = _scalar(_float32(1.0))
-_k82 = _scalar(_float32(8.673617379884035e-19))
-_k83 = _scalar(_float32(-_inf))
-_k84 = _float32(0.0001220703125)
-_k85 = _scalar(_float32(1.000000238418579))
-_k86 = _float32(32.0)
-_k87 = _float32(4096.0)
-_k88 = _float32(0.000244140625)
-_k89 = _scalar(_float32(4096.0))
-_k90 = _float32(0.0)
-_k91 = _float32(4.76837158203125e-07)
-_k92 = _float32(9.5367431640625e-07)
-_k93 = _float32(_inf)
-_k94 = _float32(8.673617379884035e-19)
-_k95 = _float32(-_inf)
-_k96 = _float32(1.000000238418579)
-_k97 = _scalar(_float32(5.0))
-_k98 = _scalar(_float32(0.00390625))
-_k99 = _scalar(_float32(2.9802322387695312e-08))
-_k100 = _scalar(_float32(2.842170943040401e-14))
-_k101 = _scalar(_float32(2.0))
-_k102 = _float32(4.0)
-_k103 = _float32(6.0003662109375)
-_k104 = _scalar(_float32(0.5))
-_k105 = _scalar(_float32(1.0009765625))
-_k106 = _float32(5.0048828125)
-_k107 = _scalar(_float32(5.684341886080802e-14))
-_k108 = _float32(7.62939453125e-06)
-_k109 = _scalar(_float32(2.384185791015625e-07))
-_k110 = _float32(128.0)
-_k111 = _float32(2.842170943040401e-14)
-_k112 = _float32(0.00390625)
-_k113 = _float32(5.0)
-_k114 = _float32(2.9802322387695312e-08)
-_k115 = _float32(1.0009765625)
-_k116 = _float32(5.684341886080802e-14)
-_k117 = _float32(0.5)
-_k118 = _float32(2.384185791015625e-07)
-_k119 = _float32(6.0)
-_k120 = _scalar(_float32(8.0))
-_k121 = _scalar(_float32(4.0))
-_k122 = _scalar(_float32(0.0001220703125))
-_k123 = _scalar(_float32(3.814697265625e-06))
-_k124 = _scalar(_float32(3.0))
-_k125 = _scalar(_float32(0.000244140625))
-_k126 = _float32(8.0)
-_k127 = _float32(3.814697265625e-06)
-_k128 = _float32(3.0)
-_k129 = _scalar(2.222614453595284e-16)
-_k130 = _scalar(2.001953125)
-_k131 = _float64(6.667843360785852e-16)
-_k132 = _float64(8.890457814381136e-16)
-_k133 = _float64(2.222614453595284e-16)
-_k134 = _float64(2.001953125)
-_k135 = _float64(7.105427357601002e-15)
+_k22 = _scalar(_float32(2.0))
+_k23 = _scalar(_float32(7.888609052210118e-31))
+_k24 = _scalar(_float32(1.1102230246251565e-16))
+_k25 = _scalar(_float32(0.0))
+_k26 = _scalar(_float32(1.0))
+_k27 = _scalar(_float32(8.0))
+_k28 = _scalar(_float32(0.0625))
+_k29 = _scalar(_float32(4.440892098500626e-16))
+_k30 = _float32(0.0)
+_k31 = _float32(7.888609052210118e-31)
+_k32 = _float32(1.1102230246251565e-16)
+_k33 = _float32(2.0)
+_k34 = _float32(1.0)
+_k35 = _float32(8.0)
+_k36 = _float32(4.440892098500626e-16)
+_k37 = _float32(0.0625)
+_k38 = _scalar(_float32(2.220446049250313e-16))
+_k39 = _float32(2.220446049250313e-16)
+_k40 = _scalar(_float32(16.0))
+_k41 = _float32(16.0)
+_k42 = _scalar(_float32(64.0))
+_k43 = _float32(64.0)
+_k44 = _scalar(0.5)
+_k45 = _scalar(1.0)
+_k46 = _scalar(2.0)
+_k47 = _scalar(1.7763568394002505e-15)
+_k48 = _float64(2.0)
+_k49 = _float64(4.0)
+_k50 = _float64(1.7763568394002505e-15)
+_k51 = _scalar(8.0)
+_k52 = _float64(8.0)
+_k53 = _float64(2.9802322387695312e-08)
+_k54 = _float64(2.842170943040401e-14)
+_k55 = _float64(0.03125)
+_k56 = _float64(5.960464477539063e-08)
+_k57 = _float64(-1.0)
+_k58 = _float64(3.0)
+_k59 = _scalar(9.313225746154785e-10)
+_k60 = _scalar(1.0000000000009095)
+_k61 = _float64(9.313225746154785e-10)
+_k62 = _float64(1.0000000000009095)
+_k63 = _scalar(0.6)
+_k64 = _float32(0.4)
+_k65 = _scalar(_float32(0.6))
+_k66 = _float32(0.6)
+_k67 = _float64(0.0625)
+_k68 = _scalar(4.0)
+_k69 = _float64(0.000244140625)
+_k70 = _float64(1.52587890625e-05)
+_k71 = _float64(5.820766091346741e-11)
+_k72 = _float64(1.00006103515625)
+_k73 = _float64(65536.0)
+_k74 = _float64(6.0003662109375)
+_k75 = _float64(0.0001220703125)
+_k76 = _scalar(8.881784197001252e-16)
+_k77 = _scalar(2.409919865102884e-181)
+_k78 = _scalar(-_inf)
+_k79 = _float64(8.881784197001252e-16)
+_k80 = _float64(2.409919865102884e-181)
+_k81 = _float64(-_inf)
+_k82 = _scalar(5.0)
+_k83 = _scalar(2.220446049250313e-16)
+_k84 = _scalar(3.552713678800501e-15)
+_k85 = _float64(1.3323489447131243e-15)
+_k86 = _float64(5.00030517578125)
+_k87 = _float64(3.552713678800501e-15)
+_k88 = _float64(5.0)
+_k89 = _float64(2.220446049250313e-16)
+_k90 = _scalar(9.094947017729282e-13)
+_k91 = _float64(9.094947017729282e-13)
+_k92 = _float32(1.00006103515625)
+_k93 = _scalar(_float32(4.76837158203125e-07))
+_k94 = _scalar(_float32(9.5367431640625e-07))
+_k95 = _scalar(_float32(_inf))
+_k96 = _scalar(_float32(8.673617379884035e-19))
+_k97 = _scalar(_float32(-_inf))
+_k98 = _float32(0.0001220703125)
+_k99 = _scalar(_float32(1.000000238418579))
+_k100 = _float32(32.0)
+_k101 = _float32(4096.0)
+_k102 = _float32(0.000244140625)
+_k103 = _scalar(_float32(4096.0))
+_k104 = _float32(4.76837158203125e-07)
+_k105 = _float32(9.5367431640625e-07)
+_k106 = _float32(_inf)
+_k107 = _float32(8.673617379884035e-19)
+_k108 = _float32(-_inf)
+_k109 = _float32(1.000000238418579)
+_k110 = _scalar(_float32(5.0))
+_k111 = _scalar(_float32(0.00390625))
+_k112 = _scalar(_float32(2.9802322387695312e-08))
+_k113 = _scalar(_float32(2.842170943040401e-14))
+_k114 = _float32(4.0)
+_k115 = _float32(6.0003662109375)
+_k116 = _scalar(_float32(0.5))
+_k117 = _scalar(_float32(1.0009765625))
+_k118 = _float32(5.0048828125)
+_k119 = _scalar(_float32(5.684341886080802e-14))
+_k120 = _float32(7.62939453125e-06)
+_k121 = _scalar(_float32(2.384185791015625e-07))
+_k122 = _float32(128.0)
+_k123 = _float32(2.842170943040401e-14)
+_k124 = _float32(0.00390625)
+_k125 = _float32(5.0)
+_k126 = _float32(2.9802322387695312e-08)
+_k127 = _float32(1.0009765625)
+_k128 = _float32(5.684341886080802e-14)
+_k129 = _float32(0.5)
+_k130 = _float32(2.384185791015625e-07)
+_k131 = _float32(6.0)
+_k132 = _scalar(_float32(4.0))
+_k133 = _scalar(_float32(0.0001220703125))
+_k134 = _scalar(_float32(3.814697265625e-06))
+_k135 = _scalar(_float32(3.0))
+_k136 = _scalar(_float32(0.000244140625))
+_k137 = _float32(3.814697265625e-06)
+_k138 = _float32(3.0)
+_k139 = _scalar(2.222614453595284e-16)
+_k140 = _scalar(2.001953125)
+_k141 = _float64(6.667843360785852e-16)
+_k142 = _float64(8.890457814381136e-16)
+_k143 = _float64(2.222614453595284e-16)
+_k144 = _float64(2.001953125)
+_k145 = _float64(7.105427357601002e-15)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -803,77 +814,119 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
 def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of a state at the end of a flight to a surface, from those at its start.
 
-    derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections.
+    derivative of Eq. 3 and of the contact time, with roundings. 125 operations: 27 additions, 1 subtraction, 33 multiplications, 2 divisions, 7 negations, 17 absolute values, 19 comparisons, 19 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24 = _room[:25]
+    t = _single(t)
+    x = _single(x)
+    y = _single(y)
+    z = _single(z)
+    vx = _single(vx)
+    vy = _single(vy)
+    vz = _single(vz)
+    nx = _single(nx)
+    ny = _single(ny)
+    nz = _single(nz)
+    clock = _single(clock)
+    contacts = _single(contacts)
+    late = _single(late)
+    dx = _single(dx)
+    dy = _single(dy)
+    dz = _single(dz)
+    dvx = _single(dvx)
+    dvy = _single(dvy)
+    dvz = _single(dvz)
+    curving = _single(curving)
+    p_gravity = _single(p_gravity)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25 = _halves(_room[:26])
     _s0 = _add(dx, _multiply(dvx, t, _r0), _r0)
     _s1 = _absolute(vx, _r1)
     _s2 = _multiply(_k22, t, _r2)
-    _s3 = _multiply(_k23, _add(_multiply(_s2, _s1, _r3), _absolute(x, _r4), _r4), _r4)
-    _s4 = _add(_s0, _select(_s0 < _k6, _negative(_s3, _r3), _s3, _r5), _r5)
+    _s3 = _add(_k23, _multiply(_k24, _add(_multiply(_s2, _s1, _r3), _absolute(x, _r4), _r4), _r4), _r4)
+    _s4 = _add(_s0, _select(_s0 < _k25, _negative(_s3, _r3), _s3, _r5), _r5)
     _s5 = _add(dy, _multiply(dvy, t, _r3), _r3)
     _s6 = _absolute(vy, _r0)
-    _s7 = _multiply(_k23, _add(_multiply(_s2, _s6, _r6), _absolute(y, _r7), _r7), _r7)
-    _s8 = _add(_s5, _select(_s5 < _k6, _negative(_s7, _r6), _s7, _r8), _r8)
+    _s7 = _add(_k23, _multiply(_k24, _add(_multiply(_s2, _s6, _r6), _absolute(y, _r7), _r7), _r7), _r7)
+    _s8 = _add(_s5, _select(_s5 < _k25, _negative(_s7, _r6), _s7, _r8), _r8)
     _s9 = _add(dz, _multiply(dvz, t, _r6), _r6)
     _s10 = _absolute(vz, _r3)
-    _s11 = _multiply(_k23, _add(_add(_multiply(p_gravity, _multiply(t, t, _r9), _r9), _multiply(_s2, _s10, _r2), _r2), _absolute(z, _r9), _r9), _r9)
-    _s12 = _add(_s9, _select(_s9 < _k6, _negative(_s11, _r2), _s11, _r10), _r10)
-    _s13 = _add(_add(_multiply(nx, vx, _r2), _multiply(ny, vy, _r6), _r6), _multiply(nz, vz, _r2), _r2)
-    _s14 = _divide(_negative(_add(_add(_multiply(nx, _s4, _r6), _multiply(ny, _s8, _r11), _r11), _multiply(nz, _s12, _r6), _r6), _r6), _s13, _r6)
+    _s11 = _add(_k23, _multiply(_k24, _add(_add(_multiply(p_gravity, _multiply(t, t, _r9), _r9), _multiply(_s2, _s10, _r2), _r2), _absolute(z, _r9), _r9), _r9), _r9)
+    _s12 = _add(_s9, _select(_s9 < _k25, _negative(_s11, _r2), _s11, _r10), _r10)
+    _s13 = _divide(_k26, _add(_add(_multiply(nx, vx, _r2), _multiply(ny, vy, _r6), _r6), _multiply(nz, vz, _r2), _r2), _r2)
+    _s14 = _multiply(_negative(_add(_add(_multiply(nx, _s4, _r6), _multiply(ny, _s8, _r11), _r11), _multiply(nz, _s12, _r6), _r6), _r6), _s13, _r6)
     _s15 = _add(_multiply(vx, _s14, _r11), _s4, _r11)
-    _s16 = _select(_s1 < _s6, _s6, _s1, _r5)
-    _s17 = _select(_s16 < _s10, _s10, _s16, _r12)
-    _s18 = _absolute(dx, _r13)
-    _s19 = _absolute(dy, _r14)
-    _s20 = _select(_s18 < _s19, _s19, _s18, _r15)
-    _s21 = _absolute(dz, _r16)
-    _s22 = _select(_s20 < _s21, _s21, _s20, _r17)
-    _s23 = _multiply(curving, _multiply(t, _s17, _r18), _r18)
-    _s24 = _absolute(dvx, _r19)
-    _s25 = _absolute(dvy, _r20)
-    _s26 = _select(_s24 < _s25, _s25, _s24, _r21)
-    _s27 = _absolute(dvz, _r22)
-    _s28 = _select(_s3 < _s7, _s7, _s3, _r23)
-    _s29 = _add(_multiply(t, _select(_s26 < _s27, _s27, _s26, _r24), _r24), _select(_s28 < _s11, _s11, _s28, _r22), _r22)
-    _s30 = _multiply(_divide(_s17, _absolute(_s13, _r2), _r12), _add(_multiply(_s22, _select(_s23 < _k24, _s23, _k24, _r5), _r5), _s29, _r5), _r5) + _add(_s29, _s22, _r22)
-    _s31 = _divide(_s30, _add(_k25, _multiply(_k25, contacts, _r22), _r22), _r22)
-    _s32 = _negative(_s31, _r5)
-    _s33 = _add(_multiply(vy, _s14, _r17), _s8, _r17)
-    _s34 = _add(_multiply(vz, _s14, _r8), _s12, _r8)
-    _s35 = _absolute(_s14, _r10)
-    _s36 = _multiply(_k26, late, _r16)
-    return _result(_absolute(_s15, _r15) < _s31, _select(_s15 < _k6, _s32, _s31, _r15), _s15, _r0), _result(_absolute(_s33, _r15) < _s31, _select(_s33 < _k6, _s32, _s31, _r15), _s33, _r0), _result(_absolute(_s34, _r15) < _s31, _select(_s34 < _k6, _s32, _s31, _r15), _s34, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s14, _r6), _multiply(_k17, _add(clock, t, _r6), _r6) + _select(_s35 < _s36, _s36, _s35, _r15), _s30
+    _s16 = _absolute(_s15, _r5)
+    _s17 = _select(_s1 < _s6, _s6, _s1, _r12)
+    _s18 = _select(_s17 < _s10, _s10, _s17, _r13)
+    _s19 = _absolute(dx, _r14)
+    _s20 = _absolute(dy, _r15)
+    _s21 = _select(_s19 < _s20, _s20, _s19, _r16)
+    _s22 = _absolute(dz, _r17)
+    _s23 = _select(_s21 < _s22, _s22, _s21, _r18)
+    _s24 = _multiply(curving, _multiply(t, _s18, _r19), _r19)
+    _s25 = _absolute(dvx, _r20)
+    _s26 = _absolute(dvy, _r21)
+    _s27 = _select(_s25 < _s26, _s26, _s25, _r22)
+    _s28 = _absolute(dvz, _r23)
+    _s29 = _select(_s3 < _s7, _s7, _s3, _r24)
+    _s30 = _add(_multiply(t, _select(_s27 < _s28, _s28, _s27, _r25), _r25), _select(_s29 < _s11, _s11, _s29, _r23), _r23)
+    _s31 = _multiply(_multiply(_absolute(_s13, _r2), _s18, _r13), _add(_multiply(_s23, _select(_s24 < _k26, _s24, _k26, _r12), _r12), _s30, _r12), _r12) + _add(_s30, _s23, _r23)
+    _s32 = _multiply(_s31, _divide(_k26, _add(_k27, _multiply(_k27, contacts, _r23), _r23), _r23), _r23)
+    _s33 = _select(_s16 < _s32, _s32, _s16, _r12)
+    _s34 = _add(_multiply(vy, _s14, _r18), _s8, _r18)
+    _s35 = _absolute(_s34, _r8)
+    _s36 = _select(_s35 < _s32, _s32, _s35, _r17)
+    _s37 = _add(_multiply(vz, _s14, _r16), _s12, _r16)
+    _s38 = _absolute(_s37, _r10)
+    _s39 = _select(_s38 < _s32, _s32, _s38, _r15)
+    _s40 = _absolute(_s14, _r14)
+    _s41 = _multiply(_k28, late, _r13)
+    return _result(_s15 < _k25, _negative(_s33, _r11), _s33, _r0), _result(_s34 < _k25, _negative(_s36, _r18), _s36, _r0), _result(_s37 < _k25, _negative(_s39, _r16), _s39, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s14, _r6), _multiply(_k29, _add(clock, t, _r6), _r6) + _select(_s40 < _s41, _s41, _s40, _r16), _s31
 
 
 def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of a state at the time limit, from those at the start of the flight.
 
-    derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
+    derivative of Eq. 3, with roundings. 65 operations: 20 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, clock_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _room[:17]
+    t = _single(t)
+    x = _single(x)
+    y = _single(y)
+    z = _single(z)
+    vx = _single(vx)
+    vy = _single(vy)
+    vz = _single(vz)
+    clock = _single(clock)
+    clock_error = _single(clock_error)
+    dx = _single(dx)
+    dy = _single(dy)
+    dz = _single(dz)
+    dvx = _single(dvx)
+    dvy = _single(dvy)
+    dvz = _single(dvz)
+    p_gravity = _single(p_gravity)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _halves(_room[:17])
     _s0 = _absolute(vx, _r0)
-    _s1 = _add(clock_error, _multiply(_k17, _add(clock, t, _r1), _r1), _r1)
+    _s1 = _add(clock_error, _multiply(_k29, _add(clock, t, _r1), _r1), _r1)
     _s2 = _absolute(dvx, _r2)
     _s3 = _absolute(dvy, _r3)
     _s4 = _select(_s2 < _s3, _s3, _s2, _r4)
     _s5 = _absolute(dvz, _r5)
     _s6 = _multiply(_k22, t, _r6)
-    _s7 = _multiply(_k23, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8)
+    _s7 = _add(_k23, _multiply(_k24, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8), _r8)
     _s8 = _absolute(vy, _r7)
-    _s9 = _multiply(_k23, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10)
+    _s9 = _add(_k23, _multiply(_k24, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10), _r10)
     _s10 = _select(_s7 < _s9, _s9, _s7, _r9)
     _s11 = _absolute(vz, _r11)
-    _s12 = _multiply(_k23, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12)
+    _s12 = _add(_k23, _multiply(_k24, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12), _r12)
     _s13 = _absolute(dx, _r6)
     _s14 = _absolute(dy, _r13)
     _s15 = _select(_s13 < _s14, _s14, _s13, _r14)
     _s16 = _absolute(dz, _r15)
     _s17 = _add(_add(_multiply(t, _select(_s4 < _s5, _s5, _s4, _r16), _r16), _select(_s10 < _s12, _s12, _s10, _r4), _r4), _select(_s15 < _s16, _s16, _s15, _r12), _r12)
-    _s18 = _absolute(0.0)
-    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(_k31, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(_k31, _s8, _r7), _add(_s5, _multiply(_k31, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
+    _s18 = _absolute(_k30)
+    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(_k38, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(_k38, _s8, _r7), _add(_s5, _multiply(_k38, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), _k30
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -882,7 +935,17 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
+    clock_error = _single(clock_error)
+    dx = _single(dx)
+    dy = _single(dy)
+    dz = _single(dz)
+    dvx = _single(dvx)
+    dvy = _single(dvy)
+    dvz = _single(dvz)
+    dwx = _single(dwx)
+    dwy = _single(dwy)
+    dwz = _single(dwz)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
     _s0 = _absolute(dx, _r0)
     _s1 = _absolute(dy, _r1)
     _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
@@ -895,7 +958,7 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     _s9 = _absolute(dwy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dwz, _r11)
-    return _k33 * _select(_s2 < _s3, _s3, _s2, _r12), _k33 * _select(_s6 < _s7, _s7, _s6, _r12), _k33 * _select(_s10 < _s11, _s11, _s10, _r12), _k33 * clock_error
+    return _k40 * _select(_s2 < _s3, _s3, _s2, _r12), _k40 * _select(_s6 < _s7, _s7, _s6, _r12), _k40 * _select(_s10 < _s11, _s11, _s10, _r12), _k40 * clock_error
 
 
 def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -904,7 +967,17 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
     the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
+    clock_error = _single(clock_error)
+    dx = _single(dx)
+    dy = _single(dy)
+    dz = _single(dz)
+    dvx = _single(dvx)
+    dvy = _single(dvy)
+    dvz = _single(dvz)
+    dwx = _single(dwx)
+    dwy = _single(dwy)
+    dwz = _single(dwz)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
     _s0 = _absolute(dx, _r0)
     _s1 = _absolute(dy, _r1)
     _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
@@ -917,7 +990,7 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
     _s9 = _absolute(dwy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dwz, _r11)
-    return _k35 * _select(_s2 < _s3, _s3, _s2, _r12), _k35 * _select(_s6 < _s7, _s7, _s6, _r12), _k35 * _select(_s10 < _s11, _s11, _s10, _r12), _k35 * clock_error
+    return _k42 * _select(_s2 < _s3, _s3, _s2, _r12), _k42 * _select(_s6 < _s7, _s7, _s6, _r12), _k42 * _select(_s10 < _s11, _s11, _s10, _r12), _k42 * clock_error
 
 
 def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -953,8 +1026,8 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = p_ball_radius + p_wire_radius
     _s3 = _subtract(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _s2 * _s2, _r0)
-    _s4 = _absolute(last, _r2) < _k37
-    _s5 = _select(_s4, _k24, _select(_k6 <= _s3, _k24, _k6, _r2), _r3)
+    _s4 = _absolute(last, _r2) < _k44
+    _s5 = _select(_s4, _k45, _select(_k6 <= _s3, _k45, _k6, _r2), _r3)
     _s6 = p_ball_radius - p_board_distance
     _s7 = _subtract(x, _s6, _r4)
     _s8 = 2.0 * p_ball_radius
@@ -968,7 +1041,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s16 = _select(_s14 < _s15, _s15, _s14, _r12)
     _s17 = _subtract(z, p_board_top, _r13)
     _s18 = _select(_s16 < _s17, _s17, _s16, _r14)
-    _s19 = _absolute(_subtract(last, _k24, _r15), _r15) < _k37
+    _s19 = _absolute(_subtract(last, _k45, _r15), _r15) < _k44
     _s20 = _select(_s19, _s5, _select(_k6 <= _s18, _s5, _k6, _r15), _r16)
     _s21 = _subtract(z, _s2, _r17)
     _s22 = _subtract((_s2 - _s8) - (2.0 * p_wire_radius), z, _r18)
@@ -982,26 +1055,26 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s30 = _select(_s29 < x, x, _s29, _r25)
     _s31 = _negative(_add(p_board_distance, x, _r26), _r26)
     _s32 = _select(_s30 < _s31, _s31, _s30, _r27)
-    _s33 = _absolute(_subtract(last, _k22, _r28), _r28) < _k37
+    _s33 = _absolute(_subtract(last, _k46, _r28), _r28) < _k44
     _s34 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_top)) + _absolute(p_bridge_half_width)
     _s35 = _add(_add(((_s34 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius), _absolute(x, _r28), _r28), _absolute(y, _r29), _r29)
-    _s36 = _multiply(_k38, _add(_s35, _absolute(z, _r28), _r28), _r28)
-    _s37 = _select(_s4, _k6, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), _k24, _k6, _r29), _r0)
-    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, _k24, _s37, _r14), _r13)
-    return _result(_s33, _s20, _select(_k6 <= _s32, _s20, _k6, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, _k24, _s38, _r27), _r0)
+    _s36 = _multiply(_k47, _add(_s35, _absolute(z, _r28), _r28), _r28)
+    _s37 = _select(_s4, _k6, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), _k45, _k6, _r29), _r0)
+    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, _k45, _s37, _r14), _r13)
+    return _result(_s33, _s20, _select(_k6 <= _s32, _s20, _k6, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, _k45, _s38, _r27), _r0)
 
 
 def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a start may overlap a surface, or be in doubt; and what is said elsewhere.
 
     Table 2. 45 operations: 14 additions, 5 subtractions, 3 multiplications, 1 negation, 12 absolute values, 5 comparisons, 2 conjunctions, 2 disjunctions, 1 complement.
-    Returns near, valid, doubt.
+    Returns close, valid, doubt.
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_top)) + _absolute(p_bridge_half_width)
     _s1 = _absolute(x, _r0)
     _s2 = _add(_add(((_s0 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius), _s1, _r1), _absolute(y, _r2), _r2)
-    _s3 = _multiply(_k25, _multiply(_k38, _add(_s2, _absolute(z, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k51, _multiply(_k47, _add(_s2, _absolute(z, _r1), _r1), _r1), _r1)
     _s4 = p_ball_radius - p_board_distance
     _s5 = _logical_and((_s3 < _subtract(_s1, (p_ball_radius + p_ring_radius) + p_wire_radius, _r0)), _logical_or((_s3 < _subtract(x, _s4, _r0)), (_s3 < _subtract(_s4 - (2.0 * p_ball_radius), x, _r0))))
     _s6 = _logical_not(_logical_and(_s5, _logical_or((_s3 < x), (_s3 < _negative(_add(p_board_distance, x, _r0), _r0)))))
@@ -1027,14 +1100,14 @@ def released(last: Any) -> tuple[Any, ...]:
     return _s0, _logical_not(_s0)
 
 
-def meeting_plane(bend: Any, rate: Any, time: Any) -> tuple[Any, ...]:
-    """Whether a plane's only arrival is one, and the size of the bend there.
+def meeting_plane(apex: Any, bend: Any, rate: Any, time: Any) -> tuple[Any, ...]:
+    """Whether a plane's only arrival is one, the bend's size; when the ball is nearest.
 
-    Table 1. 12 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction.
-    Returns arrives, ceiling.
+    Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection.
+    Returns arrives, ceiling, nearest.
     """
     _s0 = _logical_and(_logical_and(_logical_or((rate < 0.0), _logical_and(_logical_and((rate <= 0.0), (bend < 0.0)), (time == 0.0))), (0.0 <= time)), (time < _inf))
-    return _s0, _absolute(bend)
+    return _s0, _absolute(bend), _where(_s0, time, apex)
 
 
 def timely(arrives: Any, delay: Any, late: Any, time: Any, when: Any) -> tuple[Any, ...]:
@@ -1346,33 +1419,6 @@ def again(index: Any, last: Any, which: Any) -> tuple[Any, ...]:
     return _logical_and((which == index), (last == which)),
 
 
-def delayed(clock_error: Any, delay: Any) -> tuple[Any, ...]:
-    """The error of the event's time.
-
-    Table 1. 1 operation: 1 addition.
-    Returns clock_error.
-    """
-    return clock_error + delay,
-
-
-def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
-    """Errors of the position at the end, not below what one flight can make.
-
-    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
-    Returns dx, dy, dz.
-    """
-    return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
-
-
-def unturned() -> tuple[Any, ...]:
-    """A normal without error.
-
-    Table 1. No operations.
-    Returns dnx, dny, dnz, turn.
-    """
-    return 0.0, 0.0, 0.0, 0.0
-
-
 def touched(body: Any, first: Any, which: Any) -> tuple[Any, ...]:
     """The surfaces that were touched first and last.
 
@@ -1389,15 +1435,6 @@ def timed(claims: Any, index: Any, which: Any) -> tuple[Any, ...]:
     Returns timed.
     """
     return _logical_and((which == index), (0.0 < claims)),
-
-
-def closing(claims: Any, outcome: Any) -> tuple[Any, ...]:
-    """Where a shot has ended whose errors are asked for.
-
-    Table 1. 3 operations: 2 comparisons, 1 conjunction.
-    Returns closed.
-    """
-    return _logical_and((0.0 < claims), (0.0 <= outcome)),
 
 
 def body_of(which: Any) -> tuple[Any, ...]:
@@ -1460,6 +1497,50 @@ def accounted(contacts: Any, most_contacts: Any, reached: Any, touches: Any) -> 
     return _where(touches, _s0, contacts), _where(touches, _where((most_contacts <= _s0), 2.0, -1.0), reached)
 
 
+def delayed(clock_error: Any, delay: Any) -> tuple[Any, ...]:
+    """The error of the event's time.
+
+    Table 1. 1 operation: 1 addition.
+    Returns clock_error.
+    """
+    clock_error = _single(clock_error)
+    delay = _single(delay)
+    return clock_error + delay,
+
+
+def closing(claims: Any, outcome: Any) -> tuple[Any, ...]:
+    """Where a shot has ended whose errors are asked for; no other one claims any.
+
+    Table 1. 3 operations: 2 comparisons, 1 conjunction.
+    Returns closed, position_claim, velocity_claim, spin_claim, time_claim.
+    """
+    claims = _single(claims)
+    outcome = _single(outcome)
+    return _logical_and((_float32(0.0) < claims), (_float32(0.0) <= outcome)), _float32(0.0), _float32(0.0), _float32(0.0), _float32(0.0)
+
+
+def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
+    """Errors of the position at the end, not below what one flight can make.
+
+    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
+    Returns dx, dy, dz.
+    """
+    dx = _single(dx)
+    dy = _single(dy)
+    dz = _single(dz)
+    shift = _single(shift)
+    return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
+
+
+def unturned() -> tuple[Any, ...]:
+    """A normal without error.
+
+    Table 1. No operations.
+    Returns dnx, dny, dnz, turn.
+    """
+    return _float32(0.0), _float32(0.0), _float32(0.0), _float32(0.0)
+
+
 def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, extent: Any, p_gravity: Any, horizon: Any, late: Any, pad: Any, position_error: Any, p_ring_radius: Any, speed: Any, velocity_error: Any, vx: Any, x: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a flight that begins and ends like that may come to a plate.
 
@@ -1467,15 +1548,15 @@ def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: An
     Returns reachable.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
-    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k47, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k59, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
     _s1 = _select(pad < late, _k8, _s0, _r0)
     _s2 = _add(x, _multiply(horizon, vx, _r2), _r2)
     _s3 = _select(_s2 < x, _s2, x, _r3)
-    _s4 = _subtract(p_ring_radius, _multiply(_k22, _s1, _r4), _r4)
+    _s4 = _subtract(p_ring_radius, _multiply(_k46, _s1, _r4), _r4)
     _s5 = -p_board_distance
     _s6 = _select(_s3 < _s5, _s5, _s3, _r5)
     _s7 = _select(_k6 < _s6, _k6, _s6, _r6)
-    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k6 < _s4), (_multiply(_k48, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
+    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k6 < _s4), (_multiply(_k60, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
     return _logical_not(_s8),
 
 
@@ -1488,9 +1569,9 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = 0.4 * p_ball_radius
     _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
-    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k51, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
-    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k51, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
-    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k51, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
+    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k63, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
+    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k63, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
+    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k63, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
     _s5 = _add(_add(_multiply(nx, wx, _r4), _multiply(ny, wy, _r5), _r5), _multiply(nz, wz, _r4), _r4)
     _s6 = 1.0 / p_ball_radius
     return _s2 - _multiply(_multiply(nx, p_restitution, _r5), _s1, _r5), _s3 - _multiply(_multiply(ny, p_restitution, _r5), _s1, _r5), _s4 - _multiply(_multiply(nz, p_restitution, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
@@ -1499,55 +1580,80 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
 def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, p_ball_radius: Any, p_restitution: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of velocity and spin after a contact, from those before it.
 
-    derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections.
+    derivative of the frame-free Eq. 17, with roundings. 222 operations: 56 additions, 18 subtractions, 90 multiplications, 2 divisions, 6 negations, 18 absolute values, 16 comparisons, 16 selections.
     Returns dvx, dvy, dvz, dwx, dwy, dwz.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20 = _room[:21]
-    _s0 = 0.4 * p_ball_radius
+    vx = _single(vx)
+    vy = _single(vy)
+    vz = _single(vz)
+    wx = _single(wx)
+    wy = _single(wy)
+    wz = _single(wz)
+    nx = _single(nx)
+    ny = _single(ny)
+    nz = _single(nz)
+    contacts = _single(contacts)
+    dvx = _single(dvx)
+    dvy = _single(dvy)
+    dvz = _single(dvz)
+    dwx = _single(dwx)
+    dwy = _single(dwy)
+    dwz = _single(dwz)
+    dnx = _single(dnx)
+    dny = _single(dny)
+    dnz = _single(dnz)
+    turn = _single(turn)
+    p_ball_radius = _single(p_ball_radius)
+    p_restitution = _single(p_restitution)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24 = _halves(_room[:25])
+    _s0 = _k64 * p_ball_radius
     _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
-    _s2 = _add(_add(_add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dny, vy, _r2), _r2), _multiply(dnz, vz, _r1), _r1), _multiply(dvx, nx, _r2), _r2), _multiply(dvy, ny, _r1), _r1), _multiply(dvz, nz, _r2), _r2)
-    _s3 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dnz, wy, _r1), _multiply(dwy, nz, _r3), _r3), _multiply(dny, wz, _r1), _r1), _multiply(dwz, ny, _r3), _r3), _r3), _multiply(_k51, _subtract(_subtract(dvx, _multiply(dnx, _s1, _r1), _r1), _multiply(nx, _s2, _r4), _r4), _r4), _r4)
-    _s4 = _subtract(_subtract(_s3, _multiply(_multiply(dnx, p_restitution, _r3), _s1, _r3), _r3), _multiply(_multiply(nx, p_restitution, _r1), _s2, _r1), _r1)
-    _s5 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r3), _absolute(wy, _r5), _r5), _absolute(wz, _r3), _r3), _r3), _absolute(vx, _r5), _r5), _absolute(vy, _r3), _r3)
-    _s6 = _add(_s5, _absolute(vz, _r5), _r5)
-    _s7 = _multiply(_k31, _s6, _r3)
-    _s8 = _negative(_s7, _r6)
-    _s9 = _add(_s4, _select(_s4 < _k6, _s8, _s7, _r7), _r7)
-    _s10 = _add(_k25, _multiply(_k25, contacts, _r1), _r1)
-    _s11 = _absolute(dwx, _r8)
-    _s12 = _absolute(dwy, _r9)
-    _s13 = _select(_s11 < _s12, _s12, _s11, _r10)
-    _s14 = _absolute(dwz, _r11)
-    _s15 = _absolute(dvx, _r12)
-    _s16 = _absolute(dvy, _r13)
-    _s17 = _select(_s15 < _s16, _s16, _s15, _r14)
-    _s18 = _absolute(dvz, _r15)
-    _s19 = _add(_add(_multiply(p_ball_radius, _select(_s13 < _s14, _s14, _s13, _r16), _r16), _multiply(turn, _s6, _r5), _r5), _select(_s17 < _s18, _s18, _s17, _r16), _r16)
-    _s20 = _divide(_s19, _s10, _r15)
-    _s21 = _negative(_s20, _r14)
-    _s22 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dnx, wz, _r13), _multiply(dwz, nx, _r12), _r12), _multiply(dnz, wx, _r13), _r13), _multiply(dwx, nz, _r12), _r12), _r12), _multiply(_k51, _subtract(_subtract(dvy, _multiply(dny, _s1, _r13), _r13), _multiply(ny, _s2, _r5), _r5), _r5), _r5)
-    _s23 = _subtract(_subtract(_s22, _multiply(_multiply(dny, p_restitution, _r12), _s1, _r12), _r12), _multiply(_multiply(ny, p_restitution, _r13), _s2, _r13), _r13)
-    _s24 = _add(_s23, _select(_s23 < _k6, _s8, _s7, _r12), _r12)
-    _s25 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dny, wx, _r13), _multiply(dwx, ny, _r11), _r11), _multiply(dnx, wy, _r13), _r13), _multiply(dwy, nx, _r11), _r11), _r11), _multiply(_k51, _subtract(_subtract(dvz, _multiply(dnz, _s1, _r13), _r13), _multiply(nz, _s2, _r10), _r10), _r10), _r10)
-    _s26 = _subtract(_subtract(_s25, _multiply(_multiply(dnz, p_restitution, _r11), _s1, _r11), _r11), _multiply(_multiply(nz, p_restitution, _r13), _s2, _r13), _r13)
-    _s27 = _add(_s26, _select(_s26 < _k6, _s8, _s7, _r11), _r11)
-    _s28 = _add(_add(_multiply(nx, wx, _r13), _multiply(ny, wy, _r6), _r6), _multiply(nz, wz, _r13), _r13)
-    _s29 = _add(_add(_add(_add(_add(_multiply(dnx, wx, _r6), _multiply(dny, wy, _r2), _r2), _multiply(dnz, wz, _r6), _r6), _multiply(dwx, nx, _r2), _r2), _multiply(dwy, ny, _r6), _r6), _multiply(dwz, nz, _r2), _r2)
-    _s30 = 1.0 / p_ball_radius
-    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r6), _multiply(nx, wy, _r9), _r9), _r9), _multiply(_k51, _subtract(vz, _multiply(nz, _s1, _r6), _r6), _r6), _r6)
-    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r9), _multiply(nz, wx, _r8), _r8), _r8), _multiply(_k51, _subtract(vy, _multiply(ny, _s1, _r9), _r9), _r9), _r9)
-    _s33 = _add(_add(_multiply(dnx, _s28, _r8), _multiply(nx, _s29, _r17), _r17), _multiply(_s30, _subtract(_subtract(_add(_multiply(dny, _s31, _r8), _multiply(ny, _s25, _r18), _r18), _multiply(dnz, _s32, _r8), _r8), _multiply(nz, _s22, _r18), _r18), _r18), _r18)
-    _s34 = _divide(_s7, p_ball_radius, _r3)
-    _s35 = _negative(_s34, _r17)
-    _s36 = _add(_s33, _select(_s33 < _k6, _s35, _s34, _r8), _r8)
-    _s37 = _divide(_s19, _multiply(p_ball_radius, _s10, _r1), _r1)
-    _s38 = _negative(_s37, _r16)
-    _s39 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r18), _multiply(ny, wz, _r19), _r19), _r19), _multiply(_k51, _subtract(vx, _multiply(nx, _s1, _r0), _r0), _r0), _r0)
-    _s40 = _add(_add(_multiply(dny, _s28, _r19), _multiply(ny, _s29, _r18), _r18), _multiply(_s30, _subtract(_subtract(_add(_multiply(dnz, _s39, _r19), _multiply(nz, _s3, _r20), _r20), _multiply(dnx, _s31, _r6), _r6), _multiply(nx, _s25, _r10), _r10), _r10), _r10)
-    _s41 = _add(_s40, _select(_s40 < _k6, _s35, _s34, _r18), _r18)
-    _s42 = _add(_add(_multiply(dnz, _s28, _r13), _multiply(nz, _s29, _r2), _r2), _multiply(_s30, _subtract(_subtract(_add(_multiply(dnx, _s32, _r9), _multiply(nx, _s22, _r5), _r5), _multiply(dny, _s39, _r0), _r0), _multiply(ny, _s3, _r4), _r4), _r4), _r4)
-    _s43 = _add(_s42, _select(_s42 < _k6, _s35, _s34, _r2), _r2)
-    return _result(_absolute(_s9, _r4) < _s20, _select(_s9 < _k6, _s21, _s20, _r4), _s9, _r0), _result(_absolute(_s24, _r4) < _s20, _select(_s24 < _k6, _s21, _s20, _r4), _s24, _r0), _result(_absolute(_s27, _r4) < _s20, _select(_s27 < _k6, _s21, _s20, _r4), _s27, _r0), _result(_absolute(_s36, _r4) < _s37, _select(_s36 < _k6, _s38, _s37, _r4), _s36, _r0), _result(_absolute(_s41, _r4) < _s37, _select(_s41 < _k6, _s38, _s37, _r4), _s41, _r0), _result(_absolute(_s43, _r4) < _s37, _select(_s43 < _k6, _s38, _s37, _r4), _s43, _r0)
+    _s2 = _add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dvx, nx, _r2), _r2), _add(_multiply(dny, vy, _r1), _multiply(dvy, ny, _r3), _r3), _r3), _add(_multiply(dnz, vz, _r2), _multiply(dvz, nz, _r1), _r1), _r1)
+    _s3 = _add(_multiply(dnx, _s1, _r3), _multiply(nx, _s2, _r2), _r2)
+    _s4 = _add(_multiply(_s0, _subtract(_add(_multiply(dnz, wy, _r3), _multiply(dwy, nz, _r4), _r4), _add(_multiply(dny, wz, _r3), _multiply(dwz, ny, _r5), _r5), _r5), _r5), _multiply(_k65, _subtract(dvx, _s3, _r4), _r4), _r4)
+    _s5 = _subtract(_s4, _multiply(p_restitution, _s3, _r2), _r2)
+    _s6 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r5), _absolute(wy, _r3), _r3), _absolute(wz, _r5), _r5), _r5), _absolute(vx, _r3), _r3), _absolute(vy, _r5), _r5)
+    _s7 = _add(_s6, _absolute(vz, _r3), _r3)
+    _s8 = _add(_k23, _multiply(_k38, _s7, _r5), _r5)
+    _s9 = _add(_absolute(_s5, _r6), _s8, _r6)
+    _s10 = _absolute(dwx, _r7)
+    _s11 = _absolute(dwy, _r8)
+    _s12 = _select(_s10 < _s11, _s11, _s10, _r9)
+    _s13 = _absolute(dwz, _r10)
+    _s14 = _absolute(dvx, _r11)
+    _s15 = _absolute(dvy, _r12)
+    _s16 = _select(_s14 < _s15, _s15, _s14, _r13)
+    _s17 = _absolute(dvz, _r14)
+    _s18 = _multiply(_add(_add(_multiply(p_ball_radius, _select(_s12 < _s13, _s13, _s12, _r15), _r15), _multiply(turn, _s7, _r3), _r3), _select(_s16 < _s17, _s17, _s16, _r15), _r15), _divide(_k26, _add(_k27, _multiply(_k27, contacts, _r14), _r14), _r14), _r14)
+    _s19 = _select(_s9 < _s18, _s18, _s9, _r15)
+    _s20 = _add(_multiply(dny, _s1, _r13), _multiply(ny, _s2, _r12), _r12)
+    _s21 = _add(_multiply(_s0, _subtract(_add(_multiply(dnx, wz, _r13), _multiply(dwz, nx, _r11), _r11), _add(_multiply(dnz, wx, _r13), _multiply(dwx, nz, _r3), _r3), _r3), _r3), _multiply(_k65, _subtract(dvy, _s20, _r11), _r11), _r11)
+    _s22 = _subtract(_s21, _multiply(p_restitution, _s20, _r12), _r12)
+    _s23 = _add(_absolute(_s22, _r3), _s8, _r3)
+    _s24 = _select(_s23 < _s18, _s18, _s23, _r13)
+    _s25 = _add(_multiply(dnz, _s1, _r10), _multiply(nz, _s2, _r1), _r1)
+    _s26 = _add(_multiply(_s0, _subtract(_add(_multiply(dny, wx, _r10), _multiply(dwx, ny, _r9), _r9), _add(_multiply(dnx, wy, _r10), _multiply(dwy, nx, _r8), _r8), _r8), _r8), _multiply(_k65, _subtract(dvz, _s25, _r9), _r9), _r9)
+    _s27 = _subtract(_s26, _multiply(p_restitution, _s25, _r1), _r1)
+    _s28 = _add(_absolute(_s27, _r8), _s8, _r8)
+    _s29 = _select(_s28 < _s18, _s18, _s28, _r10)
+    _s30 = _k34 / p_ball_radius
+    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r16), _r16), _r16), _multiply(_k65, _subtract(vz, _multiply(nz, _s1, _r7), _r7), _r7), _r7)
+    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r16), _multiply(nz, wx, _r17), _r17), _r17), _multiply(_k65, _subtract(vy, _multiply(ny, _s1, _r16), _r16), _r16), _r16)
+    _s33 = _add(_add(_multiply(nx, wx, _r17), _multiply(ny, wy, _r18), _r18), _multiply(nz, wz, _r17), _r17)
+    _s34 = _add(_add(_add(_multiply(dnx, wx, _r18), _multiply(dwx, nx, _r19), _r19), _add(_multiply(dny, wy, _r18), _multiply(dwy, ny, _r20), _r20), _r20), _add(_multiply(dnz, wz, _r19), _multiply(dwz, nz, _r18), _r18), _r18)
+    _s35 = _add(_multiply(_s30, _subtract(_add(_multiply(dny, _s31, _r20), _multiply(ny, _s26, _r19), _r19), _add(_multiply(dnz, _s32, _r20), _multiply(nz, _s21, _r21), _r21), _r21), _r21), _add(_multiply(dnx, _s33, _r19), _multiply(nx, _s34, _r20), _r20), _r20)
+    _s36 = _multiply(_s30, _s8, _r5)
+    _s37 = _add(_absolute(_s35, _r21), _s36, _r21)
+    _s38 = _multiply(_s30, _s18, _r19)
+    _s39 = _select(_s37 < _s38, _s38, _s37, _r22)
+    _s40 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r23), _multiply(ny, wz, _r24), _r24), _r24), _multiply(_k65, _subtract(vx, _multiply(nx, _s1, _r0), _r0), _r0), _r0)
+    _s41 = _add(_multiply(_s30, _subtract(_add(_multiply(dnz, _s40, _r24), _multiply(nz, _s4, _r23), _r23), _add(_multiply(dnx, _s31, _r7), _multiply(nx, _s26, _r9), _r9), _r9), _r9), _add(_multiply(dny, _s33, _r23), _multiply(ny, _s34, _r7), _r7), _r7)
+    _s42 = _add(_absolute(_s41, _r9), _s36, _r9)
+    _s43 = _select(_s42 < _s38, _s38, _s42, _r23)
+    _s44 = _add(_multiply(_s30, _subtract(_add(_multiply(dnx, _s32, _r16), _multiply(nx, _s21, _r11), _r11), _add(_multiply(dny, _s40, _r0), _multiply(ny, _s4, _r4), _r4), _r4), _r4), _add(_multiply(dnz, _s33, _r17), _multiply(nz, _s34, _r18), _r18), _r18)
+    _s45 = _add(_absolute(_s44, _r4), _s36, _r4)
+    _s46 = _select(_s45 < _s38, _s38, _s45, _r5)
+    return _result(_s5 < _k25, _negative(_s19, _r2), _s19, _r0), _result(_s22 < _k25, _negative(_s24, _r12), _s24, _r0), _result(_s27 < _k25, _negative(_s29, _r1), _s29, _r0), _result(_s35 < _k25, _negative(_s39, _r20), _s39, _r0), _result(_s41 < _k25, _negative(_s43, _r7), _s43, _r0), _result(_s44 < _k25, _negative(_s46, _r18), _s46, _r0)
 
 
 def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -1605,7 +1711,7 @@ def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, 
     _r0, _r1 = _room[:2]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(_k24, _s1, _r1), _r0)
+    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(_k45, _s1, _r1), _r0)
     return x * _s2, y * _s2, z * _s0
 
 
@@ -1623,20 +1729,29 @@ def ring_curvature(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -
 def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Error of the normal, from that of the position.
 
-    derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
+    derivative of Table 2's normal. 34 operations: 6 additions, 3 subtractions, 18 multiplications, 3 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
     Returns dnx, dny, dnz, turn.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
+    x = _single(x)
+    y = _single(y)
+    dx = _single(dx)
+    dy = _single(dy)
+    dz = _single(dz)
+    shift = _single(shift)
+    p_ball_radius = _single(p_ball_radius)
+    p_ring_radius = _single(p_ring_radius)
+    p_wire_radius = _single(p_wire_radius)
+    _r0, _r1, _r2, _r3, _r4 = _halves(_room[:5])
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = 1.0 / _s0
+    _s1 = _k34 / _s0
     _s2 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s3 = _subtract(_s2, p_ring_radius, _r0)
-    _s4 = _divide(_k24, _s2, _r2)
-    _s5 = _multiply(_multiply(_s1, _s3, _r3), _s4, _r3)
-    _s6 = _divide(_multiply(_k37, _add(_multiply(_multiply(_k22, dx, _r4), x, _r4), _multiply(_multiply(_k22, dy, _r5), y, _r5), _r5), _r5), _s2, _r5)
-    _s7 = _add(_multiply(_multiply(_s6, _s1, _r1), _s4, _r1), _multiply(_multiply(_negative(_multiply(_s6, _multiply(_s4, _s4, _r2), _r2), _r2), _s1, _r2), _s3, _r2), _r2)
+    _s4 = _divide(_k26, _s2, _r1)
+    _s5 = _multiply(_multiply(_s1, _s3, _r2), _s4, _r2)
+    _s6 = _multiply(_add(_multiply(dx, x, _r3), _multiply(dy, y, _r4), _r4), _s4, _r4)
+    _s7 = _multiply(_s1, _add(_multiply(_s6, _s4, _r3), _multiply(_negative(_multiply(_s6, _multiply(_s4, _s4, _r1), _r1), _r1), _s3, _r1), _r1), _r1)
     _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius
-    return _multiply(dx, _s5, _r1) + _multiply(x, _s7, _r0), _multiply(dy, _s5, _r3) + _multiply(y, _s7, _r2), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
+    return _multiply(dx, _s5, _r3) + _multiply(x, _s7, _r0), _multiply(dy, _s5, _r2) + _multiply(y, _s7, _r1), dz * _s1, shift * (_k34 / _where(_s8 < _s0, _s8, _s0))
 
 
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1673,16 +1788,16 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s24 = _where(_s22 < _s23, _s23, _s22)
     _s25 = _s24 * _s24
     _s26 = _s24 * _s25
-    _s27 = _multiply(_subtract(_add(_add(_multiply(_k22, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(_k22, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
+    _s27 = _multiply(_subtract(_add(_add(_multiply(_k46, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(_k46, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
     _s28 = _subtract(_multiply(vy, x, _r12), _multiply(vx, y, _r15), _r15)
     _s29 = _multiply(_s28, _s28, _r15)
     _s30 = _subtract(_s27, _multiply(2.0 * p_ring_radius, _s29, _r12), _r12)
     _s31 = _add(_multiply(_s16, _add(_multiply(vx, _s12, _r6), _multiply(vy, _s13, _r7), _r7), _r7), _multiply(_multiply(_s17, _subtract(vz, _multiply(p_gravity, _s11, _r10), _r10), _r10), _s15, _r10), _r10)
     _s32 = _add(x, _multiply(horizon, vx, _r7), _r7)
     _s33 = _add(y, _multiply(horizon, vy, _r8), _r8)
-    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k6, _k24, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k6, _k24, _k6, _r8), _r15)
-    _s35 = _select(_subtract(_multiply(_multiply(_k52, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k22, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k6, _s34, _k6, _r7)
-    _s36 = _select(horizon < _subtract(_s11, _multiply(_k47, horizon, _r10), _r10), _k24, _select(_k6 < _s20, _select(_k6 < _s30, _s35, _k6, _r12), _k6, _r13), _r10)
+    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k6, _k45, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k6, _k45, _k6, _r8), _r15)
+    _s35 = _select(_subtract(_multiply(_multiply(_k68, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k46, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k6, _s34, _k6, _r7)
+    _s36 = _select(horizon < _subtract(_s11, _multiply(_k59, horizon, _r10), _r10), _k45, _select(_k6 < _s20, _select(_k6 < _s30, _s35, _k6, _r12), _k6, _r13), _r10)
     _s37 = _add(_multiply(vx, x, _r4), _multiply(vy, y, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
     _s39 = _select(_s38 < _k6, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, _k6, _r4), _k6, _r14)
@@ -1699,7 +1814,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34 = _room[:35]
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
-    _s2 = _add(_multiply(_k22, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k22, _s1, _r1)
+    _s2 = _add(_multiply(_k46, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k46, _s1, _r1)
     _s3 = _subtract(_multiply(vy, x, _r1), _multiply(vx, y, _r3), _r3)
     _s4 = _multiply(_s3, _s3, _r1)
     _s5 = (2.0 * p_ring_radius) * _s4
@@ -1707,36 +1822,36 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = _multiply(_k60, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s10 = _multiply(_k76, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
     _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
-    _s14 = _multiply(_k38, _add(_absolute(vz, _r8), _s13, _r8), _r8)
+    _s14 = _multiply(_k47, _add(_absolute(vz, _r8), _s13, _r8), _r8)
     _s15 = _k6 <= _s11
     _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _k8, _r9)
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = _multiply(_multiply(_k38, _s1, _r10), _add(_s18, _s6, _r11), _r10)
+    _s19 = _multiply(_multiply(_k47, _s1, _r10), _add(_s18, _s6, _r11), _r10)
     _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
     _s21 = _add(_multiply(vx, x, _r12), _multiply(vy, y, _r13), _r13)
     _s22 = _sqrt(_s20, _r12)
-    _s23 = _multiply(_k38, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
-    _s24 = _divide(_k24, _s1, _r14)
+    _s23 = _multiply(_k47, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
+    _s24 = _divide(_k45, _s1, _r14)
     _s25 = _k6 <= _s20
-    _s26 = _k61 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k62, _r16)
+    _s26 = _k77 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k78, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k6, _k6, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k62, _r10), _k8, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k78, _r10), _k8, _r18)
     _s35 = _k6 < _select(_s26, _s32, _k6, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k6, _k6, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k62, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k78, _r0)
     _s40 = _k6 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -1778,9 +1893,9 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(_k66, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k31, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k14 * _add(_add(_multiply(_multiply(_k67, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
-    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k67, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k82, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k83, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k14 * _add(_add(_multiply(_multiply(_k84, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
+    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k84, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1794,12 +1909,12 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s1 = _add(y, _multiply(t, vy, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _add(rho_start, _s2, _r2)
-    _s4 = _divide(_k24, _multiply(_s3, _s2, _r4), _r4)
+    _s4 = _divide(_k45, _multiply(_s3, _s2, _r4), _r4)
     _s5 = _subtract(_s2, p_ring_radius, _r5)
     _s6 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r6), _r6)
     _s7 = _add(z, _multiply(t, _s6, _r7), _r7)
-    _s8 = _k22 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_subtract(vz, _multiply(p_gravity, t, _r2), _r2), _s7, _r2), _r2)
-    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k22, _add(_multiply(vx, x, _r2), _multiply(vy, y, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
+    _s8 = _k46 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_subtract(vz, _multiply(p_gravity, t, _r2), _r2), _s7, _r2), _r2)
+    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k46, _add(_multiply(vx, x, _r2), _multiply(vy, y, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = _result(_k6 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r0)
     return t - _divide(_s11, _s8, _r7), _s11, _s8
@@ -1817,8 +1932,8 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _subtract(_s2, p_ring_radius, _r2)
     _s4 = _add(rho_start, _s2, _r4)
-    _s5 = _divide(_k24, _multiply(_s4, _s2, _r5), _r5)
-    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k22, _add(_multiply(vx, x, _r6), _multiply(vy, y, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
+    _s5 = _divide(_k45, _multiply(_s4, _s2, _r5), _r5)
+    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k46, _add(_multiply(vx, x, _r6), _multiply(vy, y, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
     _s7 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r7), _r7)
     _s8 = _add(z, _multiply(t, _s7, _r6), _r6)
     _s9 = p_ball_radius + p_wire_radius
@@ -1826,7 +1941,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s11 = _multiply(_s4, _s5, _r5)
     _s12 = _multiply(_s11, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
     _s13 = _subtract(vz, _multiply(p_gravity, t, _r0), _r0)
-    _s14 = _k22 * _add(_multiply(_s12, _s3, _r2), _multiply(_s13, _s8, _r4), _r4)
+    _s14 = _k46 * _add(_multiply(_s12, _s3, _r2), _multiply(_s13, _s8, _r4), _r4)
     _s15 = 6.0 * p_gravity
     _s16 = _multiply(_s15, _s8, _r4)
     _s17 = _multiply(swing, _multiply(_s11, _multiply(_s11, _s11, _r2), _r2), _r2)
@@ -1837,8 +1952,8 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s22 = _select(_s21 < _k6, _k6, _s21, _r9)
     _s23 = _subtract(_add(_s16, _s17, _r8), steady, _r8)
     _s24 = _s20 < _k6
-    _s25 = _multiply(_k22, _s22, _r10)
-    _s26 = _select(_k6 < _select(_k6 <= _s20, _s22, _k6, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k52, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k6 < _s23, _s23, _k6, _r14), _r15), _r12), _r11)
+    _s25 = _multiply(_k46, _s22, _r10)
+    _s26 = _select(_k6 < _select(_k6 <= _s20, _s22, _k6, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k68, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k6 < _s23, _s23, _k6, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
     _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k6, _k6, _s13, _r8), _r8), _s8, _r8), _r8)
@@ -1847,15 +1962,15 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s32 = p_ring_radius - _s18
     _s33 = 0.0001220703125 * p_ring_radius
     _s34 = _where(_s32 < _s33, _s33, _s32)
-    _s35 = _divide(_k24, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
+    _s35 = _divide(_k45, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k72, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
-    _s38 = _add(_multiply(_multiply(_k22, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k90, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
+    _s38 = _add(_multiply(_multiply(_k46, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
     _s40 = _select(_k6 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k6 < _s37, _s37, _k6, _r5), _r1), _r7), _k8, _r9)
     _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
     _s42 = _negative(_add(rate_margin, _s14, _r1), _r1)
-    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(_k6 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k25, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
+    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(_k6 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k51, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
 
 
 def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1879,73 +1994,73 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k74 * (p_ball_radius + p_wire_radius)
-    _s2 = _k75 * p_gravity
-    _s3 = _multiply(_k76, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s1 = _k92 * (p_ball_radius + p_wire_radius)
+    _s2 = _k33 * p_gravity
+    _s3 = _multiply(_k93, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = _k77 / p_gravity
+    _s5 = _k34 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k78, _add(_absolute(vz, _r4), _s6, _r4), _r4)
-    _s8 = _k79 <= _s4
-    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k80, _r5)
+    _s7 = _multiply(_k94, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s8 = _k25 <= _s4
+    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k95, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k78, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k94, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k78, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_k81, _s10, _r13)
-    _s21 = _k79 <= _s16
-    _s22 = _k82 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k80, _r14), _k83, _r15)
+    _s19 = _multiply(_k94, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k26, _s10, _r13)
+    _s21 = _k25 <= _s16
+    _s22 = _k96 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k95, _r14), _k97, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
-    _s25 = _select(_k79 < _s24, _s24, _k79, _r17)
-    _s26 = _select(_k79 < _s25, _s25, _k79, _r18)
+    _s25 = _select(_k25 < _s24, _s24, _k25, _r17)
+    _s26 = _select(_k25 < _s25, _s25, _k25, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k84 * p_ring_radius
+    _s28 = _k98 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
-    _s31 = _sqrt(_select(_s30 < _k79, _k79, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k83, _r6), _k80, _r19)
-    _s33 = _k79 < _select(_s22, _s30, _k79, _r20)
+    _s31 = _sqrt(_select(_s30 < _k25, _k25, _s30, _r9), _r9)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k97, _r6), _k95, _r19)
+    _s33 = _k25 < _select(_s22, _s30, _k25, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
-    _s36 = _sqrt(_select(_s35 < _k79, _k79, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k83, _r0)
-    _s38 = _k79 < _s35
+    _s36 = _sqrt(_select(_s35 < _k25, _k25, _s35, _r1), _r1)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k97, _r0)
+    _s38 = _k25 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k85, horizon, _r24)
+    _s41 = _multiply(_k99, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
-    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k80, _r13)
+    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k95, _r13)
     _s45 = _select(_s44 < _s34, _s34, _s44, _r8)
     _s46 = _select(_s9 < _s45, _s45, _s9, _r12)
     _s47 = _select(_s32 < _s39, _s32, _s39, _r26)
-    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k80, _r4)
+    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k95, _r4)
     _s49 = _select(_s48 < _s39, _s39, _s48, _r27)
     _s50 = _s46 <= _s47
     _s51 = _select(_s50, _s46, _select(_s49 < _s23, _s23, _s49, _r28), _r29)
-    _s52 = _result(_k79 < _s51, _s51, _k79, _r0)
-    _s53 = _select(_k79 < _s52, _s52, _k79, _r30)
+    _s52 = _result(_k25 < _s51, _s51, _k25, _r0)
+    _s53 = _select(_k25 < _s52, _s52, _k25, _r30)
     _s54 = _select(_s50, _s47, _select(_s34 < _s37, _s34, _s37, _r31), _r32)
     _s55 = _result(_s54 < _s41, _s54, _s41, _r0)
     _s56 = _s53 < _s55
     _s57 = _select(_s49 < _s45, _s45, _s49, _r33)
-    _s58 = _result(_k79 < _s57, _s57, _k79, _r0)
-    _s59 = _select(_k79 < _s58, _s58, _k79, _r34)
+    _s58 = _result(_k25 < _s57, _s57, _k25, _r0)
+    _s59 = _select(_k25 < _s58, _s58, _k25, _r34)
     _s60 = _select(_s32 < _s37, _s32, _s37, _r35)
     _s61 = _result(_s60 < _s41, _s60, _s41, _r0)
     _s62 = _s59 < _s61
-    _s63 = _select(_k79 < _s40, _s40, _k79, _r36)
+    _s63 = _select(_k25 < _s40, _s40, _k25, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k86 * _s29)), (_s11 <= ((_k86 * p_ball_radius) + (_k86 * p_wire_radius)))), (_s11 <= _k87)), (_k88 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k79, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k79, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k87)), (_k88 <= p_gravity)), (extent <= _k89)), (speed <= _k89))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k100 * _s29)), (_s11 <= ((_k100 * p_ball_radius) + (_k100 * p_wire_radius)))), (_s11 <= _k101)), (_k102 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k25, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k25, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k101)), (_k102 <= p_gravity)), (extent <= _k103)), (speed <= _k103))
 
 
 def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1977,33 +2092,33 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
-    _s0 = _k79 < leaving
+    _s0 = _k25 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k74 * _s2
+    _s3 = _k92 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k84 * p_ring_radius
+    _s5 = _k98 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(_k77 < _s7, _s7, _k77)
+    _s8 = _where(_k34 < _s7, _s7, _k34)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k97, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k98, parting, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k99, _s12, _k99, _r5)
-    _s14 = _result(_s0, _select(_k100 < _s13, _s13, _k100, _r6), _k99, _r0)
-    _s15 = _add(_multiply(_k101, _multiply(vz, vz, _r7), _r7), _multiply(_k102 * p_gravity, z, _r8), _r8) + _multiply(_k101, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k110, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k111, parting, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k112, _s12, _k112, _r5)
+    _s14 = _result(_s0, _select(_k113 < _s13, _s13, _k113, _r6), _k112, _r0)
+    _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k114 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
-    _s17 = (_k75 * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = _k77 / _s6
+    _s17 = (_k33 * p_ring_radius) * _multiply(_s16, _s16, _r8)
+    _s18 = _k34 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k103 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k115 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k78, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k104, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k90, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k105 * _s20, (_k106 * _s2) * _s24, _result(_s0, _multiply(_k105, _add(_multiply(_k76, _absolute(parting, _r12), _r12), _multiply(_add(_k107, _s14, _r2), _s11, _r2), _r2), _r2), _k80, _r0), _k105 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k108 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k97 * _add(_multiply(_multiply(_k105, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k109, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k110 * p_ball_radius) + (_k110 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k79))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k94, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k116, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k117 * _s20, (_k118 * _s2) * _s24, _result(_s0, _multiply(_k117, _add(_multiply(_k93, _absolute(parting, _r12), _r12), _multiply(_add(_k119, _s14, _r2), _s11, _r2), _r2), _r2), _k95, _r0), _k117 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k120 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k110 * _add(_multiply(_multiply(_k117, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k121, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k122 * p_ball_radius) + (_k122 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k25))
 
 
 def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2050,66 +2165,66 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s7 = _add(y, _multiply(t, vy, _r5), _r5)
     _s8 = _sqrt(_add(_multiply(_s6, _s6, _r6), _multiply(_s7, _s7, _r7), _r7), _r7)
     _s9 = _add(rho_start, _s8, _r6)
-    _s10 = _divide(_k81, _multiply(_s9, _s8, _r8), _r8)
+    _s10 = _divide(_k26, _multiply(_s9, _s8, _r8), _r8)
     _s11 = _multiply(_s8, _s10, _r9)
-    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_k101, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
-    _s13 = _subtract(vz, _multiply(_k117 * p_gravity, t, _r10), _r10)
-    _s14 = _add(_add(_multiply(_multiply(_multiply(_k101, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
+    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_k22, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
+    _s13 = _subtract(vz, _multiply(_k129 * p_gravity, t, _r10), _r10)
+    _s14 = _add(_add(_multiply(_multiply(_multiply(_k22, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
     _s15 = _add(parting, _multiply(t, _subtract(_s14, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
     _s16 = _multiply(_s9, _s10, _r8)
     _s17 = _multiply(_s16, _add(_multiply(vx, _s6, _r3), _multiply(vy, _s7, _r5), _r5), _r5)
     _s18 = _subtract(_s8, p_ring_radius, _r3)
     _s19 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
     _s20 = _add(z, _multiply(t, _s13, _r10), _r10)
-    _s21 = _select(_s4, _subtract(_multiply(_k101, _s15, _r11), parting, _r11), _multiply(_k101, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
-    _s22 = _select(_s4, _add(_s3, _multiply(_k101, _s0, _r0), _r0), rate_margin, _r2)
+    _s21 = _select(_s4, _subtract(_multiply(_k22, _s15, _r11), parting, _r11), _multiply(_k22, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
+    _s22 = _select(_s4, _add(_s3, _multiply(_k22, _s0, _r0), _r0), rate_margin, _r2)
     _s23 = _negative(_add(_s21, _s22, _r4), _r4)
     _s24 = _select(_s2, _s1, flat, _r14)
     _s25 = p_ball_radius + p_wire_radius
     _s26 = _subtract(_select(_s2, _multiply(t, _s15, _r12), _subtract(_add(_multiply(_s18, _s18, _r3), _multiply(_s20, _s20, _r15), _r15), _s25 * _s25, _r15), _r3), _s24, _r3)
-    _s27 = _select(_s26 < _k79, _k79, _s26, _r15)
-    _s28 = _multiply(_k101, _add(_multiply(_k101, _s24, _r12), _s27, _r12), _r12)
+    _s27 = _select(_s26 < _k25, _k25, _s26, _r15)
+    _s28 = _multiply(_k22, _add(_multiply(_k22, _s24, _r12), _s27, _r12), _r12)
     _s29 = _subtract(_s21, _s22, _r2)
-    _s30 = _k119 * p_gravity
+    _s30 = _k131 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(swing, _multiply(_s16, _multiply(_s16, _s16, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), steady, _r17)
-    _s34 = _s29 < _k79
-    _s35 = _multiply(_k101, _s27, _r18)
-    _s36 = _select(_k79 < _select(_k79 <= _s29, _s27, _k79, _r19), _k80, _divide(_select(_s34, _add(_multiply(_k120, _s24, _r19), _s35, _r19), _multiply(_k121, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k79 < _s33, _s33, _k79, _r23), _r24), _r21), _r20)
+    _s34 = _s29 < _k25
+    _s35 = _multiply(_k22, _s27, _r18)
+    _s36 = _select(_k25 < _select(_k25 <= _s29, _s27, _k25, _r19), _k95, _divide(_select(_s34, _add(_multiply(_k27, _s24, _r19), _s35, _r19), _multiply(_k132, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k25 < _s33, _s33, _k25, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k74 * _s25
-    _s40 = _add((_k84 * p_ball_radius) + (_k84 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k79, _k79, _s19, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k92 * _s25
+    _s40 = _add((_k98 * p_ball_radius) + (_k98 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k25, _k25, _s19, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k79 < _s17, _k79, _s17, _r23), _r23), _s8, _r23), _multiply(_k122, _s42, _r7), _r7), _k92 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k25 < _s17, _k25, _s17, _r23), _r23), _s8, _r23), _multiply(_k133, _s42, _r7), _r7), _k105 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k84 * p_ring_radius
+    _s45 = _k98 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_k81, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k26, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(swing, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(steady, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k123, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k134, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
     _s51 = _negative(_s19, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k88 * p_ball_radius) + (_k88 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k79, _k79, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k124, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(steady, _add(_s52, _multiply(_k125, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k102 * p_ball_radius) + (_k102 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k25, _k25, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k135, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(steady, _add(_s52, _multiply(_k136, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k120, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
-    _s56 = _k79 < _select(_k79 < _s23, _s55, _s23, _r16)
-    _s57 = _add(_multiply(_multiply(_k101, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
+    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k27, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
+    _s56 = _k25 < _select(_k25 < _s23, _s55, _s23, _r16)
+    _s57 = _add(_multiply(_multiply(_k22, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
-    _s59 = _select(_k79 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k79 < _s50, _s50, _k79, _r2), _r4), _r8), _k80, _r15)
+    _s59 = _select(_k25 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k25 < _s50, _s50, _k25, _r2), _r4), _r8), _k95, _r15)
     _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
     _s61 = _add(t, _s60, _r2)
-    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _k79), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
+    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _k25), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
     _s63 = _logical_not(_logical_or(_s56, _s62))
     _s64 = _logical_and(_s63, (_s37 <= _s60))
     _s65 = _select(end < low1, low1, end, _r4)
     _s66 = _s65 < high1
     _s67 = _select(end < low2, low2, end, _r15)
     _s68 = _s67 < high2
-    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k80, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k95, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2121,7 +2236,7 @@ def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radiu
     _r0, _r1 = _room[:2]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1))
     _s1 = _add(_multiply(vx, x, _r1), _multiply(vy, y, _r0), _r0) / _s0
-    return _s0, _k22 * _add(_multiply(vz, z, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
+    return _s0, _k46 * _add(_multiply(vz, z, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
 
 
 def ring_lost(horizon: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -2214,7 +2329,7 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k129, _s0, _r1), _r1) + _multiply(_k130, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k139, _s0, _r1), _r1) + _multiply(_k140, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
@@ -2305,7 +2420,7 @@ def bridge_arrival(leaving: Any, z: Any, vz: Any, p_ball_radius: Any, p_wire_rad
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
     _s4 = vz < _k6
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(_k22, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
+    return _select(_s4, _multiply(_k46, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
 
 
 def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2316,7 +2431,7 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k129, _s0, _r1), _r1) + _multiply(_k130, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k139, _s0, _r1), _r1) + _multiply(_k140, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -2398,7 +2513,7 @@ def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any,
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
     _s4 = vz < _k6
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(_k22, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
+    return _select(_s4, _multiply(_k46, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
 
 
 def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2409,7 +2524,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k129, _s0, _r1), _r1) + _multiply(_k130, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k139, _s0, _r1), _r1) + _multiply(_k140, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -2642,7 +2757,7 @@ def _take(values: Any, rows: Any) -> Any:
     """Return some rows of a column; what all shots share stays."""
     if rows is None or type(values) is not _ndarray or not values.ndim:
         return values
-    return values[rows]
+    return values.take(rows, None, None, "clip")
 
 
 def _of(rows: Any, some: Any) -> Any:
@@ -2747,7 +2862,7 @@ def _sooner_alone(arrives: Any, index: Any, time: Any, when: Any, which: Any) ->
 
 def _beginning_alone() -> tuple[Any, ...]:
     """Do `beginning` for one shot."""
-    return _k41, _k10, False
+    return _k53, _k10, False
 
 
 def _beyond_alone(doubt: Any, excess: Any, late: Any, lost: Any, pad: Any) -> tuple[Any, ...]:
@@ -2770,7 +2885,7 @@ def _opened_alone(horizon: Any, time: Any) -> tuple[Any, ...]:
 def _coarse_alone(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any, share: Any, sound: Any) -> tuple[Any, ...]:
     """Do `coarse` for one shot."""
     _s0 = (searching and sound) and fits
-    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else _k41
+    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else _k53
 
 
 def _leapt_alone(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
@@ -2791,7 +2906,7 @@ def _struck_alone(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, r
 
 def _finer_alone(share: Any) -> tuple[Any, ...]:
     """Do `finer` for one shot."""
-    return (_k43 * share) if (_k42 < share) else _k2,
+    return (_k55 * share) if (_k54 < share) else _k2,
 
 
 def _exceeded_alone(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
@@ -2814,7 +2929,7 @@ def _found_alone(arrival: Any) -> tuple[Any, ...]:
 
 def _polished_alone(arrival: Any, ceiling: Any, certain: Any, gap: Any, rate: Any, refined: Any) -> tuple[Any, ...]:
     """Do `polished` for one shot."""
-    return refined if certain else arrival, certain and ((_k44 * (rate * rate)) < (ceiling * abs(gap)))
+    return refined if certain else arrival, certain and ((_k56 * (rate * rate)) < (ceiling * abs(gap)))
 
 
 def _own_margin_alone(arrival: Any, flat: Any, leaving: Any, tilt: Any) -> tuple[Any, ...]:
@@ -2837,44 +2952,44 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     """Do `ring_prepare` for one shot."""
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
-    _s2 = ((_k28 * _s0) + ((_k39 * p_gravity) * z)) + (_k28 * _s1)
+    _s2 = ((_k48 * _s0) + ((_k49 * p_gravity) * z)) + (_k48 * _s1)
     _s3 = (vy * x) - (vx * y)
     _s4 = _s3 * _s3
-    _s5 = (_k28 * p_ring_radius) * _s4
+    _s5 = (_k48 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k56 * _s7
-    _s9 = _k28 * p_gravity
-    _s10 = _k63 * (_s0 + (_s9 * (abs(z) + _s8)))
+    _s8 = _k72 * _s7
+    _s9 = _k48 * p_gravity
+    _s10 = _k79 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
     _s12 = _k1 / p_gravity
     _s13 = _root(_s11)
-    _s14 = _k40 * (abs(vz) + _s13)
+    _s14 = _k50 * (abs(vz) + _s13)
     _s15 = _k2 <= _s11
     _s16 = (_s12 * ((vz - _s13) - _s14)) if _s15 else _k10
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = (_k40 * _s1) * (_s18 + _s6)
+    _s19 = (_k50 * _s1) * (_s18 + _s6)
     _s20 = ((_s18 * _s1) + _s19) - _s4
     _s21 = (vx * x) + (vy * y)
     _s22 = _root(_s20)
-    _s23 = _k40 * ((abs(_s21) + abs(_s3)) + _s22)
+    _s23 = _k50 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k64 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k65
+    _s26 = _k80 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k81
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k59 * p_ring_radius
+    _s30 = _k75 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k65) if _s26 else _k10
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k81) if _s26 else _k10
     _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
     _s38 = _root((_k2 if _s37 < _k2 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k65
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k81
     _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
@@ -2893,27 +3008,27 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k53 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = ((position_error + (horizon * velocity_error)) - (_k54 * p_ball_radius)) - (_k54 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k58 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s59 if _s58 < _s59 else _s58
+    _s58 = (_k69 * p_ring_radius) - (p_ring_radius - _s7)
+    _s59 = ((position_error + (horizon * velocity_error)) - (_k70 * p_ball_radius)) - (_k70 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k74 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s59 if _s58 < _s59 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_margins` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k56 * _s0
+    _s2 = _k72 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k21 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k59 * p_ring_radius
+    _s8 = _k75 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
-    _s11 = _k71 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k32 * _s1))))
-    _s12 = _k18 * ((((_k70 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
-    return _k18 * ((((_k21 * horizon) * _s3) + ((_k68 * _s0) * _s4)) + ((_k69 * _s0) * _s6)), _s12, _k18 * ((_k70 * (_s4 * _s1)) + _s11)
+    _s11 = _k88 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k89 * _s1))))
+    _s12 = _k18 * ((((_k87 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
+    return _k18 * ((((_k21 * horizon) * _s3) + ((_k85 * _s0) * _s4)) + ((_k86 * _s0) * _s6)), _s12, _k18 * ((_k87 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -2926,8 +3041,8 @@ def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy
     _s5 = _s2 - p_ring_radius
     _s6 = vz - ((_k0 * p_gravity) * t)
     _s7 = z + (t * _s6)
-    _s8 = _k28 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
-    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k28 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
+    _s8 = _k48 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
+    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k48 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = (t * (_s9 + ((z + _s7) * _s6))) if (_k2 < leaving) else (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))
     return t - (_s11 / _s8), _s11, _s8
@@ -2941,7 +3056,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s3 = _s2 - p_ring_radius
     _s4 = rho_start + _s2
     _s5 = _k1 / (_s4 * _s2)
-    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k28 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
+    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k48 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
     _s7 = vz - ((_k0 * p_gravity) * t)
     _s8 = z + (t * _s7)
     _s9 = p_ball_radius + p_wire_radius
@@ -2949,139 +3064,139 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s11 = _s4 * _s5
     _s12 = _s11 * ((vx * _s0) + (vy * _s1))
     _s13 = vz - (p_gravity * t)
-    _s14 = _k28 * ((_s12 * _s3) + (_s13 * _s8))
+    _s14 = _k48 * ((_s12 * _s3) + (_s13 * _s8))
     _s15 = _k9 * p_gravity
     _s16 = _s15 * _s8
     _s17 = swing * (_s11 * (_s11 * _s11))
-    _s18 = _k56 * _s9
-    _s19 = _k73 * (p_ring_radius + _s18)
+    _s18 = _k72 * _s9
+    _s19 = _k91 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
     _s22 = _k2 if _s21 < _k2 else _s21
     _s23 = (_s16 + _s17) - steady
     _s24 = _s20 < _k2
-    _s25 = _k28 * _s22
-    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k39 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
+    _s25 = _k48 * _s22
+    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k49 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
     _s27 = end - t
     _s28 = _s26 if _s26 < _s27 else _s27
     _s29 = _s19 + ((_s28 * (_k2 if _s13 < _k2 else _s13)) + _s8)
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k59 * p_ring_radius
+    _s33 = _k75 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = swing * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (_k73 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
-    _s38 = ((_k28 * _s37) * _s22) + (_s20 * _s20)
+    _s37 = ((_s30 + _s36) + (_k91 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
+    _s38 = ((_k48 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
     _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k10
     _s41 = _s40 if _s40 < _s28 else _s28
     _s42 = -(rate_margin + _s14)
-    return _s10, _s14, (steady - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k29 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
+    return _s10, _s14, (steady - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k52 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
 
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_opened` for one shot."""
     _s0 = vz * vz
-    _s1 = _k74 * (p_ball_radius + p_wire_radius)
-    _s2 = _k75 * p_gravity
-    _s3 = _k91 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s1 = _k92 * (p_ball_radius + p_wire_radius)
+    _s2 = _k33 * p_gravity
+    _s3 = _k104 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
-    _s5 = _k77 / p_gravity
+    _s5 = _k34 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k92 * (abs(vz) + _s6)
-    _s8 = _k90 <= _s4
-    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k93
+    _s7 = _k105 * (abs(vz) + _s6)
+    _s8 = _k30 <= _s4
+    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k106
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k92 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k105 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (vy * x) - (vx * y)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (vx * x) + (vy * y)
     _s18 = _root(_s16)
-    _s19 = _k92 * ((abs(_s17) + abs(_s14)) + _s18)
-    _s20 = _k77 / _s10
-    _s21 = _k90 <= _s16
-    _s22 = _k94 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k93) if _s22 else _k95
+    _s19 = _k105 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s20 = _k34 / _s10
+    _s21 = _k30 <= _s16
+    _s22 = _k107 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k106) if _s22 else _k108
     _s24 = _s23 if _s9 < _s23 else _s9
-    _s25 = _s24 if _k90 < _s24 else _k90
-    _s26 = _s25 if _k90 < _s25 else _k90
+    _s25 = _s24 if _k30 < _s24 else _k30
+    _s26 = _s25 if _k30 < _s25 else _k30
     _s27 = p_ring_radius - _s1
-    _s28 = _k84 * p_ring_radius
+    _s28 = _k98 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
-    _s31 = _root((_k90 if _s30 < _k90 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k95) if _s22 else _k93
-    _s33 = _k90 < (_s30 if _s22 else _k90)
+    _s31 = _root((_k30 if _s30 < _k30 else _s30))
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k108) if _s22 else _k106
+    _s33 = _k30 < (_s30 if _s22 else _k30)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
-    _s36 = _root((_k90 if _s35 < _k90 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k95
-    _s38 = _k90 < _s35
+    _s36 = _root((_k30 if _s35 < _k30 else _s35))
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k108
+    _s38 = _k30 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k96 * horizon
+    _s41 = _k109 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
-    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k93
+    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k106
     _s45 = _s34 if _s44 < _s34 else _s44
     _s46 = _s45 if _s9 < _s45 else _s9
     _s47 = _s32 if _s32 < _s39 else _s39
-    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k93
+    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k106
     _s49 = _s39 if _s48 < _s39 else _s48
     _s50 = _s46 <= _s47
     _s51 = _s46 if _s50 else (_s23 if _s49 < _s23 else _s49)
-    _s52 = _s51 if _k90 < _s51 else _k90
-    _s53 = _s52 if _k90 < _s52 else _k90
+    _s52 = _s51 if _k30 < _s51 else _k30
+    _s53 = _s52 if _k30 < _s52 else _k30
     _s54 = _s47 if _s50 else (_s34 if _s34 < _s37 else _s37)
     _s55 = _s54 if _s54 < _s41 else _s41
     _s56 = _s53 < _s55
     _s57 = _s45 if _s49 < _s45 else _s49
-    _s58 = _s57 if _k90 < _s57 else _k90
-    _s59 = _s58 if _k90 < _s58 else _k90
+    _s58 = _s57 if _k30 < _s57 else _k30
+    _s59 = _s58 if _k30 < _s58 else _k30
     _s60 = _s32 if _s32 < _s37 else _s37
     _s61 = _s60 if _s60 < _s41 else _s41
     _s62 = _s59 < _s61
-    _s63 = _s40 if _k90 < _s40 else _k90
+    _s63 = _s40 if _k30 < _s40 else _k30
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k86 * _s29)) and (_s11 <= ((_k86 * p_ball_radius) + (_k86 * p_wire_radius)))) and (_s11 <= _k87)) and (_k88 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k90)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k90)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k87)) and (_k88 <= p_gravity)) and (extent <= _k87)) and (speed <= _k87)
+    _s66 = (((_s11 <= (_k100 * _s29)) and (_s11 <= ((_k100 * p_ball_radius) + (_k100 * p_wire_radius)))) and (_s11 <= _k101)) and (_k102 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k30)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k30)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k101)) and (_k102 <= p_gravity)) and (extent <= _k101)) and (speed <= _k101)
 
 
 def _ring_grain_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_grain` for one shot."""
-    _s0 = _k90 < leaving
+    _s0 = _k30 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k74 * _s2
+    _s3 = _k92 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k84 * p_ring_radius
+    _s5 = _k98 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
-    _s8 = _s7 if _k77 < _s7 else _k77
+    _s8 = _s7 if _k34 < _s7 else _k34
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k113 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k112 * parting) / _s11
-    _s13 = _s12 if _s12 < _k114 else _k114
-    _s14 = (_s13 if _k111 < _s13 else _k111) if _s0 else _k114
-    _s15 = ((_k75 * (vz * vz)) + ((_k102 * p_gravity) * z)) + (_k75 * ((vx * vx) + (vy * vy)))
+    _s11 = _k125 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k124 * parting) / _s11
+    _s13 = _s12 if _s12 < _k126 else _k126
+    _s14 = (_s13 if _k123 < _s13 else _k123) if _s0 else _k126
+    _s15 = ((_k33 * (vz * vz)) + ((_k114 * p_gravity) * z)) + (_k33 * ((vx * vx) + (vy * vy)))
     _s16 = (vy * x) - (vx * y)
-    _s17 = (_k75 * p_ring_radius) * (_s16 * _s16)
-    _s18 = _k77 / _s6
+    _s17 = (_k33 * p_ring_radius) * (_s16 * _s16)
+    _s18 = _k34 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k103 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k115 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k92 * (_s22 + _s23))
-    _s25 = (_k117 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k90, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k115 * _s20, (_k106 * _s2) * _s24, (_k115 * ((_k91 * abs(parting)) + ((_k116 + _s14) * _s11))) if _s0 else _k93, _k115 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k108 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k113 * (((_k115 * _s9) * _s24) + (((_k118 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k110 * p_ball_radius) + (_k110 * p_wire_radius))) and ((leaving * t) <= _k90)
+    _s24 = (_s10 * _s14) + (_k105 * (_s22 + _s23))
+    _s25 = (_k129 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
+    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k127 * _s20, (_k118 * _s2) * _s24, (_k127 * ((_k104 * abs(parting)) + ((_k128 + _s14) * _s11))) if _s0 else _k106, _k127 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k120 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k125 * (((_k127 * _s9) * _s24) + (((_k130 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k122 * p_ball_radius) + (_k122 * p_wire_radius))) and ((leaving * t) <= _k30)
 
 
 def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3096,79 +3211,79 @@ def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s7 = y + (t * vy)
     _s8 = _root(((_s6 * _s6) + (_s7 * _s7)))
     _s9 = rho_start + _s8
-    _s10 = _k77 / (_s9 * _s8)
+    _s10 = _k34 / (_s9 * _s8)
     _s11 = _s8 * _s10
-    _s12 = _s11 * ((t * _s5) + (_k75 * ((vx * x) + (vy * y))))
-    _s13 = vz - ((_k117 * p_gravity) * t)
-    _s14 = ((((_k75 * (rho_start - p_ring_radius)) * (_s5 - (drift * _s12))) * _s11) + (_s12 * _s12)) + (_s13 * _s13)
+    _s12 = _s11 * ((t * _s5) + (_k33 * ((vx * x) + (vy * y))))
+    _s13 = vz - ((_k129 * p_gravity) * t)
+    _s14 = ((((_k33 * (rho_start - p_ring_radius)) * (_s5 - (drift * _s12))) * _s11) + (_s12 * _s12)) + (_s13 * _s13)
     _s15 = parting + (t * (_s14 - (p_gravity * z)))
     _s16 = _s9 * _s10
     _s17 = _s16 * ((vx * _s6) + (vy * _s7))
     _s18 = _s8 - p_ring_radius
     _s19 = vz - (p_gravity * t)
     _s20 = z + (t * _s13)
-    _s21 = ((_k75 * _s15) - parting) if _s4 else (_k75 * ((_s17 * _s18) + (_s19 * _s20)))
-    _s22 = (_s3 + (_k75 * _s0)) if _s4 else rate_margin
+    _s21 = ((_k33 * _s15) - parting) if _s4 else (_k33 * ((_s17 * _s18) + (_s19 * _s20)))
+    _s22 = (_s3 + (_k33 * _s0)) if _s4 else rate_margin
     _s23 = -(_s21 + _s22)
     _s24 = _s1 if _s2 else flat
     _s25 = p_ball_radius + p_wire_radius
     _s26 = ((t * _s15) if _s2 else (((_s18 * _s18) + (_s20 * _s20)) - (_s25 * _s25))) - _s24
-    _s27 = _k90 if _s26 < _k90 else _s26
-    _s28 = _k75 * ((_k75 * _s24) + _s27)
+    _s27 = _k30 if _s26 < _k30 else _s26
+    _s28 = _k33 * ((_k33 * _s24) + _s27)
     _s29 = _s21 - _s22
-    _s30 = _k119 * p_gravity
+    _s30 = _k131 * p_gravity
     _s31 = _s30 * _s20
     _s32 = swing * (_s16 * (_s16 * _s16))
     _s33 = (_s31 + _s32) - steady
-    _s34 = _s29 < _k90
-    _s35 = _k75 * _s27
-    _s36 = _k93 if (_k90 < (_s27 if (_k90 <= _s29) else _k90)) else ((((_k126 * _s24) + _s35) if _s34 else (_k102 * _s29)) / ((-_s29) if _s34 else (_s33 if _k90 < _s33 else _k90)))
+    _s34 = _s29 < _k30
+    _s35 = _k33 * _s27
+    _s36 = _k106 if (_k30 < (_s27 if (_k30 <= _s29) else _k30)) else ((((_k35 * _s24) + _s35) if _s34 else (_k114 * _s29)) / ((-_s29) if _s34 else (_s33 if _k30 < _s33 else _k30)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k74 * _s25
-    _s40 = ((_k84 * p_ball_radius) + (_k84 * p_wire_radius)) + ((_s38 * (_k90 if _s19 < _k90 else _s19)) + _s20)
+    _s39 = _k92 * _s25
+    _s40 = ((_k98 * p_ball_radius) + (_k98 * p_wire_radius)) + ((_s38 * (_k30 if _s19 < _k30 else _s19)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k90 if _k90 < _s17 else _s17)) + _s8) - (_k84 * _s42)) - (_k92 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k30 if _k30 < _s17 else _s17)) + _s8) - (_k98 * _s42)) - (_k105 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k84 * p_ring_radius
+    _s45 = _k98 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
-    _s47 = _k77 / (_s46 if _s43 < _s46 else _s43)
+    _s47 = _k34 / (_s46 if _s43 < _s46 else _s43)
     _s48 = swing * (_s47 * (_s47 * _s47))
     _s49 = abs(steady)
-    _s50 = ((_s41 + _s48) + (_k127 * ((_s48 + _s49) + abs(_s41)))) - steady
+    _s50 = ((_s41 + _s48) + (_k137 * ((_s48 + _s49) + abs(_s41)))) - steady
     _s51 = -_s19
-    _s52 = (_s30 * (((_k88 * p_ball_radius) + (_k88 * p_wire_radius)) + (((p_gravity * _s38) + (_k90 if _s51 < _k90 else _s51)) * _s38))) + ((_k128 * (_s32 * _s16)) * _s42)
-    _s53 = steady + (_s52 + (_k88 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k102 * p_ball_radius) + (_k102 * p_wire_radius)) + (((p_gravity * _s38) + (_k30 if _s51 < _k30 else _s51)) * _s38))) + ((_k138 * (_s32 * _s16)) * _s42)
+    _s53 = steady + (_s52 + (_k102 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = (_s23 * _s23) - ((_k126 * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling)) * _s28)
-    _s56 = _k90 < (_s55 if (_k90 < _s23) else _s23)
-    _s57 = ((_k75 * _s50) * _s27) + (_s29 * _s29)
+    _s55 = (_s23 * _s23) - ((_k35 * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling)) * _s28)
+    _s56 = _k30 < (_s55 if (_k30 < _s23) else _s23)
+    _s57 = ((_k33 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
-    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k90 < _s50 else _k90))) if (_k90 <= _s57) else _k93
+    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k30 < _s50 else _k30))) if (_k30 <= _s57) else _k106
     _s60 = _s59 if _s59 < _s38 else _s38
     _s61 = t + _s60
-    _s62 = (not _s56) and (((_s21 < _k90) and (_s26 <= _s24)) or ((t < end) and (not (t < _s61))))
+    _s62 = (not _s56) and (((_s21 < _k30) and (_s26 <= _s24)) or ((t < end) and (not (t < _s61))))
     _s63 = not (_s56 or _s62)
     _s64 = _s63 and (_s37 <= _s60)
     _s65 = low1 if end < low1 else end
     _s66 = _s65 < high1
     _s67 = low2 if end < low2 else end
     _s68 = _s67 < high2
-    return (_s65 if _s66 else (_s67 if _s68 else _k93)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
+    return (_s65 if _s66 else (_s67 if _s68 else _k106)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
 
 
 def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any) -> tuple[Any, ...]:
     """Do `ring_started` for one shot."""
     _s0 = _root(((x * x) + (y * y)))
     _s1 = ((vx * x) + (vy * y)) / _s0
-    return _s0, _k28 * ((vz * z) + (_s1 * (_s0 - p_ring_radius))), _s1
+    return _s0, _k48 * ((vz * z) + (_s1 * (_s0 - p_ring_radius))), _s1
 
 
 def _ring_lost_alone(horizon: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_lost` for one shot."""
-    _s0 = (_k53 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
-    _s1 = ((position_error + (horizon * velocity_error)) - (_k54 * p_ball_radius)) - (_k54 * p_wire_radius)
+    _s0 = (_k69 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s1 = ((position_error + (horizon * velocity_error)) - (_k70 * p_ball_radius)) - (_k70 * p_wire_radius)
     return _s1 if _s0 < _s1 else _s0,
 
 
@@ -3305,8 +3420,8 @@ def _alone5(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radiu
     _near_x_, _near_y_, _near_z_, _, _, _near_vz_, = _flight_alone(_since_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_gravity_)
     _short_share_, _short_t_, _short_end_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_ceiling_, _short_flat_, _short_tilt_, _short_jerk_, _short_grit_, _short_parting_, _short_drift_, _short_rate_margin_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _fits_, = _ring_grain_alone(_onset_, _wide_end_, _float32(_leaving_), _lapsed_, _float32(_near_x_), _float32(_near_y_), _float32(_near_z_), _float32(_vx_), _float32(_vy_), _float32(_near_vz_), _float32(_extent_), _float32(_speed_), _float32(_parting_), _float32(_drift_), _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     _leaping_, _searching_, _served_, _ceiling_, _flat_, _tilt_, _allowing_, = _coarse_alone(_float64(_short_ceiling_), _fits_, _float64(_short_flat_), _float64(_short_rate_margin_), _searching_, _float64(_short_share_), _sound_)
-    _, _, _excess_, = _allowance_alone(_allowing_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
-    _lost_, = _ring_lost_alone(_until_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_)
+    _, _, _excess_, = _allowance_alone(_allowing_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
+    _lost_, = _ring_lost_alone(_until_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_)
     _doubt_, = _beyond_alone(_doubt_, _excess_, _late_, _lost_, _pad_)
     if _leaping_:
         _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
@@ -3316,8 +3431,8 @@ def _alone5(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radiu
         _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     _arrival_, _t_, _searching_, = _leapt_alone(_arrival_, _certain_, _float64(_short_t_), _searching_, _served_, _since_)
     if _searching_:
-        _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+        _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
         _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
         for _ in range(201):
@@ -3328,7 +3443,7 @@ def _alone5(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radiu
             _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
             if _vague_:
                 _share_, = _finer_alone(_share_)
-                _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+                _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
                 _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
                 _doubt_, = _exceeded_alone(_doubt_, _excess_, _t_)
             _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
@@ -3348,7 +3463,7 @@ def _alone5(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radiu
             break
         _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
-    _flat_, _tilt_, _rate_margin_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _flat_, _tilt_, _rate_margin_, = _ring_margins_alone(_latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _margin_, = _own_margin_alone(_arrival_, _flat_, _leaving_, _tilt_)
     _clearance_, _delay_, = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
     _time_, = _landed_alone(_arrival_)
@@ -3369,8 +3484,8 @@ def _alone6(_certain_: Any, _leaping_: Any, _p_ball_radius_: Any, _p_gravity_: A
 
 def _alone7(_arrival_: Any, _certain_: Any, _doubt_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _share_: Any, _speed_: Any, _t_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
-    _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-    _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+    _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
     _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
     for _ in range(201):
@@ -3381,7 +3496,7 @@ def _alone7(_arrival_: Any, _certain_: Any, _doubt_: Any, _extent_: Any, _last_:
         _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
         if _vague_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+            _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
             _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
             _doubt_, = _exceeded_alone(_doubt_, _excess_, _t_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
@@ -3401,7 +3516,7 @@ def _alone8(_arrival_: Any, _ceiling_: Any, _certain_: Any, _doubt_: Any, _end_:
         _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
         if _vague_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
+            _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
             _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
             _doubt_, = _exceeded_alone(_doubt_, _excess_, _t_)
         _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
@@ -3462,8 +3577,8 @@ def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _z_0 = columns["z"]
     _room_0 = room(shots)
     _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
-    _near_0, _valid_0, *_ = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
-    _rows1, _count2 = _most(_near_0, shots)
+    _close_0, _valid_0, *_ = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
+    _rows1, _count2 = _most(_close_0, shots)
     if _count2:
         _last_1 = _take(_last_0, _rows1)
         _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
@@ -3480,7 +3595,7 @@ def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _z_1 = _take(_z_0, _rows1)
         _room_1 = room(_count2)
         _valid_1, *_ = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _room_1)
-        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _near_0)
+        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _close_0)
     _outcome_0, *_ = admitted(_inf, _finite_0, _permitted_0, _valid_0)
     columns["outcome"] = _outcome_0
 
@@ -3514,8 +3629,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _when_0, _which_0, *_ = opening(_excess_0, 0.0, 0.0)
     _limited_0, = limited(_time_limit_0)
     _leaving_0, = left(3.0, _last_0)
-    _time_0, _rate_0, _bend_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
-    _arrives_0, *_ = meeting_plane(_bend_0, _rate_0, _time_0)
+    _time_0, _rate_0, _bend_0, _apex_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
+    _arrives_0, *_ = meeting_plane(_apex_0, _bend_0, _rate_0, _time_0)
     _possible_0, = timely(_arrives_0, 0.0, 0.0, _time_0, _when_0)
     _when_1, _which_1 = sooner(_arrives_0, 3.0, _time_0, _when_0, _which_0)
     _when_0 = _choose(_possible_0, _when_1, _when_0)
@@ -3559,8 +3674,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _z_1 = _take(_z_0, _rows3)
         _room_1 = room(_count4)
         _leaving_1, = left(1.0, _last_1)
-        _time_1, _rate_1, _bend_1, *_ = backboard_arrival(_leaving_1, _x_1, _vx_1, _p_ball_radius_1, _p_board_distance_1)
-        _arrives_1, *_ = meeting_plane(_bend_1, _rate_1, _time_1)
+        _time_1, _rate_1, _bend_1, _apex_1, *_ = backboard_arrival(_leaving_1, _x_1, _vx_1, _p_ball_radius_1, _p_board_distance_1)
+        _arrives_1, *_ = meeting_plane(_apex_1, _bend_1, _rate_1, _time_1)
         _possible_1, = timely(_arrives_1, 0.0, 0.0, _time_1, _when_1)
         _, _there_y_2, _there_z_2, *_ = flight(_time_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _g0_2, _g1_2, _g2_2, _g3_2 = backboard_bounds(_there_y_2, _there_z_2, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1)
@@ -3569,8 +3684,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _when_1 = _choose(_possible_1, _when_2, _when_1)
         _which_1 = _choose(_possible_1, _which_2, _which_1)
         _leaving_1, = left(2.0, _last_1)
-        _time_1, _rate_1, _bend_1, *_ = bridge_arrival(_leaving_1, _z_1, _vz_1, _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _arrives_1, *_ = meeting_plane(_bend_1, _rate_1, _time_1)
+        _time_1, _rate_1, _bend_1, _apex_1, *_ = bridge_arrival(_leaving_1, _z_1, _vz_1, _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _arrives_1, *_ = meeting_plane(_apex_1, _bend_1, _rate_1, _time_1)
         _possible_1, = timely(_arrives_1, 0.0, 0.0, _time_1, _when_1)
         _rows5, _count6 = _most(_possible_1, _count4)
         if _count6:
@@ -4020,7 +4135,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _time_limit_1 = _take(_time_limit_0, _rows33)
         _when_1 = _take(_when_0, _rows33)
         _which_1 = _take(_which_0, _rows33)
-        _time_1, _, _arrives_1, *_ = expiry(_clock_1, _inf, 0.0, _time_error_1, _time_limit_1, _when_1, _which_1)
+        _time_1, _, _arrives_1, *_ = expiry(_clock_1, _inf, 0.0, _double(_time_error_1), _time_limit_1, _when_1, _which_1)
         _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
         _when_0 = _put(_when_0, _rows33, _when_1, shots, _limited_0)
         _which_0 = _put(_which_0, _rows33, _which_1, shots, _limited_0)
@@ -4247,8 +4362,8 @@ def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _z_0 = columns["z"]
     _room_0 = room(shots)
     _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
-    _near_0, _valid_0, _doubt_0 = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
-    _rows1, _count2 = _most(_near_0, shots)
+    _close_0, _valid_0, _doubt_0 = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
+    _rows1, _count2 = _most(_close_0, shots)
     if _count2:
         _last_1 = _take(_last_0, _rows1)
         _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
@@ -4265,8 +4380,8 @@ def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _z_1 = _take(_z_0, _rows1)
         _room_1 = room(_count2)
         _valid_1, _doubt_1 = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _room_1)
-        _doubt_0 = _put(_doubt_0, _rows1, _doubt_1, shots, _near_0)
-        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _near_0)
+        _doubt_0 = _put(_doubt_0, _rows1, _doubt_1, shots, _close_0)
+        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _close_0)
     _outcome_0, _uncertain_0 = admitted(_doubt_0, _finite_0, _permitted_0, _valid_0)
     columns["outcome"] = _outcome_0
     columns["uncertain"] = _uncertain_0
@@ -4309,15 +4424,14 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _room_0 = room(shots)
     _position_error_0, _velocity_error_0, _, _time_error_0 = error_bounds(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _room_0)
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
-    _when_0, _which_0, _late_0, _doubt_0 = opening(_excess_0, _position_error_0, _velocity_error_0)
+    _when_0, _which_0, _late_0, _doubt_0 = opening(_excess_0, _double(_position_error_0), _double(_velocity_error_0))
     _limited_0, = limited(_time_limit_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, _apex_0, _height_0 = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
-    _arrives_0, _ceiling_0 = meeting_plane(_bend_0, _rate_0, _time_0)
-    _margin_0, = end_margin(_time_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
+    _arrives_0, _ceiling_0, _nearest_0 = meeting_plane(_apex_0, _bend_0, _rate_0, _time_0)
+    _margin_0, = end_margin(_nearest_0, _extent_0, _speed_0, _double(_position_error_0), _double(_velocity_error_0), _p_gravity_0, _p_end_depth_0, _room_0)
     _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0, _room_0)
     _possible_0, = timely(_arrives_0, _delay_0, _late_0, _time_0, _when_0)
-    _margin_0, = end_margin(_apex_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _doubt_0, = grazed(_apex_0, _doubt_0, _height_0, _margin_0)
     _doubt_1, = crossed(_arrives_0, _clearance_0, _doubt_0, _time_0)
     _doubt_1, _late_1 = tied(_arrives_0, _delay_0, _doubt_1, _late_0, _time_0, _when_0)
@@ -4344,7 +4458,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _x_1 = _take(_x_0, _rows1)
         _room_1 = room(_count2)
         _until_1, _pad_1 = horizon(_when_1, _speed_1, _p_gravity_1)
-        _reachable_1, = reachable(_p_ball_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _extent_1, _p_gravity_1, _until_1, _late_1, _pad_1, _position_error_1, _p_ring_radius_1, _speed_1, _velocity_error_1, _vx_1, _x_1, _room_1)
+        _reachable_1, = reachable(_p_ball_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _extent_1, _p_gravity_1, _until_1, _late_1, _pad_1, _double(_position_error_1), _p_ring_radius_1, _speed_1, _double(_velocity_error_1), _vx_1, _x_1, _room_1)
         _reachable_0 = _put(_reachable_0, _rows1, _reachable_1, shots, _released_0)
     _rows3, _count4 = _rows(_reachable_0, shots)
     if _count4:
@@ -4376,11 +4490,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _room_1 = room(_count4)
         _leaving_1, = left(1.0, _last_1)
         _time_1, _rate_1, _bend_1, _apex_1, _height_1 = backboard_arrival(_leaving_1, _x_1, _vx_1, _p_ball_radius_1, _p_board_distance_1)
-        _arrives_1, _ceiling_1 = meeting_plane(_bend_1, _rate_1, _time_1)
-        _margin_1, = backboard_margin(_time_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _room_1)
+        _arrives_1, _ceiling_1, _nearest_1 = meeting_plane(_apex_1, _bend_1, _rate_1, _time_1)
+        _margin_1, = backboard_margin(_nearest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _room_1)
         _clearance_1, _delay_1 = crossing(_margin_1, 0.0, _rate_1, _ceiling_1, _room_1)
         _possible_1, = timely(_arrives_1, _delay_1, _late_1, _time_1, _when_1)
-        _margin_1, = backboard_margin(_apex_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _room_1)
         _doubt_1, = grazed(_apex_1, _doubt_1, _height_1, _margin_1)
         _rows5, _count6 = _most(_possible_1, _count4)
         if _count6:
@@ -4414,7 +4527,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _room_2 = room(_count6)
             _, _there_y_2, _there_z_2, *_ = flight(_time_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_gravity_2, _room_2)
             _g0_2, _g1_2, _g2_2, _g3_2 = backboard_bounds(_there_y_2, _there_z_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2)
-            _slack_2, = displacement(_delay_2, _time_2, _extent_2, _speed_2, _position_error_2, _velocity_error_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_bridge_half_width_2, _p_gravity_2, _p_end_depth_2, _room_2)
+            _slack_2, = displacement(_delay_2, _time_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_bridge_half_width_2, _p_gravity_2, _p_end_depth_2, _room_2)
             _unsure_2, = backboard_edges(_clearance_2, _g0_2, _g1_2, _g2_2, _g3_2, _slack_2)
             _doubt_2, = questioned(_doubt_2, _time_2, _unsure_2)
             _arrives_2, = backboard_within(_g0_2, _g1_2, _g2_2, _g3_2)
@@ -4426,11 +4539,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _which_1 = _put(_which_1, _rows5, _which_2, _count4, _possible_1)
         _leaving_1, = left(2.0, _last_1)
         _time_1, _rate_1, _bend_1, _apex_1, _height_1 = bridge_arrival(_leaving_1, _z_1, _vz_1, _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _arrives_1, _ceiling_1 = meeting_plane(_bend_1, _rate_1, _time_1)
-        _margin_1, = bridge_margin(_time_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _arrives_1, _ceiling_1, _nearest_1 = meeting_plane(_apex_1, _bend_1, _rate_1, _time_1)
+        _margin_1, = bridge_margin(_nearest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _clearance_1, _delay_1 = crossing(_margin_1, 0.0, _rate_1, _ceiling_1, _room_1)
         _possible_1, = timely(_arrives_1, _delay_1, _late_1, _time_1, _when_1)
-        _margin_1, = bridge_margin(_apex_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _doubt_1, = grazed(_apex_1, _doubt_1, _height_1, _margin_1)
         _rows7, _count8 = _most(_possible_1, _count4)
         if _count8:
@@ -4464,7 +4576,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _room_2 = room(_count8)
             _there_x_2, _there_y_2, *_ = flight(_time_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_gravity_2, _room_2)
             _g0_2, _g1_2, _g2_2, _g3_2, _g4_2 = bridge_bounds(_there_x_2, _there_y_2, _p_ring_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _room_2)
-            _slack_2, = displacement(_delay_2, _time_2, _extent_2, _speed_2, _position_error_2, _velocity_error_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_bridge_half_width_2, _p_gravity_2, _p_end_depth_2, _room_2)
+            _slack_2, = displacement(_delay_2, _time_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_bridge_half_width_2, _p_gravity_2, _p_end_depth_2, _room_2)
             _unsure_2, = bridge_edges(_clearance_2, _g0_2, _g1_2, _g2_2, _g3_2, _g4_2, _slack_2)
             _doubt_2, = questioned(_doubt_2, _time_2, _unsure_2)
             _arrives_2, = bridge_within(_g0_2, _g1_2, _g2_2, _g3_2, _g4_2)
@@ -4479,7 +4591,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _when_0 = _put(_when_0, _rows3, _when_1, shots)
         _which_0 = _put(_which_0, _rows3, _which_1, shots)
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
-    _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
+    _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _double(_position_error_0), _double(_velocity_error_0), _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _open_0, = opens(_clear_0)
     _rows9, _count10 = _rows(_open_0, shots)
     if 0 < _count10 <= ALONE:
@@ -4519,8 +4631,8 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_jerk_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _lapsed_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1, _allowing_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _double(_short_share_1), _sound_1)
-        _, _, _excess_1 = allowance(_allowing_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
-        _lost_1, = ring_lost(_until_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
+        _, _, _excess_1 = allowance(_allowing_1, _latest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_gravity_1, _room_1)
+        _lost_1, = ring_lost(_until_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
         _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
         _rows11, _count12 = _most(_leaping_1, _count10)
         if _count12:
@@ -4675,8 +4787,8 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _y_2 = _take(_y_1, _rows17)
             _z_2 = _take(_z_1, _rows17)
             _room_2 = room(_count18)
-            _steady_2, _swing_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _position_error_2, _velocity_error_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, _position_error_2, _velocity_error_2, _p_gravity_2, _room_2)
+            _steady_2, _swing_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_gravity_2, _room_2)
             _flat_2, _tilt_2, _rate_slack_2 = ring_margins(_latest_2, _extent_2, _speed_2, _position_level_2, _velocity_level_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2, _room_2)
             _rows19, _count20 = _rows(_searching_2, _count18)
@@ -4744,7 +4856,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                         _velocity_error_4 = _take(_velocity_error_2, _far)
                         _room_4 = room(_count23)
                         _share_4, = finer(_share_4)
-                        _position_level_4, _velocity_level_4, _excess_4 = allowance(_share_4, _latest_4, _extent_4, _speed_4, _position_error_4, _velocity_error_4, _p_gravity_4, _room_4)
+                        _position_level_4, _velocity_level_4, _excess_4 = allowance(_share_4, _latest_4, _extent_4, _speed_4, _double(_position_error_4), _double(_velocity_error_4), _p_gravity_4, _room_4)
                         _flat_4, _tilt_4, _rate_slack_4 = ring_margins(_latest_4, _extent_4, _speed_4, _position_level_4, _velocity_level_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
                         _doubt_4, = exceeded(_doubt_4, _excess_4, _t_4)
                         _doubt_3 = _put(_doubt_3, _rows22, _doubt_4, _count20, _vague_3)
@@ -4936,7 +5048,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             else:
                 _store(_arrival_1, _rows31, _arrival_2, None)
                 _store(_rate_1, _rows31, _rate_2, None)
-        _flat_1, _tilt_1, _rate_margin_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _flat_1, _tilt_1, _rate_margin_1 = ring_margins(_latest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _margin_1, = own_margin(_arrival_1, _flat_1, _leaving_1, _tilt_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = landed(_arrival_1)
@@ -4956,7 +5068,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _time_limit_1 = _take(_time_limit_0, _rows35)
         _when_1 = _take(_when_0, _rows35)
         _which_1 = _take(_which_0, _rows35)
-        _time_1, _delay_1, _arrives_1, _doubt_1 = expiry(_clock_1, _doubt_1, _late_1, _time_error_1, _time_limit_1, _when_1, _which_1)
+        _time_1, _delay_1, _arrives_1, _doubt_1 = expiry(_clock_1, _doubt_1, _late_1, _double(_time_error_1), _time_limit_1, _when_1, _which_1)
         _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
         _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
         _doubt_0 = _put(_doubt_0, _rows35, _doubt_1, shots, _limited_0)
@@ -4987,7 +5099,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _clock_0 = _put(_clock_0, _rows37, _clock_1, shots, _limited_0)
         _ends_0 = _put(_ends_0, _rows37, _ends_1, shots, _limited_0)
         _reached_0 = _put(_reached_0, _rows37, _reached_1, shots, _limited_0)
-    _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_end_depth_0, _room_0)
+    _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _double(_position_error_0), _double(_velocity_error_0), _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_g0_1)
@@ -5046,11 +5158,7 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _p_restitution_0 = columns["p_restitution"]
     _p_ring_radius_0 = columns["p_ring_radius"]
     _p_wire_radius_0 = columns["p_wire_radius"]
-    _position_claim_0 = columns["position_claim"]
-    _spin_claim_0 = columns["spin_claim"]
-    _time_claim_0 = columns["time_claim"]
     _touches_0 = columns["touches"]
-    _velocity_claim_0 = columns["velocity_claim"]
     _vx_0 = columns["vx"]
     _vy_0 = columns["vy"]
     _vz_0 = columns["vz"]
@@ -5062,7 +5170,6 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _x_0 = columns["x"]
     _y_0 = columns["y"]
     _z_0 = columns["z"]
-    _room_0 = room(shots)
     _meeting_0, = meeting(_claims_0, _ends_0, _touches_0)
     _rows1, _count2 = _rows(_meeting_0, shots)
     if _count2:
@@ -5137,8 +5244,8 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _again_1, = again(2.0, _last_1, _which_1)
         _curving_2, = bridge_curvature()
         _curving_1 = _choose(_again_1, _curving_2, _curving_1)
-        _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _delay_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _late_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _curving_1, _p_gravity_1, _room_1)
-        _clock_error_1, = delayed(_clock_error_1, _delay_1)
+        _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _belated_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _late_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _curving_1, _p_gravity_1, _room_1)
+        _clock_error_1, = delayed(_clock_error_1, _belated_1)
         _dx_2, _dy_2, _dz_2 = floored(_dx_1, _dy_1, _dz_1, _shift_1)
         _dx_1 = _choose(_ends_1, _dx_2, _dx_1)
         _dy_1 = _choose(_ends_1, _dy_2, _dy_1)
@@ -5293,12 +5400,25 @@ def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _dx_0 = _put(_dx_0, _rows7, _dx_1, shots)
         _dy_0 = _put(_dy_0, _rows7, _dy_1, shots)
         _dz_0 = _put(_dz_0, _rows7, _dz_1, shots)
-    _closed_0, = closing(_claims_0, _outcome_0)
-    _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _room_0)
-    _position_claim_0 = _choose(_closed_0, _position_claim_1, _position_claim_0)
-    _spin_claim_0 = _choose(_closed_0, _spin_claim_1, _spin_claim_0)
-    _time_claim_0 = _choose(_closed_0, _time_claim_1, _time_claim_0)
-    _velocity_claim_0 = _choose(_closed_0, _velocity_claim_1, _velocity_claim_0)
+    _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_claims_0, _outcome_0)
+    _rows11, _count12 = _most(_closed_0, shots)
+    if _count12:
+        _clock_error_1 = _take(_clock_error_0, _rows11)
+        _dvx_1 = _take(_dvx_0, _rows11)
+        _dvy_1 = _take(_dvy_0, _rows11)
+        _dvz_1 = _take(_dvz_0, _rows11)
+        _dwx_1 = _take(_dwx_0, _rows11)
+        _dwy_1 = _take(_dwy_0, _rows11)
+        _dwz_1 = _take(_dwz_0, _rows11)
+        _dx_1 = _take(_dx_0, _rows11)
+        _dy_1 = _take(_dy_0, _rows11)
+        _dz_1 = _take(_dz_0, _rows11)
+        _room_1 = room(_count12)
+        _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _room_1)
+        _position_claim_0 = _put(_position_claim_0, _rows11, _position_claim_1, shots, _closed_0)
+        _spin_claim_0 = _put(_spin_claim_0, _rows11, _spin_claim_1, shots, _closed_0)
+        _time_claim_0 = _put(_time_claim_0, _rows11, _time_claim_1, shots, _closed_0)
+        _velocity_claim_0 = _put(_velocity_claim_0, _rows11, _velocity_claim_1, shots, _closed_0)
     columns["clock_error"] = _clock_error_0
     columns["count_0"] = _count_0_0
     columns["count_1"] = _count_1_0

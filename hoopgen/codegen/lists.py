@@ -8,7 +8,7 @@ of its list into the lanes that are done. What was found goes back to the row it
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from hoopgen.derive.ground.kernel import Kind
 from hoopgen.derive.ground.tree import Do, Each, Guard, Node, Repeat, live_before, writes
@@ -22,20 +22,14 @@ from .loop import (
     PACKED,
     STORED,
     TYPES,
+    Note,
+    bare,
     carried,
     repeats,
     scope,
+    within,
+    written_within,
 )
-
-
-@dataclass(frozen=True)
-class Note:
-    """Lines that come before the node of an index: what they read, and what they give."""
-
-    index: int
-    lines: tuple[str, ...]
-    reads: frozenset[str]
-    gives: dict[str, Kind] = field(default_factory=dict)
 
 
 @dataclass
@@ -50,11 +44,14 @@ class CLists(CApart):
         The list that the pass at hand goes over.
     bases
         By what is of the row at hand of a table, the array that has its values, as if a parameter.
+    inner
+        By a guarded body of the pass at hand, the columns that it stores; whether it loads them.
     """
 
     beside: str = ""
     frame: Frame = field(default_factory=lambda: Frame("", {}))
     bases: dict[str, str] = field(default_factory=dict)
+    inner: dict[int, dict[str, bool]] = field(default_factory=dict)
 
     def passes(self, nodes: Sequence[Node], frame: Frame, after: Iterable[str], note: Note) -> None:
         """Print nodes for all shots of a list, given what is needed after them."""
@@ -75,7 +72,7 @@ class CLists(CApart):
             # Lists of one name follow one another, and share their columns.
             self.lines.append("{")
             if isinstance(node, Each):
-                before = _within(note, start, index)
+                before = within(note, start, index)
                 if start < index or before:
                     needed = live_before(nodes[index:], after)
                     self._pass(nodes[start:index], frame, needed, None, before)
@@ -83,7 +80,7 @@ class CLists(CApart):
                 self.lines.append("}")
                 start = index + 1
                 continue
-            own = self._pass(nodes[start:index], frame, later, node, _within(note, start, index))
+            own = self._pass(nodes[start:index], frame, later, node, within(note, start, index))
             if isinstance(node, Guard):
                 first = len(self.lines)
                 self._rows(node.body, own, set(scope(node, later).gives))
@@ -95,7 +92,7 @@ class CLists(CApart):
             self.lines.append("}")
             start = index + 1
         if start < len(nodes):
-            last = _within(note, start, len(nodes))
+            last = within(note, start, len(nodes))
             self._pass(nodes[start:], frame, after, None, last)
 
     def _table_rows(self, node: Each, frame: Frame, later: set[str]) -> None:
@@ -180,7 +177,15 @@ class CLists(CApart):
         takes = scope(cut, later).takes if cut else ()
         wanted = set(stored) | set(takes) | ({cut.truth} if cut else set())
         wanted |= note.reads - set(written) if note else set()
-        need = live_before(_bare(nodes), wanted)
+        need = live_before(bare(nodes), wanted)
+        shared = note.reads if note else frozenset()
+        guards = [node for node in nodes if isinstance(node, Guard) and not self.cheap(node)]
+        self.inner = {
+            id(node): written_within(node, nodes, set(stored) & set(frame.known), shared)
+            for node in (guards if cut is None else ())
+        }
+        inside = {name for names in self.inner.values() for name in names}
+        need -= {name for names in self.inner.values() for name, loaded in names.items() if loaded}
         own = Frame(f"{frame.prefix}{cut.truth}_" if cut else "", {})
         self.frame = frame
         line = self.lines.append
@@ -204,6 +209,9 @@ class CLists(CApart):
         self._noted(nodes, known, wanted, note)
         for name, kind in stored.items():
             self._column(frame, name, kind)
+            if name in inside:
+                frame.known[name] = kind
+                continue
             line(f"    {STORED[kind].format(f'{frame.column(name)} + i', name)};")
             frame.known[name] = kind
         if cut:
@@ -217,6 +225,20 @@ class CLists(CApart):
         if self._read("rows", first):
             self.lines.insert(first, f"    const M rows = lanes_first({frame.count} - i);")
         return own
+
+    def beside_body(
+        self, node: Guard, known: dict[str, Kind], indent: str
+    ) -> tuple[list[str], list[str]]:
+        """Load and store what the body alone writes."""
+        begin, finish = [], []
+        for name, loaded in self.inner.get(id(node), {}).items():
+            kind = self.frame.known[name]
+            place = f"{self.frame.column(name)} + i"
+            if loaded:
+                begin.append(f"{indent}{TYPES[kind]} {name} = {LOADED[kind].format(place)};")
+                known[name] = kind
+            finish.append(f"{indent}{STORED[kind].format(place, name)};")
+        return begin, finish
 
     def _noted(
         self, nodes: Sequence[Node], known: dict[str, Kind], wanted: set[str], note: Note | None
@@ -363,20 +385,3 @@ class CLists(CApart):
         line("        }")
         line("    }")
         line("}")
-
-
-def _within(note: Note | None, start: int, end: int) -> Note | None:
-    """Return the note for a run of the nodes, if it belongs there."""
-    if note is None or not start <= note.index <= end:
-        return None
-    return replace(note, index=note.index - start)
-
-
-def _bare(nodes: Sequence[Node]) -> tuple[Node, ...]:
-    """Return the tree with no rows in its tables, whose variables are loaded row by row."""
-    made: list[Node] = []
-    for node in nodes:
-        if not isinstance(node, Do):
-            node = replace(node, body=_bare(node.body))
-        made.append(replace(node, rows=()) if isinstance(node, Each) else node)
-    return tuple(made)

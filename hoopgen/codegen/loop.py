@@ -6,8 +6,8 @@ works on rows: a body takes the rows that need it, and puts back what it assigne
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence, Set
+from dataclasses import dataclass, field, replace
 
 from hoopgen.derive.ground.kernel import Kind
 from hoopgen.derive.ground.tree import (
@@ -18,6 +18,7 @@ from hoopgen.derive.ground.tree import (
     Repeat,
     live_before,
     live_in_body,
+    reads,
     walk,
     writes,
 )
@@ -27,6 +28,29 @@ from .printers import C_SINGLE, C, Spelling, constant
 
 TYPES: dict[Kind, str] = {"double": "V", "single": "S", "truth": "M"}
 """What variables are in C."""
+
+LOADED: dict[Kind, str] = {
+    "double": "lanes_load({})",
+    "single": "singles_load({})",
+    "truth": "lanes_less(K(0.0), lanes_load({}))",
+}
+STORED: dict[Kind, str] = {
+    "double": "lanes_store({}, {})",
+    "single": "singles_store({}, {})",
+    "truth": "lanes_store({}, lanes_select({}, K(1.0), K(0.0)))",
+}
+PACKED: dict[Kind, str] = {
+    "double": "lanes_pack({}, packed, {})",
+    "single": "singles_pack({}, packed, {})",
+    "truth": "lanes_pack({}, packed, lanes_select({}, K(1.0), K(0.0)))",
+}
+EXPANDED: dict[Kind, str] = {
+    "double": "lanes_expand({0}, idle, {1})",
+    "single": "singles_expand({0}, idle, {1})",
+    "truth": "lanes_less(K(0.0), lanes_expand({0}, idle, lanes_select({1}, K(1.0), K(0.0))))",
+}
+"""How columns of each kind are read and written: a truth is a number that is not zero."""
+NONE: dict[Kind, str] = {"double": "K(0.0)", "single": "KS(0.0)", "truth": "lanes_nowhere()"}
 
 CHEAP = 40
 """A body that costs no more is done for every lane or row: to skip it would cost as much."""
@@ -83,6 +107,46 @@ def scope(node: Guard | Repeat, after: Iterable[str]) -> Scope:
         takes |= {node.truth}
         keeps = assigned & takes
     return Scope(*(tuple(sorted(names)) for names in (takes, gives, keeps)))
+
+
+@dataclass(frozen=True)
+class Note:
+    """Lines that come before the node of an index: what they read, and what they give."""
+
+    index: int
+    lines: tuple[str, ...]
+    reads: frozenset[str]
+    gives: dict[str, Kind] = field(default_factory=dict)
+
+
+def within(note: Note | None, start: int, end: int) -> Note | None:
+    """Return the note for a run of the nodes, if it belongs there."""
+    if note is None or not start <= note.index <= end:
+        return None
+    return replace(note, index=note.index - start)
+
+
+def written_within(
+    node: Guard, nodes: Iterable[Node], columns: Set[str], shared: Set[str]
+) -> dict[str, bool]:
+    """Return the columns that one guarded body alone writes of those nodes, which are stored there.
+
+    And whether nothing else reads them, nor are they `shared`: then they are loaded there, too.
+    """
+    others = [other for other in nodes if other is not node]
+    own = columns & set(writes(node.body)) - set(writes(others))
+    elsewhere = reads(others) | shared | {node.truth}
+    return {name: name not in elsewhere for name in sorted(own)}
+
+
+def bare(nodes: Sequence[Node]) -> tuple[Node, ...]:
+    """Return the tree with no rows in its tables, whose variables are loaded row by row."""
+    made: list[Node] = []
+    for node in nodes:
+        if not isinstance(node, Do):
+            node = replace(node, body=bare(node.body))
+        made.append(replace(node, rows=()) if isinstance(node, Each) else node)
+    return tuple(made)
 
 
 @dataclass
@@ -178,8 +242,17 @@ class CLoop(Printer):
             self.lines.append(f"{indent}const M {truth} = lanes_both({mask}, {node.truth});")
             skip = "" if self.cheap(node) else f"if (lanes_any({truth})) "
             self.lines.append(f"{indent}{skip}{{")
+            begin, finish = self.beside_body(node, inside, inner)
+            self.lines += begin
             self._body(node.body, inside, shared, truth, inner, later)
+            self.lines += finish
             self.lines.append(f"{indent}}}")
+
+    def beside_body(
+        self, node: Guard, known: dict[str, Kind], indent: str
+    ) -> tuple[list[str], list[str]]:
+        """Return what is done where a guarded body begins, and where it ends."""
+        return [], []
 
     def _each(
         self,
@@ -242,29 +315,6 @@ class CLoop(Printer):
     def _value(self, value: str | float) -> str:
         return value if isinstance(value, str) else constant(float(value), C)
 
-
-LOADED: dict[Kind, str] = {
-    "double": "lanes_load({})",
-    "single": "singles_load({})",
-    "truth": "lanes_less(K(0.0), lanes_load({}))",
-}
-STORED: dict[Kind, str] = {
-    "double": "lanes_store({}, {})",
-    "single": "singles_store({}, {})",
-    "truth": "lanes_store({}, lanes_select({}, K(1.0), K(0.0)))",
-}
-PACKED: dict[Kind, str] = {
-    "double": "lanes_pack({}, packed, {})",
-    "single": "singles_pack({}, packed, {})",
-    "truth": "lanes_pack({}, packed, lanes_select({}, K(1.0), K(0.0)))",
-}
-EXPANDED: dict[Kind, str] = {
-    "double": "lanes_expand({0}, idle, {1})",
-    "single": "singles_expand({0}, idle, {1})",
-    "truth": "lanes_less(K(0.0), lanes_expand({0}, idle, lanes_select({1}, K(1.0), K(0.0))))",
-}
-"""How columns of each kind are read and written: a truth is a number that is not zero."""
-NONE: dict[Kind, str] = {"double": "K(0.0)", "single": "KS(0.0)", "truth": "lanes_nowhere()"}
 
 CHOSEN: dict[Kind, str] = {
     "double": "lanes_select({}, {}, {})",

@@ -15,8 +15,8 @@ from .alone import Alone
 from .apart import Apart
 from .fixed import Fixed, Split
 from .groups import Frame
-from .lists import CLists, Note
-from .loop import CLoop
+from .lists import CLists
+from .loop import CLoop, Note
 from .numpy_loop import NumPyLoop, local
 from .printers import NUMPY, C
 
@@ -33,6 +33,10 @@ class LoopView:
         "bounded" where errors are bounded, else "plain".
     fields
         What a shot has.
+    kinds
+        What each of them is.
+    kept
+        Those that the next turn needs as this one left them; the others it assigns first.
     c
         The lines of C: `permit`, and `permitted`, where it is asked; `fixed` and `once` for a job,
         `admit`, and `follow`, what comes after those.
@@ -51,6 +55,8 @@ class LoopView:
     name: str
     bounds: bool
     fields: tuple[Field, ...]
+    kinds: dict[str, Kind]
+    kept: tuple[str, ...]
     c: dict[str, list[str]]
     c_fixed: dict[str, int]
     c_columns: dict[str, Kind]
@@ -81,12 +87,15 @@ def loop_view(
         name,
         bounds,
         loop.fields,
+        loop.kinds,
+        _kept(stages, names),
         *_in_c(prefix, name, costs, loop, stages, Fixed(splits)),
         {},
         {},
     )
     for stage, (nodes, after) in stages.items():
-        numpy = NumPyLoop(prefix, costs, NUMPY, rows=rows, alone=alone)
+        short = {name for name, kind in loop.kinds.items() if kind == "single"}
+        numpy = NumPyLoop(prefix, costs, NUMPY, rows=rows, alone=alone, short=short)
         touched = reads(nodes) | set(writes(nodes))
         read = sorted(live_before(nodes, after) & available & touched)
         names_after = numpy.stage(nodes, {name: local(name, 0) for name in read}, after)
@@ -106,7 +115,7 @@ def _in_c(
     fixed: Fixed,
 ) -> tuple[dict[str, list[str]], dict[str, int], dict[str, Kind], list[Apart]]:
     """Return the lines of C, what they need beside the fields, and functions."""
-    fields: dict[str, Kind] = dict.fromkeys((field.name for field in loop.fields), "double")
+    fields = loop.kinds
     permit = CLoop(prefix, costs, C)
     permitting = needed(stages["permit"][0], {"permitted"})
     permit.stage(permitting, dict.fromkeys(loop.parameters, "double"), "", {"permitted"})
@@ -156,7 +165,7 @@ def _in_c(
         job=loop.job,
         variant=variant,
     )
-    follow.beside = f"LANES({prefix}_ahead)(job, begun + i);"
+    follow.beside = f"LANES({prefix}_ahead)(job, begun + i, streams);"
     follow.passes((*reach, *meet), Frame("", dict(fields)), set(fields), before)
     beside: dict[str, Kind] = {"body": "double", **admit.columns, **follow.columns}
     columns = {name: kind for name, kind in beside.items() if name not in fields}
@@ -189,6 +198,12 @@ def _permitted(prefix: str, parameters: Iterable[str], measuring: Iterable[Node]
 
 Stage = tuple[tuple[Node, ...], set[str]]
 """Its nodes, and the variables that are needed after it."""
+
+
+def _kept(stages: Mapping[str, Stage], names: Sequence[str]) -> tuple[str, ...]:
+    (reach, _), (meet, _) = stages["reach"], stages["meet"]
+    needed_again = live_before((*reach, *meet), names)
+    return tuple(name for name in names if name in needed_again)
 
 
 def _after(loop: Loop, names: Sequence[str]) -> dict[str, Stage]:

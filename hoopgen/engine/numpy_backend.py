@@ -65,6 +65,7 @@ class Flights:
             getattr(kernels, f"{stage}_{name}") for stage in stages
         )
         self._starts = {f.name: f.start for f in kernels.FIELDS if bounds or not f.bounds}
+        self._types = {f.name: f.dtype for f in kernels.FIELDS}
         self._kept = (*self._starts, *kernels.VARIABLES.values())
         self._state, self._results = kernels.STATE, kernels.RESULTS
         self._invalid = float(kernels.Outcome.INVALID)
@@ -79,7 +80,7 @@ class Flights:
         """Add shots, given their columns; one that cannot start ends at once."""
         shots = len(row)
         fresh = self._job | {
-            name: np.full(shots, start, np.float64) if start is not None else given[name]
+            name: np.full(shots, start, self._types[name]) if start is not None else given[name]
             for name, start in self._starts.items()
         }
         fresh |= {name: given[name] for name in self._kept if name not in self._starts}
@@ -106,7 +107,7 @@ class Flights:
         self._meet(columns, shots, self._room)
         for name in self._starts:
             if not np.ndim(columns[name]):  # a kernel that says the same of all shots
-                columns[name] = np.full(shots, columns[name], np.float64)
+                columns[name] = np.full(shots, columns[name], self._types[name])
         for name in self._tallies:
             if (tally := getattr(out, name)) is not None:
                 body = columns["body"]
@@ -245,4 +246,4 @@ def _finish(
 
 def _take(values: Any, rows: NDArray[np.int64]) -> Any:
     """Return the rows of a column; what all shots share stays."""
-    return values[rows] if np.ndim(values) else values
+    return values.take(rows, None, None, "clip") if np.ndim(values) else values

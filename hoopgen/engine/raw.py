@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from . import blocks
+
 LOG = ("events", "event_counts")
 
 
@@ -90,7 +92,7 @@ class Layout:
     def allocate(self, shots: int, wanted: Collection[str]) -> Raw:
         """Return uninitialised results of `shots` shots for the fields that are wanted."""
         rooms = [(name, *self._rooms[name]) for name in wanted]
-        return Raw(**{name: np.empty((shots, *each), dtype) for name, each, dtype in rooms})
+        return Raw(**{name: blocks.empty((shots, *each), dtype) for name, each, dtype in rooms})
 
     def allocate_events(self, shots: int, max_contacts: int) -> Raw:
         """Return room for the event log of `shots` shots."""

@@ -138,7 +138,7 @@ LOOP = {
         )
         for axis in AXES
     },
-    "lifting": Letter(r"\Lambda", "errors are no smaller than the worst by that"),
+    "lifting": Letter(r"\Lambda", "the share of the worst than which errors are no smaller"),
     "shift": Letter(r"\varsigma", "error of the position at a contact, at worst after one flight"),
     "turn": Letter(r"\tau", "error of the normal, at worst after one flight"),
     "reached": Letter(r"\text{reached}", "the outcome of an event that ends the shot"),

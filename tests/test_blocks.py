@@ -1,0 +1,91 @@
+"""Memory of results is used again, and by one array at a time."""
+
+import gc
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import hoopgen
+from hoopgen.engine import blocks
+
+LARGE = (blocks.LEAST // 8, 3)
+DOUBLE = np.dtype(np.float64)
+
+
+@pytest.fixture(autouse=True)
+def nothing_kept() -> Iterator[None]:
+    gc.collect()
+    blocks._FREE.clear()
+    yield
+    blocks._FREE.clear()
+
+
+def place(array: NDArray[np.float64]) -> int:
+    return int(array.__array_interface__["data"][0])
+
+
+def kept() -> int:
+    return sum(size * len(free) for size, free in blocks._FREE.items())
+
+
+def test_memory_of_an_array_that_is_gone_is_used_again() -> None:
+    first = blocks.empty(LARGE, DOUBLE)
+    where = place(first)
+    del first
+    assert kept() >= 8 * np.prod(LARGE)
+    assert place(blocks.empty(LARGE, DOUBLE)) == where
+
+
+def test_memory_that_is_still_looked_at_is_not() -> None:
+    first = blocks.empty(LARGE, DOUBLE)
+    first[...] = 1.0
+    part, bytes_of_it = first[5:9, 1], memoryview(first)
+    del first
+    second = blocks.empty(LARGE, DOUBLE)
+    second[...] = 2.0
+    assert (part == 1.0).all()
+    del part
+    assert kept() == 0
+    bytes_of_it.release()
+    del bytes_of_it
+    assert kept() > 0
+
+
+def test_results_are_plain_arrays_that_may_be_written() -> None:
+    array = blocks.empty(LARGE, DOUBLE)
+    assert type(array) is np.ndarray
+    assert array.shape == LARGE
+    assert array.dtype == DOUBLE
+    assert array.flags.c_contiguous
+    assert array.flags.writeable
+    assert array.flags.aligned
+
+
+def test_small_arrays_keep_nothing() -> None:
+    array = blocks.empty((7,), DOUBLE)
+    assert array.shape == (7,)
+    del array
+    assert kept() == 0
+
+
+def test_no_more_is_kept_than_a_limit(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(blocks, "KEPT", 4 * blocks.LEAST)
+    arrays = [blocks.empty((k * blocks.LEAST // 8,), DOUBLE) for k in (1, 1, 2, 3, 5)]
+    while arrays:
+        arrays.pop(0)
+        assert kept() <= blocks.KEPT
+    assert kept() > 0
+
+
+def test_one_batch_does_not_change_the_results_of_another() -> None:
+    states = np.repeat(hoopgen.release(7.2, 0.9, height=2.1, distance=4.2)[None], 40_000, axis=0)
+    first = hoopgen.simulate(states)
+    outcome, before = first.outcome, first.state.copy()
+    del first
+    other = hoopgen.simulate(states + 1e-3)
+    assert not np.array_equal(other.state, before)
+    again = hoopgen.simulate(states)
+    assert np.array_equal(again.state, before)
+    assert np.array_equal(again.outcome, outcome)
