@@ -224,7 +224,7 @@ def tolerance(ball_radius: sp.Expr) -> sp.Expr:
     """Return what a ball may be off by that is taken for rolling, m; its errors grow by as much.
 
     It does not depend on the errors that the ball carries, so that the path is the same where none
-    are bounded. With half a picometre 248 of 2,000 settled shots are flagged; with four times as
+    are bounded. With half a picometre 250 of 2,000 settled shots are flagged; with four times as
     much an eighth more are, with a quarter less than a tenth fewer, for 6 to 9% of their time.
     """
     return sp.Rational(1, 2**38) * ball_radius
