@@ -14,6 +14,7 @@ from hoopgen.derive.model import build
 from hoopgen.derive.scenes.hoop import HOOP
 
 import hoopgen
+from benchmarks.families import FAMILIES
 from hoopgen import Outcome
 
 FIELDS = hoopgen.HOOP.layout.fields
@@ -146,3 +147,13 @@ def test_without_a_limit_all_that_is_done_for_it_is_to_ask() -> None:
     assert asked.count("limited") == 1
     assert not {"expiry", "expired", "timed", "carry_time"} & set(asked)
     assert {"expiry", "expired", "timed", "carry_time"} < loop.called
+
+
+def test_what_errors_grow_to_after_a_ball_has_left_for_good_is_no_doubt() -> None:
+    """A shot from below the end plane falls for ever: no horizon bounds what its errors grow to."""
+    (around,) = (family for family in FAMILIES if family.key == "around")
+    states, _ = around.make(4_000)
+    shots = hoopgen.simulate(states, hoopgen.PAPER, backend="numpy")
+    short = (shots.outcome == hoopgen.Outcome.SHORT) & (shots.contacts > 0)
+    assert short.sum() > 100
+    assert not shots.uncertain[short].any()

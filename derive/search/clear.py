@@ -65,4 +65,4 @@ def clear(search: PolarApproach) -> sp.Expr:
     verdict = IfLess(0, to_top, verdict, 0)
     verdict = IfLess(furthest, 2**16 * outermost, verdict, 0)
     verdict = IfLess(carried, sp.Rational(1, 2**34) * outermost, verdict, 0)
-    return IfLess(0, search.lost, 0, verdict)
+    return IfLess(0, search.lost_by(horizon), 0, verdict)

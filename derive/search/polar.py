@@ -98,12 +98,16 @@ class PolarApproach(Approach, ABC):
 
     @property
     def lost(self) -> sp.Expr:
-        """A hole hardly wider than the ball, or errors near to what the windows are widened by."""
+        """A hole hardly wider than the ball, or errors near to what the windows are widened by.
+
+        They grow until the horizon, or until the ball has fallen away from the ring for good.
+        """
+        far = hold(extent + 2 * self.ring.reach)
+        return self.lost_by(hold(smallest(horizon, left(far, hold(1 / self.gravity)))))
+
+    def lost_by(self, latest: sp.Expr) -> sp.Expr:
+        """Return the same for errors that grow until then."""
         hole = hold(self.ring.ring_radius - hold(self.ring.reach, "R"))
         narrow = hold(sp.Rational(1, 2**12) * self.ring.ring_radius - hole)
-        latest: sp.Expr = horizon
-        if self.ring.below:
-            far = hold(extent + 2 * self.ring.reach)
-            latest = hold(smallest(horizon, left(far, hold(1 / self.gravity))))
         moved = hold(position_error + velocity_error * latest)
         return largest(narrow, hold(moved - sp.Rational(1, 2**16) * self.ring.reach))

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation afd6566da598ff1c,
+   Generated from templates/c/engine.h.j2, scene court, derivation 394a0d8707aa8072,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -1027,24 +1027,24 @@ static void LANES(court_plain_fix)(LANES(court_plain_lists) *lists)
         lanes_store(lists->fixed[24], _s16);
         lanes_store(lists->fixed[25], lanes_mul(K(0.5), _s16));
         lanes_store(lists->fixed[26], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s12)));
-        lanes_store(lists->fixed[27], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[28], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[30], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[32], _s17);
-        lanes_store(lists->fixed[33], lanes_mul(K(5.820766091346741e-11), _s18));
-        lanes_store(lists->fixed[34], lanes_mul(K(65536.0), _s18));
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[36], _s19);
-        lanes_store(lists->fixed[37], _s20);
-        lanes_store(lists->fixed[38], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[39], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s12));
-        lanes_store(lists->fixed[40], _s24);
-        lanes_store(lists->fixed[41], lanes_mul(_s23, _s24));
-        lanes_store(lists->fixed[42], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[43], lanes_add(_s20, _s24));
-        lanes_store(lists->fixed[44], lanes_mul(_s25, lanes_mul(_s25, _s25)));
+        lanes_store(lists->fixed[27], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[29], _s17);
+        lanes_store(lists->fixed[30], lanes_mul(K(5.820766091346741e-11), _s18));
+        lanes_store(lists->fixed[31], lanes_mul(K(65536.0), _s18));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], _s19);
+        lanes_store(lists->fixed[34], _s20);
+        lanes_store(lists->fixed[35], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[36], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s12));
+        lanes_store(lists->fixed[37], _s24);
+        lanes_store(lists->fixed[38], lanes_mul(_s23, _s24));
+        lanes_store(lists->fixed[39], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[40], lanes_add(_s20, _s24));
+        lanes_store(lists->fixed[41], lanes_mul(_s25, lanes_mul(_s25, _s25)));
+        lanes_store(lists->fixed[42], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[44], lanes_mul(K(2.0), p_wire_radius));
         lanes_store(lists->fixed[45], _s18);
         lanes_store(lists->fixed[46], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s12), _s18));
         lanes_store(lists->fixed[47], lanes_mul(K(5.00030517578125), _s12));
@@ -1299,23 +1299,20 @@ static void LANES(court_plain_fix_f8)(LANES(court_plain_lists) *lists, size_t i)
         lanes_store(lists->fixed[24], _s2);
         lanes_store(lists->fixed[25], lanes_mul(K(0.5), _s2));
         lanes_store(lists->fixed[26], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[27], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[28], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[30], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[32], _s3);
-        lanes_store(lists->fixed[33], lanes_mul(K(5.820766091346741e-11), _s4));
-        lanes_store(lists->fixed[34], lanes_mul(K(65536.0), _s4));
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[36], _s5);
-        lanes_store(lists->fixed[37], _s6);
-        lanes_store(lists->fixed[38], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[39], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[40], _s10);
-        lanes_store(lists->fixed[41], lanes_mul(_s9, _s10));
-        lanes_store(lists->fixed[42], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[43], lanes_add(_s6, _s10));
+        lanes_store(lists->fixed[27], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[29], _s3);
+        lanes_store(lists->fixed[30], lanes_mul(K(5.820766091346741e-11), _s4));
+        lanes_store(lists->fixed[31], lanes_mul(K(65536.0), _s4));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], _s5);
+        lanes_store(lists->fixed[34], _s6);
+        lanes_store(lists->fixed[35], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[36], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[37], _s10);
+        lanes_store(lists->fixed[38], lanes_mul(_s9, _s10));
+        lanes_store(lists->fixed[39], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[40], lanes_add(_s6, _s10));
     }
 }
 
@@ -1332,7 +1329,7 @@ static void LANES(court_plain_fix_f23)(LANES(court_plain_lists) *lists, size_t i
     {
         lanes_store(lists->fixed[7], p_ring_radius);
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -1436,18 +1433,18 @@ static void LANES(court_plain_fix_f37)(LANES(court_plain_lists) *lists, size_t i
         lanes_store(lists->fixed[21], p_gravity);
         lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
         lanes_store(lists->fixed[26], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[27], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[28], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[30], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[32], _s1);
-        lanes_store(lists->fixed[36], lanes_mul(_s2, _s2));
-        lanes_store(lists->fixed[38], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[39], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[40], lanes_mul(_s5, _s5));
-        lanes_store(lists->fixed[42], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[44], lanes_mul(_s6, lanes_mul(_s6, _s6)));
+        lanes_store(lists->fixed[27], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[29], _s1);
+        lanes_store(lists->fixed[33], lanes_mul(_s2, _s2));
+        lanes_store(lists->fixed[35], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[36], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[37], lanes_mul(_s5, _s5));
+        lanes_store(lists->fixed[39], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[41], lanes_mul(_s6, lanes_mul(_s6, _s6)));
+        lanes_store(lists->fixed[42], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[44], lanes_mul(K(2.0), p_wire_radius));
         lanes_store(lists->fixed[45], _s2);
         lanes_store(lists->fixed[46], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
         lanes_store(lists->fixed[47], lanes_mul(K(5.00030517578125), _s0));
@@ -1480,8 +1477,8 @@ static void LANES(court_plain_fix_f42)(LANES(court_plain_lists) *lists, size_t t
         lanes_store(lists->fixed[7], p_ring_radius);
         lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[32], _s1);
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[29], _s1);
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[45], _s2);
         lanes_store(lists->fixed[46], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
         lanes_store(lists->fixed[47], lanes_mul(K(5.00030517578125), _s0));
@@ -1507,7 +1504,7 @@ static void LANES(court_plain_fix_f53)(LANES(court_plain_lists) *lists, size_t i
         lanes_store(lists->fixed[7], p_ring_radius);
         lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -1530,7 +1527,7 @@ static void LANES(court_plain_fix_f62)(LANES(court_plain_lists) *lists, size_t t
         lanes_store(lists->fixed[7], p_ring_radius);
         lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -1554,7 +1551,7 @@ static void LANES(court_plain_fix_f67)(LANES(court_plain_lists) *lists, size_t i
         lanes_store(lists->fixed[2], lanes_neg(lanes_add(p_board_distance, _s0)));
         lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[52], lanes_abs(K(0.0)));
         lanes_store(lists->fixed[53], lanes_mul(K(0.0625), p_gravity));
         lanes_store(lists->fixed[54], lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
@@ -1601,8 +1598,8 @@ static void LANES(court_plain_fix_f72)(LANES(court_plain_lists) *lists, size_t i
         lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
         lanes_store(lists->fixed[21], p_gravity);
         lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[27], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[42], lanes_sqrt(K(2.0)));
         lanes_store(lists->fixed[59], _s4);
         lanes_store(lists->fixed[60], _s3);
         lanes_store(lists->fixed[61], _s9);
@@ -1665,7 +1662,7 @@ static void LANES(court_plain_fix_f90)(LANES(court_plain_lists) *lists, size_t t
         lanes_store(lists->fixed[12], p_board_top);
         lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[70], lanes_mul(K(5.55653613398821e-16), _s1));
         lanes_store(lists->fixed[71], _s6);
         lanes_store(lists->fixed[72], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
@@ -1703,7 +1700,7 @@ static void LANES(court_plain_fix_f101)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[12], p_board_top);
         lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[81], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
@@ -1735,7 +1732,7 @@ static void LANES(court_plain_fix_f110)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[12], p_board_top);
         lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[81], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
@@ -1760,7 +1757,7 @@ static void LANES(court_plain_fix_f115)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[4], lanes_neg(lanes_add(_s0, _s1)));
         lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[52], lanes_abs(K(0.0)));
         lanes_store(lists->fixed[53], lanes_mul(K(0.0625), p_gravity));
         lanes_store(lists->fixed[54], lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
@@ -1807,8 +1804,8 @@ static void LANES(court_plain_fix_f120)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
         lanes_store(lists->fixed[21], p_gravity);
         lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[27], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[42], lanes_sqrt(K(2.0)));
         lanes_store(lists->fixed[70], lanes_mul(K(5.55653613398821e-16), _s4));
         lanes_store(lists->fixed[81], _s4);
         lanes_store(lists->fixed[82], _s5);
@@ -1872,7 +1869,7 @@ static void LANES(court_plain_fix_f138)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[13], p_bridge_half_width);
         lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[70], lanes_mul(K(5.55653613398821e-16), _s1));
         lanes_store(lists->fixed[81], _s1);
         lanes_store(lists->fixed[82], _s2);
@@ -1910,7 +1907,7 @@ static void LANES(court_plain_fix_f149)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[13], p_bridge_half_width);
         lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[81], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
@@ -1942,7 +1939,7 @@ static void LANES(court_plain_fix_f158)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[13], p_bridge_half_width);
         lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[81], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
@@ -2030,7 +2027,7 @@ static void LANES(court_plain_fix_f192)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
         lanes_store(lists->fixed[19], lanes_mul(p_ring_radius, p_ring_radius));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[42], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[39], lanes_mul(K(2.0), p_ring_radius));
         lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
         lanes_store(lists->fixed[112], _s1);
         lanes_store(lists->fixed[113], lanes_neg(_s1));
@@ -2185,7 +2182,7 @@ static void LANES(court_plain_fix_f313)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[21], p_gravity);
         lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
         lanes_store(lists->fixed[23], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[42], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[39], lanes_mul(K(2.0), p_ring_radius));
         lanes_store(lists->fixed[110], lanes_div(K(1.0), _s0));
         lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
         lanes_store(lists->fixed[112], _s2);
@@ -2282,7 +2279,7 @@ static void LANES(court_plain_leaves)(LANES(court_plain_lists) *lists, size_t ke
         const M _m328 = lanes_both(rows, beside);
         if (lanes_any(_m328)) {
             const LANES(court_ring_beside_out) _o329 =
-                LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[129]));
+                LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[129]));
             V gap = _o329.gap;
             V nearing = _o329.nearing;
             V dent = _o329.dent;
@@ -2867,7 +2864,7 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             const M _m213 = lanes_both(active, beside);
             if (lanes_any(_m213)) {
                 const LANES(court_ring_beside_out) _o214 =
-                    LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[129]));
+                    LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[129]));
                 V gap = _o214.gap;
                 V nearing = _o214.nearing;
                 V dent = _o214.dent;
@@ -3661,7 +3658,7 @@ static void LANES(court_plain_fix_f373)(LANES(court_plain_lists) *lists, size_t 
         lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
         lanes_store(lists->fixed[21], p_gravity);
         lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[35], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[32], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[110], lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
         lanes_store(lists->fixed[111], lanes_div(K(1.0), p_ball_radius));
         lanes_store(lists->fixed[156], p_restitution_speed);
@@ -4171,7 +4168,7 @@ static void LANES(court_plain)(const court_job *job)
                 LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
             V until = _o20.horizon;
             const LANES(court_ring_clear_out) _o21 =
-                LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]));
+                LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]));
             V clear = _o21.clear;
             const LANES(court_opens_in_flight_out) _o22 =
                 LANES(court_opens_in_flight)(clear, kept);
@@ -4254,7 +4251,7 @@ static void LANES(court_plain)(const court_job *job)
             V parting = _o28.parting;
             V drift = _o28.drift;
             const LANES(court_flight_out) _o29 =
-                LANES(court_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]));
+                LANES(court_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]));
             V near_x = _o29.x;
             V near_y = _o29.y;
             V near_z = _o29.z;
@@ -4515,7 +4512,7 @@ static void LANES(court_plain)(const court_job *job)
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
             const LANES(court_ring_prepare_out) _o38 =
-                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]));
+                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[26]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]));
             V steady = _o38.steady;
             V swing = _o38.swing;
             V rho_start = _o38.rho_start;
@@ -4532,7 +4529,7 @@ static void LANES(court_plain)(const court_job *job)
             V position_level = _o39.position_level;
             V velocity_level = _o39.velocity_level;
             const LANES(court_ring_margins_out) _o40 =
-                LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]));
+                LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]));
             V flat = _o40.margin;
             V tilt = _o40.leaving_margin;
             V rate_slack = _o40.rate_margin;
@@ -4665,7 +4662,7 @@ static void LANES(court_plain)(const court_job *job)
                 V leaving = _o43.leaving;
                 V margin = _o43.margin;
                 const LANES(court_ring_advance_out) _o44 =
-                    LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[49]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[51]));
+                    LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[49]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[51]));
                 V gap = _o44.gap;
                 V rate = _o44.rate;
                 V bend = _o44.bend;
@@ -4687,7 +4684,7 @@ static void LANES(court_plain)(const court_job *job)
                     V position_level = _o48.position_level;
                     V velocity_level = _o48.velocity_level;
                     const LANES(court_ring_margins_out) _o49 =
-                        LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]));
+                        LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]));
                     flat = lanes_select(_m46, _o49.margin, flat);
                     tilt = lanes_select(_m46, _o49.leaving_margin, tilt);
                     rate_slack = lanes_select(_m46, _o49.rate_margin, rate_slack);
@@ -4773,7 +4770,7 @@ static void LANES(court_plain)(const court_job *job)
             const M _m56 = lanes_both(rows, refining);
             if (lanes_any(_m56)) {
                 const LANES(court_ring_refine_out) _o57 =
-                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[14]));
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[14]));
                 V refined = _o57.time;
                 V gap = _o57.gap;
                 V rate = _o57.rate;
@@ -4785,7 +4782,7 @@ static void LANES(court_plain)(const court_job *job)
             const M _m59 = lanes_both(rows, refining);
             if (lanes_any(_m59)) {
                 const LANES(court_ring_refine_out) _o60 =
-                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[14]));
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[14]));
                 V refined = _o60.time;
                 V gap = _o60.gap;
                 V rate = _o60.rate;
@@ -4861,7 +4858,7 @@ static void LANES(court_plain)(const court_job *job)
                     break;
                 M refining = active;
                 const LANES(court_ring_refine_out) _o63 =
-                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[14]));
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[14]));
                 V refined = _o63.time;
                 V gap = _o63.gap;
                 V rate = _o63.rate;
@@ -4931,7 +4928,7 @@ static void LANES(court_plain)(const court_job *job)
             V until = _o68.horizon;
             V pad = _o68.pad;
             const LANES(court_halved_out) _o69 =
-                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), K(0.0), pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[52]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[53]));
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), K(0.0), pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[52]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[53]));
             V middle_x = _o69.middle_x;
             V reach_x = _o69.reach_x;
             V later_middle_x = _o69.later_middle_x;
@@ -4996,7 +4993,7 @@ static void LANES(court_plain)(const court_job *job)
                 LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
             V until = _o73.horizon;
             const LANES(court_backboard_prepare_out) _o74 =
-                LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[59]), lanes_load(lists->fixed[60]), lanes_load(lists->fixed[61]), lanes_load(lists->fixed[62]), lanes_load(lists->fixed[63]), lanes_load(lists->fixed[64]), lanes_load(lists->fixed[65]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[66]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]));
+                LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[59]), lanes_load(lists->fixed[60]), lanes_load(lists->fixed[61]), lanes_load(lists->fixed[62]), lanes_load(lists->fixed[63]), lanes_load(lists->fixed[64]), lanes_load(lists->fixed[65]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[66]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]));
             V low0 = _o74.low0;
             V high0 = _o74.high0;
             V low1 = _o74.low1;
@@ -5029,7 +5026,7 @@ static void LANES(court_plain)(const court_job *job)
                 V leaving = _o80.leaving;
                 V margin = _o80.margin;
                 const LANES(court_backboard_advance_out) _o81 =
-                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[83]));
+                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[83]));
                 V gap = _o81.gap;
                 V rate = _o81.rate;
                 V bend = _o81.bend;
@@ -5185,7 +5182,7 @@ static void LANES(court_plain)(const court_job *job)
                 V leaving = _o91.leaving;
                 V margin = _o91.margin;
                 const LANES(court_backboard_advance_out) _o92 =
-                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[83]));
+                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[71]), lanes_load(lists->fixed[83]));
                 V gap = _o92.gap;
                 V rate = _o92.rate;
                 V bend = _o92.bend;
@@ -5282,7 +5279,7 @@ static void LANES(court_plain)(const court_job *job)
             const M _m104 = lanes_both(rows, refining);
             if (lanes_any(_m104)) {
                 const LANES(court_backboard_refine_out) _o105 =
-                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[81]));
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[81]));
                 V refined = _o105.time;
                 V gap = _o105.gap;
                 V rate = _o105.rate;
@@ -5294,7 +5291,7 @@ static void LANES(court_plain)(const court_job *job)
             const M _m107 = lanes_both(rows, refining);
             if (lanes_any(_m107)) {
                 const LANES(court_backboard_refine_out) _o108 =
-                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[81]));
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[81]));
                 V refined = _o108.time;
                 V gap = _o108.gap;
                 V rate = _o108.rate;
@@ -5370,7 +5367,7 @@ static void LANES(court_plain)(const court_job *job)
                     break;
                 M refining = active;
                 const LANES(court_backboard_refine_out) _o111 =
-                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[81]));
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[81]));
                 V refined = _o111.time;
                 V gap = _o111.gap;
                 V rate = _o111.rate;
@@ -5440,7 +5437,7 @@ static void LANES(court_plain)(const court_job *job)
             V until = _o116.horizon;
             V pad = _o116.pad;
             const LANES(court_halved_out) _o117 =
-                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), K(0.0), pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[52]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[53]));
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), K(0.0), pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[52]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[53]));
             V middle_x = _o117.middle_x;
             V reach_x = _o117.reach_x;
             V later_middle_x = _o117.later_middle_x;
@@ -5505,7 +5502,7 @@ static void LANES(court_plain)(const court_job *job)
                 LANES(court_horizon)(when, speed, lanes_load(lists->fixed[20]));
             V until = _o121.horizon;
             const LANES(court_bridge_prepare_out) _o122 =
-                LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[88]), lanes_load(lists->fixed[89]), lanes_load(lists->fixed[90]), lanes_load(lists->fixed[91]), lanes_load(lists->fixed[92]), lanes_load(lists->fixed[93]), lanes_load(lists->fixed[94]), lanes_load(lists->fixed[95]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[96]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[97]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]));
+                LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[88]), lanes_load(lists->fixed[89]), lanes_load(lists->fixed[90]), lanes_load(lists->fixed[91]), lanes_load(lists->fixed[92]), lanes_load(lists->fixed[93]), lanes_load(lists->fixed[94]), lanes_load(lists->fixed[95]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[96]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[97]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]));
             V low0 = _o122.low0;
             V high0 = _o122.high0;
             V low1 = _o122.low1;
@@ -5538,7 +5535,7 @@ static void LANES(court_plain)(const court_job *job)
                 V leaving = _o128.leaving;
                 V margin = _o128.margin;
                 const LANES(court_bridge_advance_out) _o129 =
-                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[83]));
+                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[83]));
                 V gap = _o129.gap;
                 V rate = _o129.rate;
                 V bend = _o129.bend;
@@ -5694,7 +5691,7 @@ static void LANES(court_plain)(const court_job *job)
                 V leaving = _o139.leaving;
                 V margin = _o139.margin;
                 const LANES(court_bridge_advance_out) _o140 =
-                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[83]));
+                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[81]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[100]), lanes_load(lists->fixed[83]));
                 V gap = _o140.gap;
                 V rate = _o140.rate;
                 V bend = _o140.bend;
@@ -5791,7 +5788,7 @@ static void LANES(court_plain)(const court_job *job)
             const M _m152 = lanes_both(rows, refining);
             if (lanes_any(_m152)) {
                 const LANES(court_bridge_refine_out) _o153 =
-                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[81]));
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[81]));
                 V refined = _o153.time;
                 V gap = _o153.gap;
                 V rate = _o153.rate;
@@ -5803,7 +5800,7 @@ static void LANES(court_plain)(const court_job *job)
             const M _m155 = lanes_both(rows, refining);
             if (lanes_any(_m155)) {
                 const LANES(court_bridge_refine_out) _o156 =
-                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[81]));
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[81]));
                 V refined = _o156.time;
                 V gap = _o156.gap;
                 V rate = _o156.rate;
@@ -5879,7 +5876,7 @@ static void LANES(court_plain)(const court_job *job)
                     break;
                 M refining = active;
                 const LANES(court_bridge_refine_out) _o159 =
-                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[81]));
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[81]));
                 V refined = _o159.time;
                 V gap = _o159.gap;
                 V rate = _o159.rate;
@@ -6070,10 +6067,10 @@ static void LANES(court_plain)(const court_job *job)
             const M _m376 = lanes_both(rows, moves);
             if (lanes_any(_m376)) {
                 const LANES(court_passing_out) _o377 =
-                    LANES(court_passing)(through, when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[19]));
+                    LANES(court_passing)(through, when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[19]));
                 through = lanes_select(_m376, _o377.through, through);
                 const LANES(court_flight_out) _o378 =
-                    LANES(court_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[35]));
+                    LANES(court_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[32]));
                 x = lanes_select(_m376, _o378.x, x);
                 y = lanes_select(_m376, _o378.y, y);
                 z = lanes_select(_m376, _o378.z, z);
@@ -7561,23 +7558,23 @@ static void LANES(court_bounded_fix)(LANES(court_bounded_lists) *lists)
         lanes_store(lists->fixed[25], lanes_mul(K(0.5), _s16));
         lanes_store(lists->fixed[26], lanes_mul(K(6.667843360785852e-16), p_end_depth));
         lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s12)));
-        lanes_store(lists->fixed[28], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[30], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[32], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[33], _s17);
-        lanes_store(lists->fixed[34], lanes_mul(K(5.820766091346741e-11), _s18));
-        lanes_store(lists->fixed[35], lanes_mul(K(65536.0), _s18));
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[37], _s19);
-        lanes_store(lists->fixed[38], _s20);
-        lanes_store(lists->fixed[39], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[40], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s12));
-        lanes_store(lists->fixed[41], _s24);
-        lanes_store(lists->fixed[42], lanes_mul(_s23, _s24));
-        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[44], lanes_add(_s20, _s24));
+        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[30], _s17);
+        lanes_store(lists->fixed[31], lanes_mul(K(5.820766091346741e-11), _s18));
+        lanes_store(lists->fixed[32], lanes_mul(K(65536.0), _s18));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[34], _s19);
+        lanes_store(lists->fixed[35], _s20);
+        lanes_store(lists->fixed[36], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[37], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s12));
+        lanes_store(lists->fixed[38], _s24);
+        lanes_store(lists->fixed[39], lanes_mul(_s23, _s24));
+        lanes_store(lists->fixed[40], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[41], lanes_add(_s20, _s24));
+        lanes_store(lists->fixed[42], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[44], lanes_mul(K(2.0), p_wire_radius));
         lanes_store(lists->fixed[45], lanes_mul(_s25, lanes_mul(_s25, _s25)));
         lanes_store(lists->fixed[46], _s18);
         lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s12), _s18));
@@ -7844,23 +7841,20 @@ static void LANES(court_bounded_fix_f8)(LANES(court_bounded_lists) *lists, size_
         lanes_store(lists->fixed[25], lanes_mul(K(0.5), _s2));
         lanes_store(lists->fixed[26], lanes_mul(K(6.667843360785852e-16), p_end_depth));
         lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[28], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[30], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[32], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[33], _s3);
-        lanes_store(lists->fixed[34], lanes_mul(K(5.820766091346741e-11), _s4));
-        lanes_store(lists->fixed[35], lanes_mul(K(65536.0), _s4));
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[37], _s5);
-        lanes_store(lists->fixed[38], _s6);
-        lanes_store(lists->fixed[39], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[40], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[41], _s10);
-        lanes_store(lists->fixed[42], lanes_mul(_s9, _s10));
-        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[44], lanes_add(_s6, _s10));
+        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[30], _s3);
+        lanes_store(lists->fixed[31], lanes_mul(K(5.820766091346741e-11), _s4));
+        lanes_store(lists->fixed[32], lanes_mul(K(65536.0), _s4));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[34], _s5);
+        lanes_store(lists->fixed[35], _s6);
+        lanes_store(lists->fixed[36], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[37], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[38], _s10);
+        lanes_store(lists->fixed[39], lanes_mul(_s9, _s10));
+        lanes_store(lists->fixed[40], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[41], lanes_add(_s6, _s10));
     }
 }
 
@@ -7879,12 +7873,12 @@ static void LANES(court_bounded_fix_f28)(LANES(court_bounded_lists) *lists, size
         lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
         lanes_store(lists->fixed[21], p_gravity);
         lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, lanes_add(p_ball_radius, p_wire_radius))));
-        lanes_store(lists->fixed[28], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[30], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[32], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[42], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[44], lanes_mul(K(2.0), p_wire_radius));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -7988,17 +7982,17 @@ static void LANES(court_bounded_fix_f45)(LANES(court_bounded_lists) *lists, size
         lanes_store(lists->fixed[21], p_gravity);
         lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
         lanes_store(lists->fixed[27], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)));
-        lanes_store(lists->fixed[28], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[29], lanes_mul(K(2.0), p_ball_radius));
-        lanes_store(lists->fixed[30], lanes_mul(K(2.0), p_wire_radius));
-        lanes_store(lists->fixed[31], lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        lanes_store(lists->fixed[32], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[33], _s1);
-        lanes_store(lists->fixed[37], lanes_mul(_s2, _s2));
-        lanes_store(lists->fixed[39], lanes_mul(K(4.0), p_gravity));
-        lanes_store(lists->fixed[40], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
-        lanes_store(lists->fixed[41], lanes_mul(_s5, _s5));
-        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[28], lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[30], _s1);
+        lanes_store(lists->fixed[34], lanes_mul(_s2, _s2));
+        lanes_store(lists->fixed[36], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[37], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
+        lanes_store(lists->fixed[38], lanes_mul(_s5, _s5));
+        lanes_store(lists->fixed[40], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[42], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[44], lanes_mul(K(2.0), p_wire_radius));
         lanes_store(lists->fixed[45], lanes_mul(_s6, lanes_mul(_s6, _s6)));
         lanes_store(lists->fixed[46], _s2);
         lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
@@ -8032,8 +8026,8 @@ static void LANES(court_bounded_fix_f50)(LANES(court_bounded_lists) *lists, size
         lanes_store(lists->fixed[7], p_ring_radius);
         lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[33], _s1);
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[30], _s1);
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[46], _s2);
         lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
         lanes_store(lists->fixed[48], lanes_mul(K(5.00030517578125), _s0));
@@ -8059,7 +8053,7 @@ static void LANES(court_bounded_fix_f63)(LANES(court_bounded_lists) *lists, size
         lanes_store(lists->fixed[7], p_ring_radius);
         lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -8082,7 +8076,7 @@ static void LANES(court_bounded_fix_f72)(LANES(court_bounded_lists) *lists, size
         lanes_store(lists->fixed[7], p_ring_radius);
         lanes_store(lists->fixed[14], lanes_mul(_s0, _s0));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -8104,7 +8098,7 @@ static void LANES(court_bounded_fix_f75)(LANES(court_bounded_lists) *lists, size
         const V _s4 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s5 = lanes_div(_s1, lanes_max(_s3, _s4));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[33], _s1);
+        lanes_store(lists->fixed[30], _s1);
         lanes_store(lists->fixed[46], _s2);
         lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
         lanes_store(lists->fixed[48], lanes_mul(K(5.00030517578125), _s0));
@@ -8132,7 +8126,7 @@ static void LANES(court_bounded_fix_f83)(LANES(court_bounded_lists) *lists, size
         lanes_store(lists->fixed[2], lanes_neg(lanes_add(p_board_distance, _s0)));
         lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[53], lanes_abs(K(0.0)));
         lanes_store(lists->fixed[54], lanes_mul(K(0.0625), p_gravity));
         lanes_store(lists->fixed[55], lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
@@ -8179,8 +8173,8 @@ static void LANES(court_bounded_fix_f88)(LANES(court_bounded_lists) *lists, size
         lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
         lanes_store(lists->fixed[21], p_gravity);
         lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[28], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[42], lanes_sqrt(K(2.0)));
         lanes_store(lists->fixed[60], _s4);
         lanes_store(lists->fixed[61], _s3);
         lanes_store(lists->fixed[62], _s9);
@@ -8243,7 +8237,7 @@ static void LANES(court_bounded_fix_f108)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[12], p_board_top);
         lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[71], lanes_mul(K(5.55653613398821e-16), _s1));
         lanes_store(lists->fixed[72], _s6);
         lanes_store(lists->fixed[73], lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
@@ -8281,7 +8275,7 @@ static void LANES(court_bounded_fix_f120)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[12], p_board_top);
         lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[82], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
@@ -8313,7 +8307,7 @@ static void LANES(court_bounded_fix_f130)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[12], p_board_top);
         lanes_store(lists->fixed[15], lanes_add(p_board_distance, p_board_thickness));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[82], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
@@ -8372,7 +8366,7 @@ static void LANES(court_bounded_fix_f141)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[4], lanes_neg(lanes_add(_s0, _s1)));
         lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[53], lanes_abs(K(0.0)));
         lanes_store(lists->fixed[54], lanes_mul(K(0.0625), p_gravity));
         lanes_store(lists->fixed[55], lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
@@ -8419,8 +8413,8 @@ static void LANES(court_bounded_fix_f146)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[20], lanes_div(K(1.0), p_gravity));
         lanes_store(lists->fixed[21], p_gravity);
         lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[28], lanes_sqrt(K(2.0)));
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[42], lanes_sqrt(K(2.0)));
         lanes_store(lists->fixed[71], lanes_mul(K(5.55653613398821e-16), _s4));
         lanes_store(lists->fixed[82], _s4);
         lanes_store(lists->fixed[83], _s5);
@@ -8484,7 +8478,7 @@ static void LANES(court_bounded_fix_f166)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[13], p_bridge_half_width);
         lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[71], lanes_mul(K(5.55653613398821e-16), _s1));
         lanes_store(lists->fixed[82], _s1);
         lanes_store(lists->fixed[83], _s2);
@@ -8522,7 +8516,7 @@ static void LANES(court_bounded_fix_f178)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[13], p_bridge_half_width);
         lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[82], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
@@ -8554,7 +8548,7 @@ static void LANES(court_bounded_fix_f188)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[13], p_bridge_half_width);
         lanes_store(lists->fixed[16], lanes_sub(p_wire_radius, p_bridge_depth));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[82], lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
@@ -8684,7 +8678,7 @@ static void LANES(court_bounded_fix_f231)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[18], lanes_neg(p_end_depth));
         lanes_store(lists->fixed[19], lanes_mul(p_ring_radius, p_ring_radius));
         lanes_store(lists->fixed[21], p_gravity);
-        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[40], lanes_mul(K(2.0), p_ring_radius));
         lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
         lanes_store(lists->fixed[113], lanes_mul(K(3.637978807091713e-12), p_ball_radius));
         lanes_store(lists->fixed[116], _s1);
@@ -8848,7 +8842,7 @@ static void LANES(court_bounded_fix_f426)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[21], p_gravity);
         lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
         lanes_store(lists->fixed[23], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ring_radius));
+        lanes_store(lists->fixed[40], lanes_mul(K(2.0), p_ring_radius));
         lanes_store(lists->fixed[111], lanes_div(K(1.0), _s0));
         lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
         lanes_store(lists->fixed[116], _s2);
@@ -8960,7 +8954,7 @@ static void LANES(court_bounded_leaves)(LANES(court_bounded_lists) *lists, size_
         const M _m442 = lanes_both(rows, beside);
         if (lanes_any(_m442)) {
             const LANES(court_ring_beside_out) _o443 =
-                LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[135]));
+                LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[135]));
             V gap = _o443.gap;
             V nearing = _o443.nearing;
             V dent = _o443.dent;
@@ -9689,7 +9683,7 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             const M _m264 = lanes_both(active, beside);
             if (lanes_any(_m264)) {
                 const LANES(court_ring_beside_out) _o265 =
-                    LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[135]));
+                    LANES(court_ring_beside)(vx, vy, vz, x, y, z, lanes_load(lists->fixed[6]), lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[135]));
                 V gap = _o265.gap;
                 V nearing = _o265.nearing;
                 V dent = _o265.dent;
@@ -11135,8 +11129,8 @@ static void LANES(court_bounded_fix_f487)(LANES(court_bounded_lists) *lists, siz
         lanes_store(lists->fixed[20], _s1);
         lanes_store(lists->fixed[21], p_gravity);
         lanes_store(lists->fixed[22], lanes_mul(K(2.0), p_gravity));
-        lanes_store(lists->fixed[36], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[39], lanes_mul(K(4.0), p_gravity));
+        lanes_store(lists->fixed[33], lanes_mul(K(0.5), p_gravity));
+        lanes_store(lists->fixed[36], lanes_mul(K(4.0), p_gravity));
         lanes_store(lists->fixed[111], lanes_div(K(1.0), _s0));
         lanes_store(lists->fixed[112], lanes_div(K(1.0), p_ball_radius));
         lanes_store(lists->fixed[164], lanes_mul(K(8.0), _s1));
@@ -11714,7 +11708,7 @@ static void LANES(court_bounded)(const court_job *job)
             V until = _o25.horizon;
             V pad = _o25.pad;
             const LANES(court_ring_clear_out) _o26 =
-                LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]));
+                LANES(court_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[35]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]));
             V clear = _o26.clear;
             const LANES(court_opens_in_flight_out) _o27 =
                 LANES(court_opens_in_flight)(clear, kept);
@@ -11812,7 +11806,7 @@ static void LANES(court_bounded)(const court_job *job)
             V parting = _o33.parting;
             V drift = _o33.drift;
             const LANES(court_flight_out) _o34 =
-                LANES(court_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]));
+                LANES(court_flight)(since, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]));
             V near_x = _o34.x;
             V near_y = _o34.y;
             V near_z = _o34.z;
@@ -11857,7 +11851,7 @@ static void LANES(court_bounded)(const court_job *job)
                 LANES(court_allowance)(allowing, latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]));
             V excess = _o37.excess;
             const LANES(court_ring_lost_out) _o38 =
-                LANES(court_ring_lost)(until, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]));
+                LANES(court_ring_lost)(until, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[27]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]));
             V lost = _o38.lost;
             const LANES(court_beyond_out) _o39 =
                 LANES(court_beyond)(doubt, excess, late, lost, pad);
@@ -12094,7 +12088,7 @@ static void LANES(court_bounded)(const court_job *job)
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
             const LANES(court_ring_prepare_out) _o46 =
-                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[39]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[32]));
+                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[36]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]));
             V steady = _o46.steady;
             V swing = _o46.swing;
             V rho_start = _o46.rho_start;
@@ -12111,7 +12105,7 @@ static void LANES(court_bounded)(const court_job *job)
             V position_level = _o47.position_level;
             V velocity_level = _o47.velocity_level;
             const LANES(court_ring_margins_out) _o48 =
-                LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
+                LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
             V flat = _o48.margin;
             V tilt = _o48.leaving_margin;
             V rate_slack = _o48.rate_margin;
@@ -12256,7 +12250,7 @@ static void LANES(court_bounded)(const court_job *job)
                 V leaving = _o51.leaving;
                 V margin = _o51.margin;
                 const LANES(court_ring_advance_out) _o52 =
-                    LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[51]), lanes_load(lists->fixed[52]));
+                    LANES(court_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[51]), lanes_load(lists->fixed[52]));
                 V gap = _o52.gap;
                 V rate = _o52.rate;
                 V bend = _o52.bend;
@@ -12279,7 +12273,7 @@ static void LANES(court_bounded)(const court_job *job)
                     V velocity_level = _o56.velocity_level;
                     V excess = _o56.excess;
                     const LANES(court_ring_margins_out) _o57 =
-                        LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
+                        LANES(court_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
                     flat = lanes_select(_m54, _o57.margin, flat);
                     tilt = lanes_select(_m54, _o57.leaving_margin, tilt);
                     rate_slack = lanes_select(_m54, _o57.rate_margin, rate_slack);
@@ -12389,7 +12383,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M _m66 = lanes_both(rows, refining);
             if (lanes_any(_m66)) {
                 const LANES(court_ring_refine_out) _o67 =
-                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]));
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[14]));
                 V refined = _o67.time;
                 V gap = _o67.gap;
                 rate = lanes_select(_m66, _o67.rate, rate);
@@ -12401,7 +12395,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M _m69 = lanes_both(rows, refining);
             if (lanes_any(_m69)) {
                 const LANES(court_ring_refine_out) _o70 =
-                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]));
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[14]));
                 V refined = _o70.time;
                 V gap = _o70.gap;
                 rate = lanes_select(_m69, _o70.rate, rate);
@@ -12479,7 +12473,7 @@ static void LANES(court_bounded)(const court_job *job)
                     break;
                 M refining = active;
                 const LANES(court_ring_refine_out) _o73 =
-                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[14]));
+                    LANES(court_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[14]));
                 V refined = _o73.time;
                 V gap = _o73.gap;
                 V rate = _o73.rate;
@@ -12527,7 +12521,7 @@ static void LANES(court_bounded)(const court_job *job)
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
             const LANES(court_ring_margins_out) _o76 =
-                LANES(court_ring_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
+                LANES(court_ring_margins)(latest, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
             V flat = _o76.margin;
             V tilt = _o76.leaving_margin;
             V rate_margin = _o76.rate_margin;
@@ -12593,7 +12587,7 @@ static void LANES(court_bounded)(const court_job *job)
             V until = _o84.horizon;
             V pad = _o84.pad;
             const LANES(court_halved_out) _o85 =
-                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[54]));
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[54]));
             V middle_x = _o85.middle_x;
             V reach_x = _o85.reach_x;
             V later_middle_x = _o85.later_middle_x;
@@ -12667,7 +12661,7 @@ static void LANES(court_bounded)(const court_job *job)
             V until = _o89.horizon;
             V pad = _o89.pad;
             const LANES(court_backboard_prepare_out) _o90 =
-                LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[60]), lanes_load(lists->fixed[61]), lanes_load(lists->fixed[62]), lanes_load(lists->fixed[63]), lanes_load(lists->fixed[64]), lanes_load(lists->fixed[65]), lanes_load(lists->fixed[66]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]), lanes_load(lists->fixed[70]));
+                LANES(court_backboard_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[60]), lanes_load(lists->fixed[61]), lanes_load(lists->fixed[62]), lanes_load(lists->fixed[63]), lanes_load(lists->fixed[64]), lanes_load(lists->fixed[65]), lanes_load(lists->fixed[66]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[67]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[68]), lanes_load(lists->fixed[69]), lanes_load(lists->fixed[70]));
             V low0 = _o90.low0;
             V high0 = _o90.high0;
             V low1 = _o90.low1;
@@ -12705,7 +12699,7 @@ static void LANES(court_bounded)(const court_job *job)
                 V leaving = _o97.leaving;
                 V margin = _o97.margin;
                 const LANES(court_backboard_advance_out) _o98 =
-                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[84]));
+                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[84]));
                 V gap = _o98.gap;
                 V rate = _o98.rate;
                 V bend = _o98.bend;
@@ -12878,7 +12872,7 @@ static void LANES(court_bounded)(const court_job *job)
                 V leaving = _o109.leaving;
                 V margin = _o109.margin;
                 const LANES(court_backboard_advance_out) _o110 =
-                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[84]));
+                    LANES(court_backboard_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[72]), lanes_load(lists->fixed[84]));
                 V gap = _o110.gap;
                 V rate = _o110.rate;
                 V bend = _o110.bend;
@@ -12995,7 +12989,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M _m124 = lanes_both(rows, refining);
             if (lanes_any(_m124)) {
                 const LANES(court_backboard_refine_out) _o125 =
-                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]));
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[82]));
                 V refined = _o125.time;
                 V gap = _o125.gap;
                 rate = lanes_select(_m124, _o125.rate, rate);
@@ -13007,7 +13001,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M _m127 = lanes_both(rows, refining);
             if (lanes_any(_m127)) {
                 const LANES(court_backboard_refine_out) _o128 =
-                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]));
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[82]));
                 V refined = _o128.time;
                 V gap = _o128.gap;
                 rate = lanes_select(_m127, _o128.rate, rate);
@@ -13086,7 +13080,7 @@ static void LANES(court_bounded)(const court_job *job)
                     break;
                 M refining = active;
                 const LANES(court_backboard_refine_out) _o131 =
-                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]));
+                    LANES(court_backboard_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[9]), lanes_load(lists->fixed[10]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[12]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[82]));
                 V refined = _o131.time;
                 V gap = _o131.gap;
                 V rate = _o131.rate;
@@ -13200,7 +13194,7 @@ static void LANES(court_bounded)(const court_job *job)
             V until = _o142.horizon;
             V pad = _o142.pad;
             const LANES(court_halved_out) _o143 =
-                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[54]));
+                LANES(court_halved)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, late, pad, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[54]));
             V middle_x = _o143.middle_x;
             V reach_x = _o143.reach_x;
             V later_middle_x = _o143.later_middle_x;
@@ -13274,7 +13268,7 @@ static void LANES(court_bounded)(const court_job *job)
             V until = _o147.horizon;
             V pad = _o147.pad;
             const LANES(court_bridge_prepare_out) _o148 =
-                LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[8]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[89]), lanes_load(lists->fixed[90]), lanes_load(lists->fixed[91]), lanes_load(lists->fixed[92]), lanes_load(lists->fixed[93]), lanes_load(lists->fixed[94]), lanes_load(lists->fixed[95]), lanes_load(lists->fixed[96]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[97]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]), lanes_load(lists->fixed[100]));
+                LANES(court_bridge_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[8]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[89]), lanes_load(lists->fixed[90]), lanes_load(lists->fixed[91]), lanes_load(lists->fixed[92]), lanes_load(lists->fixed[93]), lanes_load(lists->fixed[94]), lanes_load(lists->fixed[95]), lanes_load(lists->fixed[96]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[97]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[98]), lanes_load(lists->fixed[99]), lanes_load(lists->fixed[100]));
             V low0 = _o148.low0;
             V high0 = _o148.high0;
             V low1 = _o148.low1;
@@ -13312,7 +13306,7 @@ static void LANES(court_bounded)(const court_job *job)
                 V leaving = _o155.leaving;
                 V margin = _o155.margin;
                 const LANES(court_bridge_advance_out) _o156 =
-                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[84]));
+                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[84]));
                 V gap = _o156.gap;
                 V rate = _o156.rate;
                 V bend = _o156.bend;
@@ -13485,7 +13479,7 @@ static void LANES(court_bounded)(const court_job *job)
                 V leaving = _o167.leaving;
                 V margin = _o167.margin;
                 const LANES(court_bridge_advance_out) _o168 =
-                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[84]));
+                    LANES(court_bridge_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[82]), lanes_load(lists->fixed[83]), lanes_load(lists->fixed[101]), lanes_load(lists->fixed[84]));
                 V gap = _o168.gap;
                 V rate = _o168.rate;
                 V bend = _o168.bend;
@@ -13602,7 +13596,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M _m182 = lanes_both(rows, refining);
             if (lanes_any(_m182)) {
                 const LANES(court_bridge_refine_out) _o183 =
-                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[82]));
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[82]));
                 V refined = _o183.time;
                 V gap = _o183.gap;
                 rate = lanes_select(_m182, _o183.rate, rate);
@@ -13614,7 +13608,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M _m185 = lanes_both(rows, refining);
             if (lanes_any(_m185)) {
                 const LANES(court_bridge_refine_out) _o186 =
-                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[82]));
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[82]));
                 V refined = _o186.time;
                 V gap = _o186.gap;
                 rate = lanes_select(_m185, _o186.rate, rate);
@@ -13693,7 +13687,7 @@ static void LANES(court_bounded)(const court_job *job)
                     break;
                 M refining = active;
                 const LANES(court_bridge_refine_out) _o189 =
-                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[82]));
+                    LANES(court_bridge_refine)(arrival, leaving, x, y, z, vx, vy, vz, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[8]), lanes_load(lists->fixed[9]), lanes_load(lists->fixed[13]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[16]), lanes_load(lists->fixed[82]));
                 V refined = _o189.time;
                 V gap = _o189.gap;
                 V rate = _o189.rate;
@@ -14005,16 +13999,16 @@ static void LANES(court_bounded)(const court_job *job)
             const M _m490 = lanes_both(rows, moves);
             if (lanes_any(_m490)) {
                 const LANES(court_passing_doubt_out) _o491 =
-                    LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[164]));
+                    LANES(court_passing_doubt)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, lanes_load(lists->fixed[7]), lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[164]));
                 M unsure = _o491.unsure;
                 const LANES(court_undecided_out) _o492 =
                     LANES(court_undecided)(uncertain, unsure);
                 uncertain = lanes_select(_m490, _o492.uncertain, uncertain);
                 const LANES(court_passing_out) _o493 =
-                    LANES(court_passing)(through, when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[19]));
+                    LANES(court_passing)(through, when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[22]), lanes_load(lists->fixed[20]), lanes_load(lists->fixed[19]));
                 through = lanes_select(_m490, _o493.through, through);
                 const LANES(court_flight_out) _o494 =
-                    LANES(court_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[36]));
+                    LANES(court_flight)(when, x, y, z, vx, vy, vz, lanes_load(lists->fixed[21]), lanes_load(lists->fixed[33]));
                 x = lanes_select(_m490, _o494.x, x);
                 y = lanes_select(_m490, _o494.y, y);
                 z = lanes_select(_m490, _o494.z, z);
@@ -14160,7 +14154,7 @@ static void LANES(court_bounded)(const court_job *job)
                         LANES(court_ring_curvature)(lanes_load(lists->fixed[166]));
                     curving = lanes_select(_m528, _o529.curvature, curving);
                     const LANES(court_started_out) _o530 =
-                        LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[36]));
+                        LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[33]));
                     V from_x = _o530.from_x;
                     V from_y = _o530.from_y;
                     V from_z = _o530.from_z;
@@ -14179,7 +14173,7 @@ static void LANES(court_bounded)(const court_job *job)
                         LANES(court_backboard_curvature)(lanes_load(lists->fixed[112]));
                     curving = lanes_select(_m533, _o534.curvature, curving);
                     const LANES(court_started_out) _o535 =
-                        LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[36]));
+                        LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[33]));
                     V from_x = _o535.from_x;
                     V from_y = _o535.from_y;
                     V from_z = _o535.from_z;
@@ -14198,7 +14192,7 @@ static void LANES(court_bounded)(const court_job *job)
                         LANES(court_bridge_curvature)(lanes_load(lists->fixed[112]));
                     curving = lanes_select(_m538, _o539.curvature, curving);
                     const LANES(court_started_out) _o540 =
-                        LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[36]));
+                        LANES(court_started)(when, vx, vy, vz, x, y, z, lanes_load(lists->fixed[33]));
                     V from_x = _o540.from_x;
                     V from_y = _o540.from_y;
                     V from_z = _o540.from_z;

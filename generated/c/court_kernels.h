@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation afd6566da598ff1c,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 394a0d8707aa8072,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -2855,43 +2855,43 @@ LANES(court_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V _c0, V _c1
 }
 
 /* Positive if there certainly is no contact before the horizon.
-   bounds of the event condition. 131 operations: 28 additions, 16 subtractions, 54 multiplications, 3 square roots, 15 comparisons, 15 selections. */
+   bounds of the event condition. 119 operations: 24 additions, 16 subtractions, 49 multiplications, 2 square roots, 14 comparisons, 14 selections. */
 typedef struct {
     V clear;
 } LANES(court_ring_clear_out);
 
 LANES_INLINE LANES(court_ring_clear_out)
-LANES(court_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14, V _c15, V _c16, V _c17, V _c18, V _c19, V _c20, V _c21, V _c22)
+LANES(court_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14, V _c15, V _c16, V _c17, V _c18, V _c19)
 {
-    const V _s0 = lanes_add(lanes_mul(_c3, lanes_sqrt(lanes_mul(_c4, lanes_add(lanes_add(_c5, extent), _c6)))), lanes_mul(lanes_mul(K(2.0), speed), _c4));
-    const V _s1 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s0, horizon))), _c7), _c8);
+    const V _s0 = lanes_add(position_error, lanes_mul(horizon, velocity_error));
+    const V _s1 = lanes_sub(lanes_sub(_s0, _c3), _c4);
     const V _s2 = lanes_mul(vz, vz);
-    const V _s3 = lanes_add(_s2, lanes_mul(_c12, lanes_sub(z, _c9)));
+    const V _s3 = lanes_add(_s2, lanes_mul(_c8, lanes_sub(z, _c5)));
     const V _s4 = lanes_sqrt(_s3);
-    const V _s5 = lanes_mul(_c4, lanes_sub(vz, _s4));
-    const V _s6 = lanes_mul(_c4, lanes_add(vz, _s4));
+    const V _s5 = lanes_mul(_c9, lanes_sub(vz, _s4));
+    const V _s6 = lanes_mul(_c9, lanes_add(vz, _s4));
     const V _s7 = lanes_add(x, lanes_mul(vx, _s6));
     const V _s8 = lanes_add(y, lanes_mul(vy, _s6));
     const V _s9 = lanes_add(lanes_mul(_s7, _s7), lanes_mul(_s8, _s8));
     const V _s10 = lanes_sqrt(_s9);
     const V _s11 = lanes_sub(_s10, _c0);
-    const V _s12 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(_c13, _s6)), _s6));
-    const V _s13 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), _c14), _c16);
+    const V _s12 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(_c10, _s6)), _s6));
+    const V _s13 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), _c11), _c13);
     const V _s14 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
     const V _s15 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
     const V _s16 = lanes_mul(_s15, _s15);
-    const V _s17 = lanes_sub(lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s2), lanes_mul(_c17, z)), lanes_mul(K(2.0), _s14)), _c18), _c20), lanes_mul(_c21, _s16));
+    const V _s17 = lanes_sub(lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s2), lanes_mul(_c14, z)), lanes_mul(K(2.0), _s14)), _c15), _c17), lanes_mul(_c18, _s16));
     const V _s18 = lanes_add(lanes_mul(_s11, lanes_add(lanes_mul(vx, _s7), lanes_mul(vy, _s8))), lanes_mul(lanes_mul(_s12, lanes_sub(vz, lanes_mul(_c1, _s6))), _s10));
     const V _s19 = lanes_add(x, lanes_mul(horizon, vx));
     const V _s20 = lanes_add(y, lanes_mul(horizon, vy));
-    const V _s21 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_c16, lanes_mul(_s19, _s19)), lanes_mul(_s20, _s20)), _c19), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s14, _c22), _s16), K(0.0)), K(1.0), K(0.0)));
-    const V _s22 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s18, _s18)), _c20), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s17), _s9), _s13)), K(0.0)), _s21, K(0.0));
+    const V _s21 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_c13, lanes_mul(_s19, _s19)), lanes_mul(_s20, _s20)), _c16), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s14, _c19), _s16), K(0.0)), K(1.0), K(0.0)));
+    const V _s22 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s18, _s18)), _c17), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s17), _s9), _s13)), K(0.0)), _s21, K(0.0));
     const V _s23 = lanes_select(lanes_less(horizon, lanes_sub(_s6, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s13), lanes_select(lanes_less(K(0.0), _s17), _s22, K(0.0)), K(0.0)));
     const V _s24 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
     const V _s25 = lanes_add(lanes_mul(_s5, _s14), _s24);
-    const V _s26 = lanes_select(lanes_less(_s25, K(0.0)), lanes_select(lanes_less(_c15, lanes_add(lanes_mul(_s5, lanes_add(_s24, _s25)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s23, K(0.0)), K(0.0));
-    const V _s27 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c1, horizon)))), _c11), lanes_select(lanes_less(K(0.0), _s3), lanes_select(lanes_less(_s5, K(0.0)), _s23, _s26), K(0.0)), K(0.0));
-    return (LANES(court_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_c2, _s1)), K(0.0), lanes_select(lanes_less(lanes_add(position_error, lanes_mul(horizon, velocity_error)), _c10), _s27, K(0.0))) };
+    const V _s26 = lanes_select(lanes_less(_s25, K(0.0)), lanes_select(lanes_less(_c12, lanes_add(lanes_mul(_s5, lanes_add(_s24, _s25)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s23, K(0.0)), K(0.0));
+    const V _s27 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c1, horizon)))), _c7), lanes_select(lanes_less(K(0.0), _s3), lanes_select(lanes_less(_s5, K(0.0)), _s23, _s26), K(0.0)), K(0.0));
+    return (LANES(court_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_c2, _s1)), K(0.0), lanes_select(lanes_less(_s0, _c6), _s27, K(0.0))) };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 83f26c5ee904c483,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 968d841b0ede7c17,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -232,7 +232,7 @@ typedef struct {
     LANES(hoop_column) open_refining_y;
     LANES(hoop_column) open_refining_z;
     /* What kernels make of parameters alone. */
-    _Alignas(64) double fixed[50][LANES_WIDTH];
+    _Alignas(64) double fixed[53][LANES_WIDTH];
     _Alignas(64) float fixed_single[26][LANES_WIDTH];
 } LANES(hoop_plain_lists);
 
@@ -461,18 +461,19 @@ static void LANES(hoop_plain_fix)(LANES(hoop_plain_lists) *lists)
         const V _s1 = lanes_sub(p_ball_radius, p_board_distance);
         const V _s2 = lanes_mul(K(2.0), p_ball_radius);
         const V _s3 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s4 = lanes_div(K(1.0), p_gravity);
-        const V _s5 = lanes_neg(_s4);
-        const V _s6 = lanes_mul(K(1.00006103515625), _s3);
-        const V _s7 = lanes_add(p_ring_radius, _s6);
-        const V _s8 = lanes_mul(_s7, _s7);
-        const V _s9 = lanes_mul(K(9.313225746154785e-10), _s8);
-        const V _s10 = lanes_sub(p_ring_radius, _s6);
-        const V _s11 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s12 = lanes_max(_s10, _s11);
-        const V _s13 = lanes_mul(_s12, _s12);
-        const V _s14 = lanes_div(K(1.0), _s12);
-        const V _s15 = lanes_div(_s6, _s12);
+        const V _s4 = lanes_mul(K(2.0), p_wire_radius);
+        const V _s5 = lanes_div(K(1.0), p_gravity);
+        const V _s6 = lanes_neg(_s5);
+        const V _s7 = lanes_mul(K(1.00006103515625), _s3);
+        const V _s8 = lanes_add(p_ring_radius, _s7);
+        const V _s9 = lanes_mul(_s8, _s8);
+        const V _s10 = lanes_mul(K(9.313225746154785e-10), _s9);
+        const V _s11 = lanes_sub(p_ring_radius, _s7);
+        const V _s12 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s13 = lanes_max(_s11, _s12);
+        const V _s14 = lanes_mul(_s13, _s13);
+        const V _s15 = lanes_div(K(1.0), _s13);
+        const V _s16 = lanes_div(_s7, _s13);
         lanes_store(lists->fixed[0], p_board_distance);
         lanes_store(lists->fixed[1], lanes_add(lanes_add(lanes_add(_s0, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
         lanes_store(lists->fixed[2], lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius));
@@ -485,44 +486,47 @@ static void LANES(hoop_plain_fix)(LANES(hoop_plain_lists) *lists)
         lanes_store(lists->fixed[9], p_bridge_half_width);
         lanes_store(lists->fixed[10], _s3);
         lanes_store(lists->fixed[11], lanes_mul(_s3, _s3));
-        lanes_store(lists->fixed[12], lanes_sub(lanes_sub(_s3, _s2), lanes_mul(K(2.0), p_wire_radius)));
+        lanes_store(lists->fixed[12], lanes_sub(lanes_sub(_s3, _s2), _s4));
         lanes_store(lists->fixed[13], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
-        lanes_store(lists->fixed[14], _s4);
+        lanes_store(lists->fixed[14], _s5);
         lanes_store(lists->fixed[15], p_gravity);
         lanes_store(lists->fixed[16], lanes_neg(p_end_depth));
         lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
         lanes_store(lists->fixed[18], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[19], _s5);
-        lanes_store(lists->fixed[20], lanes_mul(K(0.5), _s5));
+        lanes_store(lists->fixed[19], _s6);
+        lanes_store(lists->fixed[20], lanes_mul(K(0.5), _s6));
         lanes_store(lists->fixed[21], lanes_mul(p_bridge_half_width, p_bridge_half_width));
         lanes_store(lists->fixed[22], lanes_neg(p_board_distance));
         lanes_store(lists->fixed[23], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[24], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s3)));
         lanes_store(lists->fixed[25], lanes_mul(K(1.52587890625e-05), p_ball_radius));
         lanes_store(lists->fixed[26], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[27], _s6);
-        lanes_store(lists->fixed[28], lanes_mul(K(5.820766091346741e-11), _s7));
-        lanes_store(lists->fixed[29], lanes_mul(K(65536.0), _s7));
-        lanes_store(lists->fixed[30], _s8);
-        lanes_store(lists->fixed[31], _s9);
+        lanes_store(lists->fixed[27], _s7);
+        lanes_store(lists->fixed[28], lanes_mul(K(5.820766091346741e-11), _s8));
+        lanes_store(lists->fixed[29], lanes_mul(K(65536.0), _s8));
+        lanes_store(lists->fixed[30], _s9);
+        lanes_store(lists->fixed[31], _s10);
         lanes_store(lists->fixed[32], lanes_mul(K(4.0), p_gravity));
         lanes_store(lists->fixed[33], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s3));
-        lanes_store(lists->fixed[34], _s13);
-        lanes_store(lists->fixed[35], lanes_mul(_s12, _s13));
+        lanes_store(lists->fixed[34], _s14);
+        lanes_store(lists->fixed[35], lanes_mul(_s13, _s14));
         lanes_store(lists->fixed[36], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[37], lanes_add(_s9, _s13));
-        lanes_store(lists->fixed[38], lanes_mul(_s14, lanes_mul(_s14, _s14)));
-        lanes_store(lists->fixed[39], _s7);
-        lanes_store(lists->fixed[40], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s3), _s7));
-        lanes_store(lists->fixed[41], lanes_mul(K(5.00030517578125), _s3));
-        lanes_store(lists->fixed[42], lanes_max(K(1.0), _s15));
-        lanes_store(lists->fixed[43], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[44], lanes_mul(K(9.094947017729282e-13), _s7));
-        lanes_store(lists->fixed[45], _s12);
-        lanes_store(lists->fixed[46], lanes_div(K(1.0), _s3));
-        lanes_store(lists->fixed[47], p_restitution);
-        lanes_store(lists->fixed[48], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[49], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[37], lanes_add(_s10, _s14));
+        lanes_store(lists->fixed[38], lanes_mul(_s15, lanes_mul(_s15, _s15)));
+        lanes_store(lists->fixed[39], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[40], _s2);
+        lanes_store(lists->fixed[41], _s4);
+        lanes_store(lists->fixed[42], _s8);
+        lanes_store(lists->fixed[43], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s3), _s8));
+        lanes_store(lists->fixed[44], lanes_mul(K(5.00030517578125), _s3));
+        lanes_store(lists->fixed[45], lanes_max(K(1.0), _s16));
+        lanes_store(lists->fixed[46], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[47], lanes_mul(K(9.094947017729282e-13), _s8));
+        lanes_store(lists->fixed[48], _s13);
+        lanes_store(lists->fixed[49], lanes_div(K(1.0), _s3));
+        lanes_store(lists->fixed[50], p_restitution);
+        lanes_store(lists->fixed[51], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[52], lanes_div(K(1.0), p_ball_radius));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -794,10 +798,13 @@ static void LANES(hoop_plain_fix_f58)(LANES(hoop_plain_lists) *lists, size_t i)
         lanes_store(lists->fixed[34], lanes_mul(_s5, _s5));
         lanes_store(lists->fixed[36], lanes_mul(K(2.0), p_ring_radius));
         lanes_store(lists->fixed[38], lanes_mul(_s6, lanes_mul(_s6, _s6)));
-        lanes_store(lists->fixed[39], _s2);
-        lanes_store(lists->fixed[40], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[41], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[42], lanes_max(K(1.0), _s7));
+        lanes_store(lists->fixed[39], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[40], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[41], lanes_mul(K(2.0), p_wire_radius));
+        lanes_store(lists->fixed[42], _s2);
+        lanes_store(lists->fixed[43], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[44], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[45], lanes_max(K(1.0), _s7));
     }
 }
 
@@ -828,13 +835,13 @@ static void LANES(hoop_plain_fix_f63)(LANES(hoop_plain_lists) *lists, size_t tak
         lanes_store(lists->fixed[15], p_gravity);
         lanes_store(lists->fixed[23], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[27], _s1);
-        lanes_store(lists->fixed[39], _s2);
-        lanes_store(lists->fixed[40], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[41], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[42], lanes_max(K(1.0), _s6));
-        lanes_store(lists->fixed[43], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[44], lanes_mul(K(9.094947017729282e-13), _s2));
-        lanes_store(lists->fixed[45], _s5);
+        lanes_store(lists->fixed[42], _s2);
+        lanes_store(lists->fixed[43], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[44], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[45], lanes_max(K(1.0), _s6));
+        lanes_store(lists->fixed[46], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[47], lanes_mul(K(9.094947017729282e-13), _s2));
+        lanes_store(lists->fixed[48], _s5);
     }
 }
 
@@ -899,10 +906,10 @@ static void LANES(hoop_plain_fix_f88)(LANES(hoop_plain_lists) *lists, size_t i)
         lanes_store(lists->fixed[10], _s0);
         lanes_store(lists->fixed[15], p_gravity);
         lanes_store(lists->fixed[23], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[46], lanes_div(K(1.0), _s0));
-        lanes_store(lists->fixed[47], p_restitution);
-        lanes_store(lists->fixed[48], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[49], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[49], lanes_div(K(1.0), _s0));
+        lanes_store(lists->fixed[50], p_restitution);
+        lanes_store(lists->fixed[51], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[52], lanes_div(K(1.0), p_ball_radius));
     }
 }
 
@@ -1474,7 +1481,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
             const LANES(hoop_ring_prepare_out) _o59 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[26]));
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), lanes_load(lists->fixed[32]), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[30]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[33]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[24]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[26]));
             V steady = _o59.steady;
             V swing = _o59.swing;
             V rho_start = _o59.rho_start;
@@ -1491,7 +1498,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V position_level = _o60.position_level;
             V velocity_level = _o60.velocity_level;
             const LANES(hoop_ring_margins_out) _o61 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]));
+                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]));
             V flat = _o61.margin;
             V tilt = _o61.leaving_margin;
             V rate_slack = _o61.rate_margin;
@@ -1624,7 +1631,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 V leaving = _o64.leaving;
                 V margin = _o64.margin;
                 const LANES(hoop_ring_advance_out) _o65 =
-                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]));
+                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[23]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]));
                 V gap = _o65.gap;
                 V rate = _o65.rate;
                 V bend = _o65.bend;
@@ -1646,7 +1653,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     V position_level = _o69.position_level;
                     V velocity_level = _o69.velocity_level;
                     const LANES(hoop_ring_margins_out) _o70 =
-                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[39]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[41]), lanes_load(lists->fixed[42]));
+                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[27]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]));
                     flat = lanes_select(_m67, _o70.margin, flat);
                     tilt = lanes_select(_m67, _o70.leaving_margin, tilt);
                     rate_slack = lanes_select(_m67, _o70.rate_margin, rate_slack);
@@ -1978,7 +1985,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 const M _m108 = lanes_both(_m105, here);
                 {
                     const LANES(hoop_ring_normal_out) _o109 =
-                        LANES(hoop_ring_normal)(x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[46]));
+                        LANES(hoop_ring_normal)(x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[49]));
                     nx = lanes_select(_m108, _o109.nx, nx);
                     ny = lanes_select(_m108, _o109.ny, ny);
                     nz = lanes_select(_m108, _o109.nz, nz);
@@ -2017,7 +2024,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 const M _m119 = lanes_both(_m105, touches);
                 if (lanes_any(_m119)) {
                     const LANES(hoop_impact_out) _o120 =
-                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
+                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, lanes_load(lists->fixed[50]), lanes_load(lists->fixed[51]), lanes_load(lists->fixed[52]));
                     vx = lanes_select(_m119, _o120.vx, vx);
                     vy = lanes_select(_m119, _o120.vy, vy);
                     vz = lanes_select(_m119, _o120.vz, vz);
@@ -2321,7 +2328,7 @@ typedef struct {
     LANES(hoop_column) open_refining_y;
     LANES(hoop_column) open_refining_z;
     /* What kernels make of parameters alone. */
-    _Alignas(64) double fixed[55][LANES_WIDTH];
+    _Alignas(64) double fixed[58][LANES_WIDTH];
     _Alignas(64) float fixed_single[33][LANES_WIDTH];
 } LANES(hoop_bounded_lists);
 
@@ -2603,21 +2610,22 @@ static void LANES(hoop_bounded_fix)(LANES(hoop_bounded_lists) *lists)
         const V _s3 = lanes_sub(p_ball_radius, p_board_distance);
         const V _s4 = lanes_mul(K(2.0), p_ball_radius);
         const V _s5 = lanes_add(p_ball_radius, p_wire_radius);
-        const V _s6 = lanes_div(K(1.0), p_gravity);
-        const V _s7 = lanes_neg(_s6);
-        const V _s8 = lanes_mul(K(6.667843360785852e-16), p_ball_radius);
-        const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth), p_ring_radius), p_wire_radius);
-        const V _s10 = lanes_mul(K(1.00006103515625), _s5);
-        const V _s11 = lanes_add(p_ring_radius, _s10);
-        const V _s12 = lanes_mul(_s11, _s11);
-        const V _s13 = lanes_mul(K(9.313225746154785e-10), _s12);
-        const V _s14 = lanes_sub(p_ring_radius, _s10);
-        const V _s15 = lanes_mul(K(0.0001220703125), p_ring_radius);
-        const V _s16 = lanes_max(_s14, _s15);
-        const V _s17 = lanes_mul(_s16, _s16);
-        const V _s18 = lanes_div(K(1.0), _s16);
-        const V _s19 = lanes_div(_s10, _s16);
-        const V _s20 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+        const V _s6 = lanes_mul(K(2.0), p_wire_radius);
+        const V _s7 = lanes_div(K(1.0), p_gravity);
+        const V _s8 = lanes_neg(_s7);
+        const V _s9 = lanes_mul(K(6.667843360785852e-16), p_ball_radius);
+        const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth), p_ring_radius), p_wire_radius);
+        const V _s11 = lanes_mul(K(1.00006103515625), _s5);
+        const V _s12 = lanes_add(p_ring_radius, _s11);
+        const V _s13 = lanes_mul(_s12, _s12);
+        const V _s14 = lanes_mul(K(9.313225746154785e-10), _s13);
+        const V _s15 = lanes_sub(p_ring_radius, _s11);
+        const V _s16 = lanes_mul(K(0.0001220703125), p_ring_radius);
+        const V _s17 = lanes_max(_s15, _s16);
+        const V _s18 = lanes_mul(_s17, _s17);
+        const V _s19 = lanes_div(K(1.0), _s17);
+        const V _s20 = lanes_div(_s11, _s17);
+        const V _s21 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
         lanes_store(lists->fixed[0], p_board_distance);
         lanes_store(lists->fixed[1], lanes_add(lanes_add(lanes_add(_s2, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)));
         lanes_store(lists->fixed[2], lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius));
@@ -2630,49 +2638,52 @@ static void LANES(hoop_bounded_fix)(LANES(hoop_bounded_lists) *lists)
         lanes_store(lists->fixed[9], p_bridge_half_width);
         lanes_store(lists->fixed[10], _s5);
         lanes_store(lists->fixed[11], lanes_mul(_s5, _s5));
-        lanes_store(lists->fixed[12], lanes_sub(lanes_sub(_s5, _s4), lanes_mul(K(2.0), p_wire_radius)));
+        lanes_store(lists->fixed[12], lanes_sub(lanes_sub(_s5, _s4), _s6));
         lanes_store(lists->fixed[13], lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
-        lanes_store(lists->fixed[14], _s6);
+        lanes_store(lists->fixed[14], _s7);
         lanes_store(lists->fixed[15], p_gravity);
         lanes_store(lists->fixed[16], lanes_neg(p_end_depth));
         lanes_store(lists->fixed[17], lanes_mul(K(2.0), p_gravity));
         lanes_store(lists->fixed[18], lanes_neg(p_gravity));
-        lanes_store(lists->fixed[19], _s7);
-        lanes_store(lists->fixed[20], lanes_mul(K(0.5), _s7));
+        lanes_store(lists->fixed[19], _s8);
+        lanes_store(lists->fixed[20], lanes_mul(K(0.5), _s8));
         lanes_store(lists->fixed[21], lanes_mul(K(6.667843360785852e-16), p_end_depth));
         lanes_store(lists->fixed[22], lanes_mul(p_bridge_half_width, p_bridge_half_width));
         lanes_store(lists->fixed[23], lanes_neg(p_board_distance));
-        lanes_store(lists->fixed[24], lanes_add(_s8, lanes_mul(K(8.890457814381136e-16), p_board_distance)));
+        lanes_store(lists->fixed[24], lanes_add(_s9, lanes_mul(K(8.890457814381136e-16), p_board_distance)));
         lanes_store(lists->fixed[25], lanes_mul(K(0.5), p_gravity));
-        lanes_store(lists->fixed[26], lanes_add(lanes_add(_s9, _s0), _s1));
-        lanes_store(lists->fixed[27], lanes_add(_s8, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
+        lanes_store(lists->fixed[26], lanes_add(lanes_add(_s10, _s0), _s1));
+        lanes_store(lists->fixed[27], lanes_add(_s9, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
         lanes_store(lists->fixed[28], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s5)));
         lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_ball_radius));
         lanes_store(lists->fixed[30], lanes_mul(K(1.52587890625e-05), p_wire_radius));
-        lanes_store(lists->fixed[31], _s10);
-        lanes_store(lists->fixed[32], lanes_mul(K(5.820766091346741e-11), _s11));
-        lanes_store(lists->fixed[33], lanes_mul(K(65536.0), _s11));
-        lanes_store(lists->fixed[34], _s12);
-        lanes_store(lists->fixed[35], _s13);
+        lanes_store(lists->fixed[31], _s11);
+        lanes_store(lists->fixed[32], lanes_mul(K(5.820766091346741e-11), _s12));
+        lanes_store(lists->fixed[33], lanes_mul(K(65536.0), _s12));
+        lanes_store(lists->fixed[34], _s13);
+        lanes_store(lists->fixed[35], _s14);
         lanes_store(lists->fixed[36], lanes_mul(K(4.0), p_gravity));
         lanes_store(lists->fixed[37], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s5));
-        lanes_store(lists->fixed[38], _s17);
-        lanes_store(lists->fixed[39], lanes_mul(_s16, _s17));
+        lanes_store(lists->fixed[38], _s18);
+        lanes_store(lists->fixed[39], lanes_mul(_s17, _s18));
         lanes_store(lists->fixed[40], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[41], lanes_add(_s13, _s17));
-        lanes_store(lists->fixed[42], lanes_mul(_s18, lanes_mul(_s18, _s18)));
-        lanes_store(lists->fixed[43], _s11);
-        lanes_store(lists->fixed[44], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s5), _s11));
-        lanes_store(lists->fixed[45], lanes_mul(K(5.00030517578125), _s5));
-        lanes_store(lists->fixed[46], lanes_max(K(1.0), _s19));
-        lanes_store(lists->fixed[47], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[48], lanes_mul(K(9.094947017729282e-13), _s11));
-        lanes_store(lists->fixed[49], _s16);
-        lanes_store(lists->fixed[50], lanes_div(K(1.0), _s5));
-        lanes_store(lists->fixed[51], lanes_div(K(1.0), lanes_min(_s20, _s5)));
-        lanes_store(lists->fixed[52], p_restitution);
-        lanes_store(lists->fixed[53], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[54], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[41], lanes_add(_s14, _s18));
+        lanes_store(lists->fixed[42], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[43], _s4);
+        lanes_store(lists->fixed[44], _s6);
+        lanes_store(lists->fixed[45], lanes_mul(_s19, lanes_mul(_s19, _s19)));
+        lanes_store(lists->fixed[46], _s12);
+        lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s5), _s12));
+        lanes_store(lists->fixed[48], lanes_mul(K(5.00030517578125), _s5));
+        lanes_store(lists->fixed[49], lanes_max(K(1.0), _s20));
+        lanes_store(lists->fixed[50], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[51], lanes_mul(K(9.094947017729282e-13), _s12));
+        lanes_store(lists->fixed[52], _s17);
+        lanes_store(lists->fixed[53], lanes_div(K(1.0), _s5));
+        lanes_store(lists->fixed[54], lanes_div(K(1.0), lanes_min(_s21, _s5)));
+        lanes_store(lists->fixed[55], p_restitution);
+        lanes_store(lists->fixed[56], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[57], lanes_div(K(1.0), p_ball_radius));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -2845,11 +2856,15 @@ static void LANES(hoop_bounded_fix_f63)(LANES(hoop_bounded_lists) *lists, size_t
     const V p_wire_radius = lanes_load(lists->open_p_wire_radius + i);
     {
         lanes_store(lists->fixed[5], p_ring_radius);
+        lanes_store(lists->fixed[14], lanes_div(K(1.0), p_gravity));
         lanes_store(lists->fixed[15], p_gravity);
         lanes_store(lists->fixed[25], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[28], lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, lanes_add(p_ball_radius, p_wire_radius))));
         lanes_store(lists->fixed[29], lanes_mul(K(1.52587890625e-05), p_ball_radius));
         lanes_store(lists->fixed[30], lanes_mul(K(1.52587890625e-05), p_wire_radius));
+        lanes_store(lists->fixed[42], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[44], lanes_mul(K(2.0), p_wire_radius));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -2961,11 +2976,14 @@ static void LANES(hoop_bounded_fix_f80)(LANES(hoop_bounded_lists) *lists, size_t
         lanes_store(lists->fixed[37], lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0));
         lanes_store(lists->fixed[38], lanes_mul(_s5, _s5));
         lanes_store(lists->fixed[40], lanes_mul(K(2.0), p_ring_radius));
-        lanes_store(lists->fixed[42], lanes_mul(_s6, lanes_mul(_s6, _s6)));
-        lanes_store(lists->fixed[43], _s2);
-        lanes_store(lists->fixed[44], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[45], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[46], lanes_max(K(1.0), _s7));
+        lanes_store(lists->fixed[42], lanes_sqrt(K(2.0)));
+        lanes_store(lists->fixed[43], lanes_mul(K(2.0), p_ball_radius));
+        lanes_store(lists->fixed[44], lanes_mul(K(2.0), p_wire_radius));
+        lanes_store(lists->fixed[45], lanes_mul(_s6, lanes_mul(_s6, _s6)));
+        lanes_store(lists->fixed[46], _s2);
+        lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[48], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[49], lanes_max(K(1.0), _s7));
     }
 }
 
@@ -2996,13 +3014,13 @@ static void LANES(hoop_bounded_fix_f85)(LANES(hoop_bounded_lists) *lists, size_t
         lanes_store(lists->fixed[15], p_gravity);
         lanes_store(lists->fixed[25], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[31], _s1);
-        lanes_store(lists->fixed[43], _s2);
-        lanes_store(lists->fixed[44], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[45], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[46], lanes_max(K(1.0), _s6));
-        lanes_store(lists->fixed[47], lanes_mul(K(6.0), p_gravity));
-        lanes_store(lists->fixed[48], lanes_mul(K(9.094947017729282e-13), _s2));
-        lanes_store(lists->fixed[49], _s5);
+        lanes_store(lists->fixed[46], _s2);
+        lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[48], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[49], lanes_max(K(1.0), _s6));
+        lanes_store(lists->fixed[50], lanes_mul(K(6.0), p_gravity));
+        lanes_store(lists->fixed[51], lanes_mul(K(9.094947017729282e-13), _s2));
+        lanes_store(lists->fixed[52], _s5);
     }
 }
 
@@ -3067,10 +3085,10 @@ static void LANES(hoop_bounded_fix_f110)(LANES(hoop_bounded_lists) *lists, size_
         const V _s5 = lanes_div(_s1, lanes_max(_s3, _s4));
         lanes_store(lists->fixed[15], p_gravity);
         lanes_store(lists->fixed[31], _s1);
-        lanes_store(lists->fixed[43], _s2);
-        lanes_store(lists->fixed[44], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
-        lanes_store(lists->fixed[45], lanes_mul(K(5.00030517578125), _s0));
-        lanes_store(lists->fixed[46], lanes_max(K(1.0), _s5));
+        lanes_store(lists->fixed[46], _s2);
+        lanes_store(lists->fixed[47], lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s2));
+        lanes_store(lists->fixed[48], lanes_mul(K(5.00030517578125), _s0));
+        lanes_store(lists->fixed[49], lanes_max(K(1.0), _s5));
     }
 }
 
@@ -3101,11 +3119,11 @@ static void LANES(hoop_bounded_fix_f118)(LANES(hoop_bounded_lists) *lists, size_
         lanes_store(lists->fixed[15], p_gravity);
         lanes_store(lists->fixed[25], lanes_mul(K(0.5), p_gravity));
         lanes_store(lists->fixed[26], lanes_add(lanes_add(_s1, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
-        lanes_store(lists->fixed[50], lanes_div(K(1.0), _s0));
-        lanes_store(lists->fixed[51], lanes_div(K(1.0), lanes_min(_s2, _s0)));
-        lanes_store(lists->fixed[52], p_restitution);
-        lanes_store(lists->fixed[53], lanes_mul(K(0.4), p_ball_radius));
-        lanes_store(lists->fixed[54], lanes_div(K(1.0), p_ball_radius));
+        lanes_store(lists->fixed[53], lanes_div(K(1.0), _s0));
+        lanes_store(lists->fixed[54], lanes_div(K(1.0), lanes_min(_s2, _s0)));
+        lanes_store(lists->fixed[55], p_restitution);
+        lanes_store(lists->fixed[56], lanes_mul(K(0.4), p_ball_radius));
+        lanes_store(lists->fixed[57], lanes_div(K(1.0), p_ball_radius));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -3588,7 +3606,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 LANES(hoop_allowance)(allowing, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[15]));
             V excess = _o72.excess;
             const LANES(hoop_ring_lost_out) _o73 =
-                LANES(hoop_ring_lost)(until, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]));
+                LANES(hoop_ring_lost)(until, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]));
             V lost = _o73.lost;
             const LANES(hoop_beyond_out) _o74 =
                 LANES(hoop_beyond)(doubt, excess, late, lost, pad);
@@ -3825,7 +3843,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V y = lanes_load(lists->open_searching_y + i);
             V z = lanes_load(lists->open_searching_z + i);
             const LANES(hoop_ring_prepare_out) _o81 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]));
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[36]), lanes_load(lists->fixed[40]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[17]), lanes_load(lists->fixed[14]), lanes_load(lists->fixed[34]), lanes_load(lists->fixed[38]), lanes_load(lists->fixed[37]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[28]), lanes_load(lists->fixed[42]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[29]), lanes_load(lists->fixed[30]));
             V steady = _o81.steady;
             V swing = _o81.swing;
             V rho_start = _o81.rho_start;
@@ -3842,7 +3860,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V position_level = _o82.position_level;
             V velocity_level = _o82.velocity_level;
             const LANES(hoop_ring_margins_out) _o83 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]));
+                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
             V flat = _o83.margin;
             V tilt = _o83.leaving_margin;
             V rate_slack = _o83.rate_margin;
@@ -3987,7 +4005,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 V leaving = _o86.leaving;
                 V margin = _o86.margin;
                 const LANES(hoop_ring_advance_out) _o87 =
-                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
+                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[25]), lanes_load(lists->fixed[11]), lanes_load(lists->fixed[50]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[51]), lanes_load(lists->fixed[52]));
                 V gap = _o87.gap;
                 V rate = _o87.rate;
                 V bend = _o87.bend;
@@ -4010,7 +4028,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     V velocity_level = _o91.velocity_level;
                     V excess = _o91.excess;
                     const LANES(hoop_ring_margins_out) _o92 =
-                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]));
+                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
                     flat = lanes_select(_m89, _o92.margin, flat);
                     tilt = lanes_select(_m89, _o92.leaving_margin, tilt);
                     rate_slack = lanes_select(_m89, _o92.rate_margin, rate_slack);
@@ -4258,7 +4276,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V when = lanes_load(lists->open_when + i);
             V which = lanes_load(lists->open_which + i);
             const LANES(hoop_ring_margins_out) _o111 =
-                LANES(hoop_ring_margins)(latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[43]), lanes_load(lists->fixed[44]), lanes_load(lists->fixed[45]), lanes_load(lists->fixed[46]));
+                LANES(hoop_ring_margins)(latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), lanes_load(lists->fixed[15]), lanes_load(lists->fixed[31]), lanes_load(lists->fixed[46]), lanes_load(lists->fixed[47]), lanes_load(lists->fixed[48]), lanes_load(lists->fixed[49]));
             V flat = _o111.margin;
             V tilt = _o111.leaving_margin;
             V rate_margin = _o111.rate_margin;
@@ -4441,7 +4459,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 const M _m142 = lanes_both(_m139, here);
                 {
                     const LANES(hoop_ring_normal_out) _o143 =
-                        LANES(hoop_ring_normal)(x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[50]));
+                        LANES(hoop_ring_normal)(x, y, z, lanes_load(lists->fixed[5]), lanes_load(lists->fixed[53]));
                     nx = lanes_select(_m142, _o143.nx, nx);
                     ny = lanes_select(_m142, _o143.ny, ny);
                     nz = lanes_select(_m142, _o143.nz, nz);
@@ -4486,7 +4504,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 const M _m155 = lanes_both(_m139, again);
                 {
                     const LANES(hoop_ring_curvature_out) _o156 =
-                        LANES(hoop_ring_curvature)(lanes_load(lists->fixed[51]));
+                        LANES(hoop_ring_curvature)(lanes_load(lists->fixed[54]));
                     curving = lanes_select(_m155, _o156.curvature, curving);
                 }
                 const LANES(hoop_again_out) _o157 =
@@ -4557,7 +4575,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     dwy = singles_select(singles_of(_m171), _o172.dwy, dwy);
                     dwz = singles_select(singles_of(_m171), _o172.dwz, dwz);
                     const LANES(hoop_impact_out) _o173 =
-                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, lanes_load(lists->fixed[52]), lanes_load(lists->fixed[53]), lanes_load(lists->fixed[54]));
+                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, lanes_load(lists->fixed[55]), lanes_load(lists->fixed[56]), lanes_load(lists->fixed[57]));
                     vx = lanes_select(_m171, _o173.vx, vx);
                     vy = lanes_select(_m171, _o173.vy, vy);
                     vz = lanes_select(_m171, _o173.vz, vz);

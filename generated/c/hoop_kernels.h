@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 83f26c5ee904c483,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 968d841b0ede7c17,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1196,7 +1196,7 @@ LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V s
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 154 operations: 26 additions, 17 subtractions, 34 multiplications, 1 division, 5 square roots, 1 negation, 5 absolute values, 29 comparisons, 36 selections. */
+   bounds of the event condition. 164 operations: 29 additions, 17 subtractions, 38 multiplications, 1 division, 6 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections. */
 typedef struct {
     V steady;
     V swing;
@@ -1213,7 +1213,7 @@ typedef struct {
 } LANES(hoop_ring_prepare_out);
 
 LANES_INLINE LANES(hoop_ring_prepare_out)
-LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11)
+LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14)
 {
     const V _s0 = lanes_mul(vz, vz);
     const V _s1 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
@@ -1263,8 +1263,9 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_
     const V _s45 = lanes_max(K(0.0), _s33);
     const V _s46 = lanes_max(_s45, _s42);
     const V _s47 = lanes_max(_s46, _s44);
-    const V _s48 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), _c10), _c11);
-    return (LANES(hoop_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s22), lanes_min(_s33, horizon), lanes_max(K(0.0), _s41), lanes_min(_s42, horizon), lanes_max(K(0.0), _s43), lanes_min(_s44, horizon), lanes_add(lanes_add(_c7, lanes_mul(_s5, _c8)), lanes_abs(_s2)), lanes_min(_s47, horizon), lanes_max(_c9, _s48) };
+    const V _s48 = lanes_add(lanes_mul(_c10, lanes_sqrt(lanes_mul(_c4, lanes_add(lanes_add(_c11, extent), _c12)))), lanes_mul(lanes_mul(K(2.0), speed), _c4));
+    const V _s49 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s48, horizon))), _c13), _c14);
+    return (LANES(hoop_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s22), lanes_min(_s33, horizon), lanes_max(K(0.0), _s41), lanes_min(_s42, horizon), lanes_max(K(0.0), _s43), lanes_min(_s44, horizon), lanes_add(lanes_add(_c7, lanes_mul(_s5, _c8)), lanes_abs(_s2)), lanes_min(_s47, horizon), lanes_max(_c9, _s49) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
@@ -1591,16 +1592,17 @@ LANES(hoop_ring_started)(V x, V y, V z, V vx, V vy, V vz, V _c0)
 }
 
 /* Positive where the bounds of the search do not hold.
-   bounds of the event condition. 6 operations: 1 addition, 2 subtractions, 1 multiplication, 1 comparison, 1 selection. */
+   bounds of the event condition. 16 operations: 4 additions, 2 subtractions, 5 multiplications, 1 square root, 2 comparisons, 2 selections. */
 typedef struct {
     V lost;
 } LANES(hoop_ring_lost_out);
 
 LANES_INLINE LANES(hoop_ring_lost_out)
-LANES(hoop_ring_lost)(V horizon, V position_error, V velocity_error, V _c0, V _c1, V _c2)
+LANES(hoop_ring_lost)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
-    const V _s0 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), _c1), _c2);
-    return (LANES(hoop_ring_lost_out)){ lanes_max(_c0, _s0) };
+    const V _s0 = lanes_add(lanes_mul(_c1, lanes_sqrt(lanes_mul(_c2, lanes_add(lanes_add(_c3, extent), _c4)))), lanes_mul(lanes_mul(K(2.0), speed), _c2));
+    const V _s1 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s0, horizon))), _c5), _c6);
+    return (LANES(hoop_ring_lost_out)){ lanes_max(_c0, _s1) };
 }
 
 /* The first window that ends later than a time, if there is one, from then on.

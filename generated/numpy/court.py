@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation afd6566da598ff1c,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 394a0d8707aa8072,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -3356,53 +3356,52 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_b
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Positive if there certainly is no contact before the horizon.
 
-    bounds of the event condition. 161 operations: 31 additions, 19 subtractions, 74 multiplications, 1 division, 4 square roots, 16 comparisons, 16 selections.
+    bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections.
     Returns clear.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14 = _room[:15]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s0)
-    _s2 = 1.0 / p_gravity
-    _s3 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s2, _add(_add(2.0 * p_ball_radius, extent, _r0), 2.0 * p_wire_radius, _r0), _r0), _r0), _r0)
-    _s4 = _add(_s3, _multiply(_multiply(_k23, speed, _r1), _s2, _r1), _r1)
-    _s5 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s4 < horizon, _s4, horizon, _r0), _r0), _r0), 1.52587890625e-05 * p_ball_radius, _r0), 1.52587890625e-05 * p_wire_radius, _r0)
-    _s6 = 1.00006103515625 * _s0
-    _s7 = p_ring_radius + _s6
-    _s8 = _multiply(vz, vz, _r1)
-    _s9 = _add(_s8, _multiply(2.0 * p_gravity, _subtract(z, _s6, _r2), _r2), _r2)
-    _s10 = _sqrt(_s9, _r3)
-    _s11 = _multiply(_s2, _subtract(vz, _s10, _r4), _r4)
-    _s12 = _multiply(_s2, _add(vz, _s10, _r3), _r3)
-    _s13 = _add(x, _multiply(vx, _s12, _r5), _r5)
-    _s14 = _add(y, _multiply(vy, _s12, _r6), _r6)
-    _s15 = _add(_multiply(_s13, _s13, _r7), _multiply(_s14, _s14, _r8), _r8)
-    _s16 = _sqrt(_s15, _r7)
-    _s17 = _subtract(_s16, p_ring_radius, _r9)
-    _s18 = _add(z, _multiply(_subtract(vz, _multiply(0.5 * p_gravity, _s12, _r10), _r10), _s12, _r10), _r10)
-    _s19 = _s7 * _s7
-    _s20 = 9.313225746154785e-10 * _s19
-    _s21 = _subtract(_subtract(_add(_multiply(_s17, _s17, _r11), _multiply(_s18, _s18, _r12), _r12), _s0 * _s0, _r12), _s20, _r12)
-    _s22 = _add(_multiply(vx, vx, _r11), _multiply(vy, vy, _r13), _r13)
-    _s23 = p_ring_radius - _s6
-    _s24 = 0.0001220703125 * p_ring_radius
-    _s25 = _where(_s23 < _s24, _s24, _s23)
-    _s26 = _s25 * _s25
-    _s27 = _s25 * _s26
-    _s28 = _multiply(_subtract(_add(_add(_multiply(_k23, _s8, _r1), _multiply(4.0 * p_gravity, z, _r11), _r11), _multiply(_k23, _s22, _r1), _r1), (6.0003662109375 * p_gravity) * _s0, _r1), _s27, _r1)
-    _s29 = _subtract(_multiply(vy, x, _r11), _multiply(vx, y, _r14), _r14)
-    _s30 = _multiply(_s29, _s29, _r14)
-    _s31 = _subtract(_s28, _multiply(2.0 * p_ring_radius, _s30, _r11), _r11)
-    _s32 = _add(_multiply(_s17, _add(_multiply(vx, _s13, _r5), _multiply(vy, _s14, _r6), _r6), _r6), _multiply(_multiply(_s18, _subtract(vz, _multiply(p_gravity, _s12, _r9), _r9), _r9), _s16, _r9), _r9)
-    _s33 = _add(x, _multiply(horizon, vx, _r6), _r6)
-    _s34 = _add(y, _multiply(horizon, vy, _r7), _r7)
-    _s35 = _select(_subtract(_add(_add(_s20, _multiply(_s33, _s33, _r6), _r6), _multiply(_s34, _s34, _r7), _r7), _s26, _r7) < _k6, _k22, _select(_subtract(_multiply(_s22, _s20 + _s26, _r7), _s30, _r7) < _k6, _k22, _k6, _r7), _r14)
-    _s36 = _select(_subtract(_multiply(_multiply(_k64, _multiply(_s32, _s32, _r9), _r9), _s27, _r9), _multiply(_multiply(_multiply(_k23, _s31, _r6), _s15, _r6), _s21, _r6), _r6) < _k6, _s35, _k6, _r6)
-    _s37 = _select(horizon < _subtract(_s12, _multiply(_k51, horizon, _r9), _r9), _k22, _select(_k6 < _s21, _select(_k6 < _s31, _s36, _k6, _r11), _k6, _r12), _r9)
-    _s38 = _add(_multiply(vx, x, _r3), _multiply(vy, y, _r8), _r8)
-    _s39 = _add(_multiply(_s11, _s22, _r13), _s38, _r13)
-    _s40 = _select(_s39 < _k6, _select(_s19 < _add(_multiply(_s11, _add(_s38, _s39, _r13), _r13), _add(_multiply(x, x, _r8), _multiply(y, y, _r3), _r3), _r3), _s37, _k6, _r3), _k6, _r13)
-    _s41 = _select(_add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r8), _r8), _r8), _r8) < (65536.0 * _s7), _select(_k6 < _s9, _select(_s11 < _k6, _s37, _s40, _r4), _k6, _r2), _k6, _r8)
-    return _result(_k6 < _select(_s1 < _s5, _s5, _s1, _r10), _k6, _select(_add(position_error, _multiply(horizon, velocity_error, _r10), _r10) < (5.820766091346741e-11 * _s7), _s41, _k6, _r10), _r0),
+    _s2 = _add(position_error, _multiply(horizon, velocity_error, _r0), _r0)
+    _s3 = _subtract(_subtract(_s2, 1.52587890625e-05 * p_ball_radius, _r1), 1.52587890625e-05 * p_wire_radius, _r1)
+    _s4 = 1.00006103515625 * _s0
+    _s5 = p_ring_radius + _s4
+    _s6 = _multiply(vz, vz, _r2)
+    _s7 = _add(_s6, _multiply(2.0 * p_gravity, _subtract(z, _s4, _r3), _r3), _r3)
+    _s8 = 1.0 / p_gravity
+    _s9 = _sqrt(_s7, _r4)
+    _s10 = _multiply(_s8, _subtract(vz, _s9, _r5), _r5)
+    _s11 = _multiply(_s8, _add(vz, _s9, _r4), _r4)
+    _s12 = _add(x, _multiply(vx, _s11, _r6), _r6)
+    _s13 = _add(y, _multiply(vy, _s11, _r7), _r7)
+    _s14 = _add(_multiply(_s12, _s12, _r8), _multiply(_s13, _s13, _r9), _r9)
+    _s15 = _sqrt(_s14, _r8)
+    _s16 = _subtract(_s15, p_ring_radius, _r10)
+    _s17 = _add(z, _multiply(_subtract(vz, _multiply(0.5 * p_gravity, _s11, _r11), _r11), _s11, _r11), _r11)
+    _s18 = _s5 * _s5
+    _s19 = 9.313225746154785e-10 * _s18
+    _s20 = _subtract(_subtract(_add(_multiply(_s16, _s16, _r12), _multiply(_s17, _s17, _r13), _r13), _s0 * _s0, _r13), _s19, _r13)
+    _s21 = _add(_multiply(vx, vx, _r12), _multiply(vy, vy, _r14), _r14)
+    _s22 = p_ring_radius - _s4
+    _s23 = 0.0001220703125 * p_ring_radius
+    _s24 = _where(_s22 < _s23, _s23, _s22)
+    _s25 = _s24 * _s24
+    _s26 = _s24 * _s25
+    _s27 = _multiply(_subtract(_add(_add(_multiply(_k23, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(_k23, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
+    _s28 = _subtract(_multiply(vy, x, _r12), _multiply(vx, y, _r15), _r15)
+    _s29 = _multiply(_s28, _s28, _r15)
+    _s30 = _subtract(_s27, _multiply(2.0 * p_ring_radius, _s29, _r12), _r12)
+    _s31 = _add(_multiply(_s16, _add(_multiply(vx, _s12, _r6), _multiply(vy, _s13, _r7), _r7), _r7), _multiply(_multiply(_s17, _subtract(vz, _multiply(p_gravity, _s11, _r10), _r10), _r10), _s15, _r10), _r10)
+    _s32 = _add(x, _multiply(horizon, vx, _r7), _r7)
+    _s33 = _add(y, _multiply(horizon, vy, _r8), _r8)
+    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k6, _k22, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k6, _k22, _k6, _r8), _r15)
+    _s35 = _select(_subtract(_multiply(_multiply(_k64, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k23, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k6, _s34, _k6, _r7)
+    _s36 = _select(horizon < _subtract(_s11, _multiply(_k51, horizon, _r10), _r10), _k22, _select(_k6 < _s20, _select(_k6 < _s30, _s35, _k6, _r12), _k6, _r13), _r10)
+    _s37 = _add(_multiply(vx, x, _r4), _multiply(vy, y, _r9), _r9)
+    _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
+    _s39 = _select(_s38 < _k6, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, _k6, _r4), _k6, _r14)
+    _s40 = _select(_add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r9), _r9), _r9), _r9) < (65536.0 * _s5), _select(_k6 < _s7, _select(_s10 < _k6, _s36, _s39, _r5), _k6, _r3), _k6, _r9)
+    return _result(_k6 < _select(_s1 < _s3, _s3, _s1, _r11), _k6, _select(_s2 < (5.820766091346741e-11 * _s5), _s40, _k6, _r0), _r0),
 
 
 def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 83f26c5ee904c483,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 968d841b0ede7c17,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -273,7 +273,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "ring_curvature": ("p_ball_radius", "p_ring_radius", "p_wire_radius",),
     "ring_carry_normal": ("x", "y", "dx", "dy", "dz", "shift", "p_ball_radius", "p_ring_radius", "p_wire_radius",),
     "ring_clear": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_prepare": ("horizon", "x", "y", "z", "vx", "vy", "vz", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_prepare": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_margins": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
@@ -281,7 +281,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "ring_grain": ("t", "end", "leaving", "horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "parting", "drift", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_leap": ("t", "end", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "flat", "tilt", "grit", "jerk", "parting", "drift", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_started": ("x", "y", "z", "vx", "vy", "vz", "p_ring_radius",),
-    "ring_lost": ("horizon", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius",),
+    "ring_lost": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
     "ring_enter": ("after", "end", "high0", "high1", "high2", "low0", "low1", "low2", "t",),
     "backboard_coefficients": ("x", "vx", "p_ball_radius", "p_board_distance",),
     "backboard_deflated": ("vx",),
@@ -1805,13 +1805,13 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     return _result(_k6 < _select(_s1 < _s3, _s3, _s1, _r11), _k6, _select(_s2 < (5.820766091346741e-11 * _s5), _s40, _k6, _r0), _r0),
 
 
-def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Constants and windows of the search along a flight, and the errors it allows for.
 
-    bounds of the event condition. 177 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections.
+    bounds of the event condition. 190 operations: 31 additions, 20 subtractions, 54 multiplications, 3 divisions, 7 square roots, 1 negation, 5 absolute values, 31 comparisons, 38 selections.
     Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34 = _room[:35]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35 = _room[:36]
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
     _s2 = _add(_multiply(_k46, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k46, _s1, _r1)
@@ -1871,8 +1871,10 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s56 = _select(_s55 < _s51, _s51, _s55, _r32)
     _s57 = _select(_s56 < _s53, _s53, _s56, _r33)
     _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = _subtract(_subtract(_add(position_error, _multiply(horizon, velocity_error, _r34), _r34), 1.52587890625e-05 * p_ball_radius, _r34), 1.52587890625e-05 * p_wire_radius, _r34)
-    return _s2, _s5, _sqrt(_s6), _result(_k6 < _s28, _s28, _k6, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(_k6 < _s50, _s50, _k6, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(_k6 < _s52, _s52, _k6, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s59, _s59, _s58, _r0)
+    _s59 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s12, _add(_add(2.0 * p_ball_radius, extent, _r34), 2.0 * p_wire_radius, _r34), _r34), _r34), _r34)
+    _s60 = _add(_s59, _multiply(_multiply(_k46, speed, _r35), _s12, _r35), _r35)
+    _s61 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s60 < horizon, _s60, horizon, _r34), _r34), _r34), 1.52587890625e-05 * p_ball_radius, _r34), 1.52587890625e-05 * p_wire_radius, _r34)
+    return _s2, _s5, _sqrt(_s6), _result(_k6 < _s28, _s28, _k6, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(_k6 < _s50, _s50, _k6, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(_k6 < _s52, _s52, _k6, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s61, _s61, _s58, _r0)
 
 
 def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2239,15 +2241,19 @@ def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radiu
     return _s0, _k46 * _add(_multiply(vz, z, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
 
 
-def ring_lost(horizon: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def ring_lost(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Positive where the bounds of the search do not hold.
 
-    bounds of the event condition. 12 operations: 2 additions, 4 subtractions, 4 multiplications, 1 comparison, 1 selection.
+    bounds of the event condition. 26 operations: 5 additions, 4 subtractions, 10 multiplications, 1 division, 2 square roots, 2 comparisons, 2 selections.
     Returns lost.
     """
+    _r0, _r1 = _room[:2]
     _s0 = (0.000244140625 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
-    _s1 = ((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
-    return _where(_s0 < _s1, _s1, _s0),
+    _s1 = 1.0 / p_gravity
+    _s2 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s1, _add(_add(2.0 * p_ball_radius, extent, _r0), 2.0 * p_wire_radius, _r0), _r0), _r0), _r0)
+    _s3 = _add(_s2, _multiply(_multiply(_k46, speed, _r1), _s1, _r1), _r1)
+    _s4 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s3 < horizon, _s3, horizon, _r0), _r0), _r0), 1.52587890625e-05 * p_ball_radius, _r0), 1.52587890625e-05 * p_wire_radius, _r0)
+    return _result(_s0 < _s4, _s4, _s0, _r0),
 
 
 def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2948,7 +2954,7 @@ def _landed_surely_alone(arrives: Any, certain: Any, clearance: Any, delay: Any,
     return delay if _s0 else _k2, time if ((arrives and (not _s0)) and (time < doubt)) else doubt
 
 
-def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_prepare` for one shot."""
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
@@ -3009,8 +3015,10 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
     _s58 = (_k69 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = ((position_error + (horizon * velocity_error)) - (_k70 * p_ball_radius)) - (_k70 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k74 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s59 if _s58 < _s59 else _s58
+    _s59 = _root(_k48) * _root((_s12 * (((_k48 * p_ball_radius) + extent) + (_k48 * p_wire_radius))))
+    _s60 = _s59 + ((_k48 * speed) * _s12)
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k70 * p_ball_radius)) - (_k70 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k74 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3280,11 +3288,14 @@ def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_rin
     return _s0, _k48 * ((vz * z) + (_s1 * (_s0 - p_ring_radius))), _s1
 
 
-def _ring_lost_alone(horizon: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def _ring_lost_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_lost` for one shot."""
     _s0 = (_k69 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
-    _s1 = ((position_error + (horizon * velocity_error)) - (_k70 * p_ball_radius)) - (_k70 * p_wire_radius)
-    return _s1 if _s0 < _s1 else _s0,
+    _s1 = _k1 / p_gravity
+    _s2 = _root(_k48) * _root((_s1 * (((_k48 * p_ball_radius) + extent) + (_k48 * p_wire_radius))))
+    _s3 = _s2 + ((_k48 * speed) * _s1)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k70 * p_ball_radius)) - (_k70 * p_wire_radius)
+    return _s4 if _s0 < _s4 else _s0,
 
 
 def _ring_enter_alone(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
@@ -3316,7 +3327,7 @@ def _alone0(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, 
         _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     _arrival_, _t_, _searching_, = _leapt_alone(_arrival_, _certain_, _float64(_short_t_), _searching_, _served_, _since_)
     if _searching_:
-        _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _k2, _k2, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
         _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
@@ -3362,7 +3373,7 @@ def _alone1(_certain_: Any, _leaping_: Any, _p_ball_radius_: Any, _p_gravity_: A
 
 def _alone2(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _share_: Any, _speed_: Any, _t_: Any, _until_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
-    _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _k2, _k2, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
     _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
@@ -3421,7 +3432,7 @@ def _alone5(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radiu
     _short_share_, _short_t_, _short_end_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_ceiling_, _short_flat_, _short_tilt_, _short_jerk_, _short_grit_, _short_parting_, _short_drift_, _short_rate_margin_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _fits_, = _ring_grain_alone(_onset_, _wide_end_, _float32(_leaving_), _lapsed_, _float32(_near_x_), _float32(_near_y_), _float32(_near_z_), _float32(_vx_), _float32(_vy_), _float32(_near_vz_), _float32(_extent_), _float32(_speed_), _float32(_parting_), _float32(_drift_), _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     _leaping_, _searching_, _served_, _ceiling_, _flat_, _tilt_, _allowing_, = _coarse_alone(_float64(_short_ceiling_), _fits_, _float64(_short_flat_), _float64(_short_rate_margin_), _searching_, _float64(_short_share_), _sound_)
     _, _, _excess_, = _allowance_alone(_allowing_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
-    _lost_, = _ring_lost_alone(_until_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_)
+    _lost_, = _ring_lost_alone(_until_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _doubt_, = _beyond_alone(_doubt_, _excess_, _late_, _lost_, _pad_)
     if _leaping_:
         _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
@@ -3431,7 +3442,7 @@ def _alone5(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radiu
         _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     _arrival_, _t_, _searching_, = _leapt_alone(_arrival_, _certain_, _float64(_short_t_), _searching_, _served_, _since_)
     if _searching_:
-        _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
         _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
         _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
@@ -3484,7 +3495,7 @@ def _alone6(_certain_: Any, _leaping_: Any, _p_ball_radius_: Any, _p_gravity_: A
 
 def _alone7(_arrival_: Any, _certain_: Any, _doubt_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _share_: Any, _speed_: Any, _t_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
-    _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
     _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
@@ -3893,7 +3904,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _y_2 = _take(_y_1, _rows15)
             _z_2 = _take(_z_1, _rows15)
             _room_2 = room(_count16)
-            _steady_2, _swing_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, 0.0, 0.0, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _steady_2, _swing_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _extent_2, _speed_2, 0.0, 0.0, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, 0.0, 0.0, _p_gravity_2, _room_2)
             _flat_2, _tilt_2, _rate_slack_2 = ring_margins(_latest_2, _extent_2, _speed_2, _position_level_2, _velocity_level_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2, _room_2)
@@ -4632,7 +4643,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_jerk_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _lapsed_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1, _allowing_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _double(_short_share_1), _sound_1)
         _, _, _excess_1 = allowance(_allowing_1, _latest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_gravity_1, _room_1)
-        _lost_1, = ring_lost(_until_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
+        _lost_1, = ring_lost(_until_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
         _rows11, _count12 = _most(_leaping_1, _count10)
         if _count12:
@@ -4787,7 +4798,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _y_2 = _take(_y_1, _rows17)
             _z_2 = _take(_z_1, _rows17)
             _room_2 = room(_count18)
-            _steady_2, _swing_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _steady_2, _swing_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_gravity_2, _room_2)
             _flat_2, _tilt_2, _rate_slack_2 = ring_margins(_latest_2, _extent_2, _speed_2, _position_level_2, _velocity_level_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2, _room_2)
