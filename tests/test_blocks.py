@@ -1,6 +1,9 @@
 """Memory of results is used again, and by one array at a time."""
 
 import gc
+import os
+import sys
+import threading
 from collections.abc import Iterator
 
 import numpy as np
@@ -80,7 +83,8 @@ def test_no_more_is_kept_than_a_limit(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_one_batch_does_not_change_the_results_of_another() -> None:
-    states = np.repeat(hoopgen.release(7.2, 0.9, height=2.1, distance=4.2)[None], 40_000, axis=0)
+    shots = blocks.LEAST  # so that the outcomes, of a byte each, have a block, too
+    states = np.repeat(hoopgen.release(7.2, 0.9, height=2.1, distance=4.2)[None], shots, axis=0)
     first = hoopgen.simulate(states)
     outcome, before = first.outcome, first.state.copy()
     del first
@@ -89,3 +93,46 @@ def test_one_batch_does_not_change_the_results_of_another() -> None:
     again = hoopgen.simulate(states)
     assert np.array_equal(again.state, before)
     assert np.array_equal(again.outcome, outcome)
+
+
+def test_threads_take_and_leave_at_the_same_time() -> None:
+    failed: list[object] = []
+    previous, threading.excepthook = threading.excepthook, failed.append
+
+    def work(seed: int) -> None:
+        rng = np.random.default_rng(seed)
+        for _ in range(300):
+            array = blocks.empty((int(rng.integers(1, 12)) * blocks.LEAST // 8,), DOUBLE)
+            array[:4] = seed
+            array[-4:] = seed
+            assert (array[:4] == seed).all()
+            assert (array[-4:] == seed).all()
+
+    unraised: list[object] = []
+    before, sys.unraisablehook = sys.unraisablehook, unraised.append
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    try:
+        threads = [threading.Thread(target=work, args=(k,)) for k in range(6)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+    finally:
+        sys.setswitchinterval(interval)
+        threading.excepthook, sys.unraisablehook = previous, before
+    assert failed == []
+    assert unraised == []
+    assert kept() <= blocks.KEPT
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork here")
+def test_a_child_process_begins_with_none() -> None:
+    blocks.empty(LARGE, DOUBLE)
+    assert kept() > 0
+    with blocks._LOCK:
+        child = os.fork()
+        if not child:
+            blocks.empty(LARGE, DOUBLE)
+            os._exit(0 if kept() == 8 * LARGE[0] * LARGE[1] // blocks.STEP * blocks.STEP else 1)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0

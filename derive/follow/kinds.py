@@ -117,7 +117,9 @@ class Kind:
         parts = self.first.parts
         asked = [Do(parts["curvature"], {}, {"curvature": "curving"})]
         if "started" in common:
-            asked += [Do(common["started"], {"t": "when"}), Do(parts["normal"], FROM, LEFT)]
+            arguments = set(map(variable, parts["normal"].arguments))
+            place = {axis: name for axis, name in FROM.items() if axis in arguments}
+            asked += [Do(common["started"], {"t": "when"}), Do(parts["normal"], place, LEFT)]
         if self.several:
             yield Do(common["returned"], {"mine": self.mine})
             asked = [given_as(node, self._its) for node in asked]

@@ -121,7 +121,7 @@ class CGroups(CLoop):
         """
         line, levels = self.lines.append, max(depths(groups.members)) + 2
         blocks, many = f"{name}_blocks", f"{name}_many"
-        line(f"size_t {blocks}[{levels}][LANES_SHOTS / LANES_WIDTH], {many}[{levels}] = {{0}};")
+        line(f"size_t {blocks}[{levels}][LANES_ROWS / LANES_WIDTH], {many}[{levels}] = {{0}};")
         self.lines += frame.over
         line(f"    {blocks}[0][{many}[0]++] = i;")
         line("}")

@@ -8,6 +8,7 @@ from __future__ import annotations
 import ctypes
 import math
 import os
+import threading
 import weakref
 from typing import Any
 
@@ -24,7 +25,10 @@ KEPT = 1 << 27
 """Most bytes that are kept while nobody uses them."""
 
 _FREE: dict[int, list[NDArray[np.uint8]]] = {}
-"""Blocks that no array uses, by size; appending and popping are atomic."""
+"""Blocks that no array uses, by size."""
+
+_LOCK = threading.RLock()
+"""Of those; a collection of garbage may leave a block while its thread takes one."""
 
 
 def empty(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
@@ -33,9 +37,10 @@ def empty(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
     if wanted < LEAST:
         return np.empty(shape, dtype)
     size = -(-wanted // STEP) * STEP
-    try:
-        block = _FREE.setdefault(size, []).pop()
-    except IndexError:
+    with _LOCK:
+        free = _FREE.get(size)
+        block = free.pop() if free else None
+    if block is None:
         block = np.empty(size, np.uint8)
     # Of arrays on arrays NumPy keeps the lowest alone: what lies between may be no array.
     lent: Any = (ctypes.c_char * size).from_buffer(block)  # type: ignore[arg-type]
@@ -47,15 +52,24 @@ def _leave(block: NDArray[np.uint8]) -> None:
     """Keep a block for the next array of its size, in place of some of other sizes."""
     if len(block) > KEPT:
         return
-    _FREE.setdefault(len(block), []).append(block)
-    others = [size for size in list(_FREE) if size != len(block)]
-    for size in (*others, len(block)):
-        while _FREE[size] and sum(own * len(free) for own, free in list(_FREE.items())) > KEPT:
-            _FREE[size].pop()
-        if not _FREE[size]:
-            _FREE.pop(size)
+    with _LOCK:
+        _FREE.setdefault(len(block), []).append(block)
+        over = sum(size * len(free) for size, free in _FREE.items()) - KEPT
+        # Those of other sizes go first.
+        for size in sorted(_FREE, key=len(block).__eq__):
+            while over > 0 and _FREE[size]:
+                over -= len(_FREE[size].pop())
+            if not _FREE[size]:
+                del _FREE[size]
+
+
+def _anew() -> None:
+    global _LOCK
+    _LOCK = threading.RLock()
+    _FREE.clear()
 
 
 if hasattr(os, "register_at_fork"):
     # A child process that writes into its parent's blocks would have them copied, page by page.
-    os.register_at_fork(after_in_child=_FREE.clear)
+    # The lock may be another thread's, which the child has not.
+    os.register_at_fork(after_in_child=_anew)

@@ -23,8 +23,8 @@ from .trust import WIDTHS, Batch
 __all__ = ["WIDTHS", "Library", "Refused", "Share", "checked"]
 
 
-_INEXACT = -2
-"""Returned instead of a width: nothing was run, for it would not be exact."""
+_INEXACT, _NO_MEMORY = -2, -3
+"""Returned instead of a width: nothing was run, for it would not be exact, or had no memory."""
 
 
 _NOTHING = ctypes.c_char * 0
@@ -143,6 +143,8 @@ class Library:
             If that width is not there.
         RuntimeError
             If doubles are not computed as IEEE 754 says: in this thread, or by how it was built.
+        MemoryError
+            If there is none for the shots in flight.
         """
         rows = [(k, own) for k, own in enumerate(parameters) if not isinstance(own, float)]
         numbers = self._numbers(*[p if isinstance(p, float) else 0.0 for p in parameters])
@@ -171,6 +173,8 @@ class Library:
         if used == _INEXACT:
             arithmetic.check_arithmetic()
             raise RuntimeError("the C engine was built with flags that change arithmetic")
+        if used == _NO_MEMORY:
+            raise MemoryError("no memory for the shots in flight")
         if used < 0:
             raise ValueError(f"width {width}: this processor or build does not have it")
 

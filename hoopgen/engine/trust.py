@@ -196,16 +196,25 @@ def _unlike(fields: Sequence[str], wanted: raw.Raw, got: raw.Raw) -> list[str]:
     wrong = []
     for name in (*fields, "event_counts"):
         left, right = getattr(wanted, name), getattr(got, name)
-        if right is not None and left.tobytes() != right.tobytes():
+        if right is not None and not _same(left, right):
             wrong.append(name)
     assert wanted.events is not None
     assert wanted.event_counts is not None
     assert got.events is not None
     if "event_counts" not in wrong:
         used = np.arange(wanted.events.shape[1]) < wanted.event_counts[:, None]
-        if wanted.events[used].tobytes() != got.events[used].tobytes():
+        left, right = wanted.events[used], got.events[used]
+        if not all(_same(left[name], right[name]) for name in left.dtype.names or ()):
             wrong.append("events")
     return wrong
+
+
+def _same(left: NDArray[Any], right: NDArray[Any]) -> bool:
+    """Return whether arrays have the same bits, but for the sign and the rest of what is NaN."""
+    if left.dtype.kind != "f":
+        return left.tobytes() == right.tobytes()
+    alike = [np.where(np.isnan(array), np.nan, array) for array in (left, right)]
+    return alike[0].tobytes() == alike[1].tobytes()
 
 
 # ----------------------------------------------------------------------------------------- stamps
