@@ -74,7 +74,7 @@ class Flights:
         self._invalid = float(kernels.Outcome.INVALID)
         self._event, self._end = kernels.Event, len(kernels.BODIES)
         self._tallies = [result.name for result in kernels.RESULTS if result.tallied]
-        self._job = job
+        self._job, self._bounds = job, bounds
         self._room = Room(kernels, min(most, BLOCK))
         self.row = np.empty(0, np.int64)
         self._columns: dict[str, Any] = dict.fromkeys(self._kept, np.empty(0))
@@ -104,28 +104,37 @@ class Flights:
 
     def advance(self, out: Raw) -> None:
         """Take every shot to its next event; write and drop those that end there."""
-        columns, shots = self._columns | self._job, len(self.row)
-        self._reach(columns, shots, self._room)
+        columns = self._columns | self._job
+        self._reach(columns, len(self.row), self._room)
         before = self._states(columns) if out.events is not None else None
-        self._meet(columns, shots, self._room)
-        for name in self._starts:
-            if not np.ndim(columns[name]):  # a kernel that says the same of all shots
-                columns[name] = np.full(shots, columns[name], self._types[name])
         for name in self._tallies:
             if (tally := getattr(out, name)) is not None:
                 body = columns["body"]
                 met = np.flatnonzero((body >= 0.0) & (body < self._end))
                 tally[self.row[met], body[met].astype(np.int64)] += 1
+        if before is None and not self._bounds:
+            # Nothing is left to do for one that ends and touches nothing.
+            over = np.logical_not(columns["touches"]) & (columns["outcome"] >= 0.0)
+            columns = self._ended(columns, over, out)
+        self._meet(columns, len(self.row), self._room)
         if before is not None:
             self._record(columns, before, out)
-        over = columns["outcome"] >= 0.0
+        columns = self._ended(columns, columns["outcome"] >= 0.0, out)
+        self._columns = {name: columns[name] for name in self._kept}
+
+    def _ended(self, columns: dict[str, Any], over: Any, out: Raw) -> dict[str, Any]:
+        """Write and drop shots that are over; return the columns of the others."""
+        shots = len(self.row)
+        for name in self._starts:
+            if not np.ndim(columns[name]):  # a kernel that says the same of all shots
+                columns[name] = np.full(shots, columns[name], self._types[name])
+        over = np.broadcast_to(over, shots)
         _finish(self._results, self._invalid, columns, self.row, over, out)
         kept = np.flatnonzero(~over)
         if len(kept) == shots:
-            self._columns = {name: columns[name] for name in self._kept}
-            return
-        self._columns = {name: _take(columns[name], kept) for name in self._kept}
+            return columns
         self.row = self.row[kept]
+        return {name: _take(values, kept) for name, values in columns.items()}
 
     def join(self, other: Flights) -> None:
         """Add the shots that another has in flight: both have taken theirs to an event, or none."""
