@@ -71,15 +71,25 @@ class _Batch:
         leaving = None if self.leaving is None else self.leaving[rows]
         return replace(self, states=self.states[rows], parameters=parameters, leaving=leaving)
 
-    def run(self, out: Raw, most: int, share: native.Share | None = None) -> None:
-        """Simulate the shots into `out`, with so many contacts at most; those of a share in C."""
+    def run(
+        self,
+        out: Raw,
+        most: int,
+        share: native.Share | None = None,
+        first: int = 0,
+        last: numpy_backend.Last | None = None,
+    ) -> None:
+        """Simulate the shots into `out`, with so many contacts at most.
+
+        In C those of a share; in NumPy they may be a part of those in `out`, from the first on.
+        """
         given = (self.states, self.parameters, self.leaving, most, out)
         if self.library is not None:
             self.library.run(*given, self.stop, time_limit=self.time_limit, share=share)
         else:
             check_arithmetic()  # the library looks for itself
-            kernels, limit = self.scene.kernels, self.time_limit
-            numpy_backend.run(kernels, *given, self.stopped, time_limit=limit)
+            rest = (self.stopped, self.time_limit, first, last)
+            numpy_backend.run(self.scene.kernels, *given, *rest)
 
     def record(self, out: Raw, most: int) -> NDArray[Any]:
         """Simulate the shots into `out` and return their event log, in order.
@@ -276,11 +286,11 @@ def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[An
 
     def work(start: int) -> NDArray[Any] | None:
         stop = min(start + size, shots)
-        part, rows = batch.part(slice(start, stop)), out.rows(start, stop)
+        part = batch.part(slice(start, stop))
         if not record:
-            part.run(rows, batch.max_contacts)
+            part.run(out, batch.max_contacts, first=start, last=last)
             return None
-        log = part.record(rows, first)
+        log = part.record(out.rows(start, stop), first)
         log["shot"] += start
         return log
 
@@ -290,6 +300,7 @@ def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[An
     if record:
         size = max(1, min(size, ROOM // (first + 1)))
     starts = range(0, shots, size)
+    last = numpy_backend.Last(len(starts), shots)
     alone = AT_ONCE_IN_C if threads == 1 and in_c else AT_ONCE
     if shots * batch.max_contacts <= alone or (threads == 1 and not _interruptible()):
         logs = [work(start) for start in starts]

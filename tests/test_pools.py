@@ -58,7 +58,7 @@ def test_a_child_process_starts_threads_of_its_own() -> None:
 
 
 def test_a_batch_that_fails_leaves_no_pool_behind(monkeypatch: pytest.MonkeyPatch) -> None:
-    def broken(*_: object) -> None:
+    def broken(*_: object, **__: object) -> None:
         raise RuntimeError("broken")
 
     outcome()

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 import hoopgen
 from hoopgen import PAPER, Outcome, simulation
 from hoopgen.engine import numpy_backend
+from hoopgen.engine.raw import Raw
 
 EPS = float(np.finfo(np.float64).eps)
 RING, BACKBOARD, BRIDGE, END = range(4)
@@ -343,6 +344,31 @@ def test_threads_do_not_change_a_bit(
     unrecorded = simulate(some.states, some.parameters, threads=threads)
     for name in FIELDS:
         np.testing.assert_array_equal(getattr(unrecorded, name), wanted[name])
+
+
+def test_parts_in_numpy_leave_their_last_shots_to_each_other(
+    mixed: Batch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    some, taken = mixed.take(slice(None, None, 7)), dict[numpy_backend.Flights, list[int]]()
+    wanted = hoopgen.simulate(some.states, some.parameters, backend="numpy", threads=1)
+    monkeypatch.setattr(simulation, "AT_ONCE", len(some) * 1000)  # one part after the other
+    monkeypatch.setattr(simulation, "LEAST", len(some) // 3)
+    monkeypatch.setattr(numpy_backend, "LAST", 300)
+    advance = numpy_backend.Flights.advance
+
+    def counted(flights: numpy_backend.Flights, out: Raw) -> None:
+        taken.setdefault(flights, []).append(len(flights.row))
+        advance(flights, out)
+
+    monkeypatch.setattr(numpy_backend.Flights, "advance", counted)
+    got = hoopgen.simulate(some.states, some.parameters, backend="numpy", threads=3)
+    for name in FIELDS:
+        np.testing.assert_array_equal(getattr(got, name), getattr(wanted, name))
+    *others, last = taken.values()
+    assert len(others) == 2
+    assert min(map(min, others)) > 300
+    assert max(map(len, others)) < len(last)
+    assert min(last) <= 300
 
 
 @pytest.mark.parametrize("size", [1, 7])

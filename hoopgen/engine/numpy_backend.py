@@ -8,6 +8,7 @@ of the generated module; nothing here decides anything.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from threading import Lock
 from types import ModuleType
 from typing import Any
 
@@ -22,6 +23,8 @@ Column = Floats | float
 BLOCK = 1 << 14
 """Shots that are simulated together: their arrays fit the second-level cache."""
 
+LAST = 1 << 11
+"""So few shots cost hardly less than twice as many: threads leave them to each other at the end."""
 
 LINE = 8
 """Doubles in a line of the caches: an array that begins within one is written at half the speed."""
@@ -71,7 +74,7 @@ class Flights:
         self._invalid = float(kernels.Outcome.INVALID)
         self._event, self._end = kernels.Event, len(kernels.BODIES)
         self._tallies = [result.name for result in kernels.RESULTS if result.tallied]
-        self._job = job
+        self._job, self._bounds = job, bounds
         self._room = Room(kernels, min(most, BLOCK))
         self.row = np.empty(0, np.int64)
         self._columns: dict[str, Any] = dict.fromkeys(self._kept, np.empty(0))
@@ -101,28 +104,47 @@ class Flights:
 
     def advance(self, out: Raw) -> None:
         """Take every shot to its next event; write and drop those that end there."""
-        columns, shots = self._columns | self._job, len(self.row)
-        self._reach(columns, shots, self._room)
+        columns = self._columns | self._job
+        self._reach(columns, len(self.row), self._room)
         before = self._states(columns) if out.events is not None else None
-        self._meet(columns, shots, self._room)
-        for name in self._starts:
-            if not np.ndim(columns[name]):  # a kernel that says the same of all shots
-                columns[name] = np.full(shots, columns[name], self._types[name])
         for name in self._tallies:
             if (tally := getattr(out, name)) is not None:
                 body = columns["body"]
                 met = np.flatnonzero((body >= 0.0) & (body < self._end))
                 tally[self.row[met], body[met].astype(np.int64)] += 1
+        if before is None and not self._bounds:
+            # Nothing is left to do for one that ends and touches nothing.
+            over = np.logical_not(columns["touches"]) & (columns["outcome"] >= 0.0)
+            columns = self._ended(columns, over, out)
+        self._meet(columns, len(self.row), self._room)
         if before is not None:
             self._record(columns, before, out)
-        over = columns["outcome"] >= 0.0
+        columns = self._ended(columns, columns["outcome"] >= 0.0, out)
+        self._columns = {name: columns[name] for name in self._kept}
+
+    def _ended(self, columns: dict[str, Any], over: Any, out: Raw) -> dict[str, Any]:
+        """Write and drop shots that are over; return the columns of the others."""
+        shots = len(self.row)
+        for name in self._starts:
+            if not np.ndim(columns[name]):  # a kernel that says the same of all shots
+                columns[name] = np.full(shots, columns[name], self._types[name])
+        over = np.broadcast_to(over, shots)
         _finish(self._results, self._invalid, columns, self.row, over, out)
         kept = np.flatnonzero(~over)
         if len(kept) == shots:
-            self._columns = {name: columns[name] for name in self._kept}
-            return
-        self._columns = {name: _take(columns[name], kept) for name in self._kept}
+            return columns
         self.row = self.row[kept]
+        return {name: _take(values, kept) for name, values in columns.items()}
+
+    def join(self, other: Flights) -> None:
+        """Add the shots that another has in flight: both have taken theirs to an event, or none."""
+        if not len(self.row):
+            self._columns, self.row = other._columns, other.row
+        elif len(other.row):
+            for name, own in self._columns.items():
+                if np.ndim(own):
+                    self._columns[name] = np.concatenate([own, other._columns[name]])
+            self.row = np.concatenate([self.row, other.row])
 
     def _states(self, columns: dict[str, Any]) -> Floats:
         return np.stack([columns[name] for name in self._state], axis=1)
@@ -146,6 +168,37 @@ class Flights:
         out.event_counts[row] += 1
 
 
+class Last:
+    """What threads that each run a part of the same shots leave to each other: their last ones.
+
+    Parameters
+    ----------
+    threads
+        How many parts there are.
+    shots
+        Shots of all parts.
+    """
+
+    def __init__(self, threads: int, shots: int) -> None:
+        self._lock, self._left, self._at_work = Lock(), list[Flights](), threads
+        self.shots = shots
+
+    def go_on(self, flights: Flights) -> bool:
+        """Return whether a part goes on; it does not if its last shots were left to the others.
+
+        One that does is given what others left, as far as there is room. The last at work goes on
+        until there is nothing left.
+        """
+        with self._lock:
+            if len(flights.row) <= LAST and self._at_work > 1:
+                self._at_work -= 1
+                self._left.append(flights)
+                return False
+            while self._left and len(flights.row) + len(self._left[-1].row) <= BLOCK:
+                flights.join(self._left.pop())
+        return True
+
+
 def run(
     kernels: ModuleType,
     states: Floats,
@@ -155,6 +208,8 @@ def run(
     out: Raw,
     stopped: Callable[[], bool] = lambda: False,
     time_limit: float = np.inf,
+    first: int = 0,
+    last: Last | None = None,
 ) -> None:
     """Simulate shots and write what `out` has room for.
 
@@ -172,6 +227,10 @@ def run(
         Asked between events; nothing further is done once it returns True.
     time_limit
         Time since the release at which a shot ends, s; infinite: none.
+    first
+        The row of `out` that the first shot has.
+    last
+        What runs of other parts of the same shots, into the same `out`, share; without a log.
     """
     if out.event_counts is not None:
         out.event_counts[:] = 0
@@ -181,16 +240,20 @@ def run(
         "time_limit": time_limit,
         "claims": float(claimed),
     }
-    flights = Flights(kernels, bounded(kernels, out), job, len(states))
+    last = last or Last(1, len(states))
+    flights = Flights(kernels, bounded(kernels, out), job, last.shots)
     begun = 0
     with np.errstate(all="ignore"):
         while not stopped():
             flying = len(flights.row)
-            if begun < len(states) and flying < BLOCK // 2:
-                rows = slice(begun, min(begun + BLOCK - flying, len(states)))
-                given = _given(kernels, states, parameters, leaving, rows)
-                flights.begin(given, np.arange(rows.start, rows.stop), out)
-                begun = rows.stop
+            if begun < len(states):
+                if flying < BLOCK // 2:
+                    rows = slice(begun, min(begun + BLOCK - flying, len(states)))
+                    given = _given(kernels, states, parameters, leaving, rows)
+                    flights.begin(given, np.arange(rows.start, rows.stop) + first, out)
+                    begun = rows.stop
+            elif not last.go_on(flights):
+                return
             if not len(flights.row):
                 if begun < len(states):
                     continue
