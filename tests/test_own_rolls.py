@@ -1,16 +1,20 @@
 """Scenes of one's own in which a ball rolls on when its bounces have become small."""
 
 import math
+import re
+import threading
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from hoopgen.derive.search.groups import FEWEST
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 import hoopgen
 from hoopgen import Event
+from hoopgen.codegen.render import render_scene
 from hoopgen.engines import Engine
 from hoopgen.scene import End, Parameter, Plane, Scene, SceneError, Sphere, Torus
 
@@ -170,3 +174,59 @@ def test_on_a_ring_it_rolls_where_gravity_is_down_its_axis(down: str, up: int) -
     assert made[0].state.tobytes() == made[-1].state.tobytes()
     rolled = np.count_nonzero(made[0].events["kind"] == Event.ROLL)
     assert (rolled > 0) == (up > 0)
+
+
+@pytest.mark.parametrize("axis", ["x", "z", "-y"])
+def test_on_a_plane_alone_it_rolls_as_well(axis: str) -> None:
+    """Its normal is the same everywhere: it is not asked where the flight to a contact began."""
+    scene = Scene(
+        "plain",
+        parameters=[Parameter("ball", 0.05)],
+        ball_radius="ball",
+        gravity=9.81,
+        restitution=0.5,
+        friction=0.4,
+        bodies=[Plane("floor", axis=axis, at=0)],
+        ends={},
+        rolls=True,
+    )
+    assert "left_n" in render_scene(scene.derive(), page=False)["c/plain_engine.h"]
+
+
+def test_a_thread_needs_little_stack_for_scenes_in_which_balls_roll() -> None:
+    """macOS gives one 512 KB: the shots in flight are not on it."""
+    states = np.repeat(hoopgen.release(7.2, 0.9, height=2.1, distance=4.2)[None], 100, axis=0)
+    expected = hoopgen.simulate(states, scene=hoopgen.COURT, threads=1)
+    found: list[hoopgen.Shots] = []
+
+    def work() -> None:
+        found.append(hoopgen.simulate(states, scene=hoopgen.COURT, threads=1))
+
+    before = threading.stack_size(1 << 19)
+    try:
+        thread = threading.Thread(target=work)
+        thread.start()
+        thread.join()
+    finally:
+        threading.stack_size(before)
+    np.testing.assert_array_equal(found[0].state, expected.state)
+
+
+def test_a_table_in_groups_has_room_for_those_that_wait_to_roll_on() -> None:
+    """Their rows are behind those of the others: passes go over twice as many."""
+    posts = [Sphere(f"post_{k}", radius=0.1, centre=(0.5 * k, 0.0, 0.0)) for k in range(FEWEST)]
+    scene = Scene(
+        "posts",
+        parameters=[Parameter("ball", 0.05)],
+        ball_radius="ball",
+        gravity=9.81,
+        restitution=0.5,
+        friction=0.4,
+        bodies=posts,
+        ends={"down": End(at=-5)},
+        rolls=True,
+    )
+    files = render_scene(scene.derive(), page=False)
+    sizes = re.findall(r"_blocks\[\d+\]\[(.*?)\]", files["c/posts_engine.h"])
+    assert set(sizes) == {"LANES_ROWS / LANES_WIDTH"}
+    assert "#define LANES_ROWS (2 * LANES_SHOTS)" in files["c/posts.c"]

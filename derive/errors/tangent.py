@@ -40,8 +40,8 @@ foretell. `make exactness` holds both against the judge."""
 LEAST = sp.Rational(1, 2**100)
 """No rounding counts for less: single precision, in which errors are carried where balls do not
 roll, has no smaller numbers to speak of. It rounds the errors themselves by 2^-24 of them, which
-`GUARD` covers; what it does not hold is infinite, or not a number, with which no contact is certain.
-(A shot among lengths of 2^128 m that touches nothing may be certain, and its bounds say nothing.)"""
+`GUARD` covers; what it does not hold is infinite, or not a number, with which no contact is sure.
+(A shot among lengths of 2^128 m that touches nothing may be sure, and its bounds say nothing.)"""
 
 LIFT = 8
 """See above. Constant, it would make an exponential growth of its own; so it is a power's."""

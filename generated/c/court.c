@@ -8,6 +8,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #if defined(__GNUC__) && defined(__x86_64__)
 #include <immintrin.h>
@@ -103,6 +104,8 @@ typedef struct {
 /* Shots in flight at once: what the stages read and write of them stays in the nearest caches. */
 /* Where balls roll there are more: what few shots need at a time then fills more lanes. */
 #define LANES_SHOTS 256
+/* Behind them are the rows of those that stay in contact. */
+#define LANES_ROWS (2 * LANES_SHOTS)
 
 /* Whether a number that threads have in common was still *seen, and is `then` now; else *seen is
    what it is. */
@@ -253,7 +256,8 @@ int court_share(size_t shots, const double *states, const double *const *paramet
     case width: \
         if (!court_exact_w##width()) \
             return -2; \
-        court_run_w##width(&job); \
+        if (!court_run_w##width(&job)) \
+            return -3; \
         streamed(); \
         return width;
     switch (width) {

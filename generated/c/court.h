@@ -125,7 +125,8 @@ typedef struct {
 
    Returns the width that was used; or, with nothing run, -1 if that width is not there, -2 if
    doubles are not computed as IEEE 754 says: flags of the compiler (-ffp-contract=fast, parts of
-   fast-math), or this thread rounds otherwise than to nearest or makes subnormals zero. */
+   fast-math), or this thread rounds otherwise than to nearest or makes subnormals zero, -3
+   if there is no memory for the shots in flight. */
 HOOPGEN_API int court_simulate(size_t shots, const double *states,
                               const double *const *parameters, const int64_t *strides,
                               const int8_t *leaving, int32_t max_contacts, double time_limit,

@@ -11,8 +11,8 @@
 #include "court_kernels.h"
 
 /* A column, with room for a whole row of lanes behind its end. */
-typedef double LANES(court_column)[2 * LANES_SHOTS + LANES_WIDTH];
-typedef float LANES(court_singles)[2 * LANES_SHOTS + LANES_WIDTH];
+typedef double LANES(court_column)[LANES_ROWS + LANES_WIDTH];
+typedef float LANES(court_singles)[LANES_ROWS + LANES_WIDTH];
 
 /* Have the states of the shots from one on fetched while others are worked on, and the places of
    their results, those apart that go past the caches: else each store waits for its line. */
@@ -78,7 +78,7 @@ LANES_INLINE M LANES(court_permit)(V p_ball_radius, V p_ring_radius, V p_wire_ra
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    _Alignas(64) size_t shot[2 * LANES_SHOTS];
+    _Alignas(64) size_t shot[LANES_ROWS];
     LANES(court_column) x; /* of the state */
     LANES(court_column) y; /* of the state */
     LANES(court_column) z; /* of the state */
@@ -780,7 +780,7 @@ LANES_INLINE void LANES(court_plain_wait)(LANES(court_plain_lists) *lists, size_
 /* Put shots that have waited into rows from one on; return how many. */
 LANES_INLINE size_t LANES(court_plain_resume)(LANES(court_plain_lists) *lists, size_t row, const court_job *job)
 {
-    const size_t room = 2 * LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
+    const size_t room = LANES_ROWS - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
     memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof *lists->x);
@@ -4002,9 +4002,8 @@ static void LANES(court_plain_slow)(LANES(court_plain_lists) *lists, size_t slow
 
 /* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
    No errors are bounded: the same path, with less work. */
-static void LANES(court_plain)(const court_job *job)
+static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *const restrict lists)
 {
-    LANES(court_plain_lists) all, *const lists = &all;
     const V most_contacts = K((double)job->max_contacts);
     const V time_limit = K(job->time_limit);
     const size_t varying = job->varying ? ~(size_t)0 : 0;
@@ -6361,7 +6360,7 @@ static void LANES(court_plain)(const court_job *job)
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    _Alignas(64) size_t shot[2 * LANES_SHOTS];
+    _Alignas(64) size_t shot[LANES_ROWS];
     LANES(court_column) x; /* of the state */
     LANES(court_column) y; /* of the state */
     LANES(court_column) z; /* of the state */
@@ -7275,7 +7274,7 @@ LANES_INLINE void LANES(court_bounded_wait)(LANES(court_bounded_lists) *lists, s
 /* Put shots that have waited into rows from one on; return how many. */
 LANES_INLINE size_t LANES(court_bounded_resume)(LANES(court_bounded_lists) *lists, size_t row, const court_job *job)
 {
-    const size_t room = 2 * LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
+    const size_t room = LANES_ROWS - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
     memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof *lists->x);
@@ -11501,9 +11500,8 @@ static void LANES(court_bounded_fix_f624)(LANES(court_bounded_lists) *lists, siz
 
 /* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
    Errors are bounded. */
-static void LANES(court_bounded)(const court_job *job)
+static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists) *const restrict lists)
 {
-    LANES(court_bounded_lists) all, *const lists = &all;
     const V most_contacts = K((double)job->max_contacts);
     const V time_limit = K(job->time_limit);
     const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
@@ -14553,13 +14551,23 @@ static void LANES(court_bounded)(const court_job *job)
     }
 }
 
-static void LANES(court_run)(const court_job *job)
+/* Run the job; return 0 if there is no memory for it. */
+static int LANES(court_run)(const court_job *job)
 {
     const court_results *out = job->results;
-    if (out->grip_lost || out->time_error || out->state_error || out->uncertain)
-        LANES(court_bounded)(job);
+    const int bounds = out->grip_lost || out->time_error || out->state_error || out->uncertain;
+    /* Not on the stack: they may be megabytes, and threads have little of it. */
+    const size_t size = bounds ? sizeof(LANES(court_bounded_lists)) : sizeof(LANES(court_plain_lists));
+    void *const room = malloc(size + 63);
+    if (room == NULL)
+        return 0;
+    void *const lists = (void *)(((uintptr_t)room + 63) / 64 * 64);
+    if (bounds)
+        LANES(court_bounded)(job, lists);
     else
-        LANES(court_plain)(job);
+        LANES(court_plain)(job, lists);
+    free(room);
+    return 1;
 }
 
 #undef V

@@ -8,6 +8,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #if defined(__GNUC__) && defined(__x86_64__)
 #include <immintrin.h>
@@ -102,6 +103,7 @@ typedef struct {
 
 /* Shots in flight at once: what the stages read and write of them stays in the nearest caches. */
 #define LANES_SHOTS 128
+#define LANES_ROWS LANES_SHOTS
 
 /* Whether a number that threads have in common was still *seen, and is `then` now; else *seen is
    what it is. */
@@ -252,7 +254,8 @@ int hoop_share(size_t shots, const double *states, const double *const *paramete
     case width: \
         if (!hoop_exact_w##width()) \
             return -2; \
-        hoop_run_w##width(&job); \
+        if (!hoop_run_w##width(&job)) \
+            return -3; \
         streamed(); \
         return width;
     switch (width) {

@@ -11,8 +11,8 @@
 #include "hoop_kernels.h"
 
 /* A column, with room for a whole row of lanes behind its end. */
-typedef double LANES(hoop_column)[LANES_SHOTS + LANES_WIDTH];
-typedef float LANES(hoop_singles)[LANES_SHOTS + LANES_WIDTH];
+typedef double LANES(hoop_column)[LANES_ROWS + LANES_WIDTH];
+typedef float LANES(hoop_singles)[LANES_ROWS + LANES_WIDTH];
 
 /* Have the states of the shots from one on fetched while others are worked on, and the places of
    their results, those apart that go past the caches: else each store waits for its line. */
@@ -69,7 +69,7 @@ LANES_INLINE M LANES(hoop_permit)(V p_ball_radius, V p_ring_radius, V p_wire_rad
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    _Alignas(64) size_t shot[LANES_SHOTS];
+    _Alignas(64) size_t shot[LANES_ROWS];
     LANES(hoop_column) x; /* of the state */
     LANES(hoop_column) y; /* of the state */
     LANES(hoop_column) z; /* of the state */
@@ -2128,7 +2128,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    _Alignas(64) size_t shot[LANES_SHOTS];
+    _Alignas(64) size_t shot[LANES_ROWS];
     LANES(hoop_column) x; /* of the state */
     LANES(hoop_column) y; /* of the state */
     LANES(hoop_column) z; /* of the state */
@@ -4726,13 +4726,16 @@ static void LANES(hoop_bounded)(const hoop_job *job)
     }
 }
 
-static void LANES(hoop_run)(const hoop_job *job)
+/* Run the job; return 0 if there is no memory for it. */
+static int LANES(hoop_run)(const hoop_job *job)
 {
     const hoop_results *out = job->results;
-    if (out->time_error || out->state_error || out->uncertain)
+    const int bounds = out->time_error || out->state_error || out->uncertain;
+    if (bounds)
         LANES(hoop_bounded)(job);
     else
         LANES(hoop_plain)(job);
+    return 1;
 }
 
 #undef V
