@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hoopgen.derive.search.groups import FEWEST
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
@@ -214,19 +213,20 @@ def test_a_thread_needs_little_stack_for_scenes_in_which_balls_roll() -> None:
 
 def test_a_table_in_groups_has_room_for_those_that_wait_to_roll_on() -> None:
     """Their rows are behind those of the others: passes go over twice as many."""
-    posts = [Sphere(f"post_{k}", radius=0.1, centre=(0.5 * k, 0.0, 0.0)) for k in range(FEWEST)]
+    posts = [Sphere(f"post_{k}", radius="size", centre=(f"{k}*size", 0.0, 0.0)) for k in range(20)]
+    bowl = Sphere("bowl", radius="30*size", inside=True)
     scene = Scene(
         "posts",
-        parameters=[Parameter("ball", 0.05)],
+        parameters=[Parameter("ball", 0.05), Parameter("size", 0.1)],
         ball_radius="ball",
         gravity=9.81,
         restitution=0.5,
         friction=0.4,
-        bodies=posts,
+        bodies=[bowl, *posts],
         ends={"down": End(at=-5)},
         rolls=True,
     )
     files = render_scene(scene.derive(), page=False)
-    sizes = re.findall(r"_blocks\[\d+\]\[(.*?)\]", files["c/posts_engine.h"])
+    sizes = re.findall(r"size_t _g\d+_blocks\[\d+\]\[(.*?)\]", files["c/posts_engine.h"])
     assert set(sizes) == {"LANES_ROWS / LANES_WIDTH"}
     assert "#define LANES_ROWS (2 * LANES_SHOTS)" in files["c/posts.c"]
