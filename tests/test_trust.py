@@ -419,3 +419,13 @@ def test_the_word_for_sources_is_of_a_scenes_names_and_bytes(tmp_path: Path) -> 
     second = sources.word(tmp_path, "a")
     (tmp_path / "a.c").rename(tmp_path / "a.h")
     assert len({first, second, sources.word(tmp_path, "a")}) == 3
+
+
+def test_of_numbers_that_are_none_neither_sign_nor_rest_is_compared() -> None:
+    """IEEE 754 leaves them open; the sign of a zero, and any other bit, it does not."""
+    numbers = np.array([1.0, np.nan, 0.0])
+    assert trust._same(numbers, np.array([1.0, -np.nan, 0.0]))
+    assert not trust._same(numbers, np.array([1.0, np.nan, -0.0]))
+    assert not trust._same(numbers, np.array([1.0 + 2.0**-52, np.nan, 0.0]))
+    assert not trust._same(numbers, np.array([np.nan, np.nan, 0.0]))
+    assert not trust._same(np.array([1, 2]), np.array([1, 3]))
