@@ -5,7 +5,7 @@ PYTHON ?= python3
 ARGS ?=
 VENV := .venv
 BIN := $(VENV)/bin
-PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet
+PIP := $(BIN)/python -m pip --disable-pip-version-check
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -60,15 +60,18 @@ clean: ## remove all that these targets made, .venv too
 	find benchmarks derive generated hoopgen templates tests -name __pycache__ -prune -exec rm -rf {} +
 
 $(BIN)/python:
+	@echo "Making a virtual environment in $(VENV)"
 	$(PYTHON) -m venv $(VENV)
 
 # The C library is compiled at installation, so a change of its sources installs again.
 $(VENV)/installed: pyproject.toml setup.py $(wildcard generated/c/*.[ch]) | $(BIN)/python
+	@echo "Installing hoopgen and compiling its C engines: one to two minutes, once"
 	$(PIP) install --editable .
 	@touch $@
 
 # hoopgen is there already, so this adds only what the extra asks for.
 $(VENV)/with-%: $(VENV)/installed
+	@echo "Installing what '$*' needs"
 	$(PIP) install 'hoopgen[$*]'
 	@touch $@
 
