@@ -14,6 +14,7 @@ import pyarrow.ipc
 
 from hoopgen.brief import brief
 
+from .reading import Reading
 from .tables import Source
 
 __all__ = ["sourced"]
@@ -23,7 +24,7 @@ _OLDER = {pa.string_view(): pa.large_string(), pa.binary_view(): pa.large_binary
 
 
 @contextmanager
-def sourced(source: Any, format: str, delimiter: str) -> Iterator[Source]:
+def sourced(source: Any, reading: Reading) -> Iterator[Source]:
     """Give a table to be read from a file, also one in memory.
 
     Raises
@@ -34,14 +35,14 @@ def sourced(source: Any, format: str, delimiter: str) -> Iterator[Source]:
         If format or delimiter are not as for `Source`.
     """
     if isinstance(source, str | os.PathLike):
-        yield Source(Path(source), format, delimiter)
+        yield reading.source(Path(source))
         return
     if not hasattr(source, "__arrow_c_stream__"):
         raise TypeError(
             "source: expected a file, or a table of pandas (from 2.2), Polars or Arrow; "
             f"got {brief(source)}"
         )
-    if format or delimiter:
+    if reading.format or reading.delimiter:
         raise ValueError("format, delimiter: a table in memory has none")
     with TemporaryDirectory(prefix="hoopgen-") as folder:
         file = Path(folder, "source.arrow")
@@ -50,7 +51,7 @@ def sourced(source: Any, format: str, delimiter: str) -> Iterator[Source]:
         with pa.ipc.new_stream(str(file), schema) as stream:
             for batch in reader:
                 stream.write_table(pa.Table.from_batches([batch]).cast(schema))
-        yield Source(file, label="the table")
+        yield reading.source(file, "the table")
 
 
 def _older(schema: pa.Schema) -> pa.Schema:

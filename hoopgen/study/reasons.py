@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import isnan
 from typing import Any
 
@@ -14,10 +14,10 @@ from hoopgen.brief import brief, cut
 from hoopgen.engines import Engine
 from hoopgen.variables import Releases
 
-from .columns import Column
+from .columns import Column, numbers
 from .tallies import allowed, not_allowed
 
-__all__ = ["reasons"]
+__all__ = ["cause", "reasons"]
 
 
 def reasons(
@@ -26,8 +26,11 @@ def reasons(
     given: Mapping[str, NDArray[np.float64]],
     releases: Releases,
     scene: Engine,
+    *,
+    malformed: Sequence[str],
+    comma: bool = False,
 ) -> list[str]:
-    """Return why each row cannot be simulated.
+    """Return why each row cannot be simulated, or is not.
 
     Parameters
     ----------
@@ -41,21 +44,48 @@ def reasons(
         What was made of them.
     scene
         In which they could not be flown.
+    malformed
+        Why a row has no cells, "" where it has.
+    comma
+        Whether numbers in text may have decimal commas.
+
+    Returns
+    -------
+    list of str
+        A text for each row; before its first colon or semicolon stands the cause, see `cause`.
     """
-    cells = [
-        [_cell(column.name, table[column.name][int(row)].as_py()) for row in np.flatnonzero(wrong)]
-        for column, wrong in ((columns[name], np.isnan(given[name])) for name in columns)
-    ]
+    cells = [_cells(table, columns[name], np.isnan(given[name]), comma) for name in columns]
     said: list[list[str]] = [[] for _ in range(table.num_rows)]
     for name, texts in zip(columns, cells, strict=True):
         for row, text in zip(np.flatnonzero(np.isnan(given[name])), texts, strict=True):
             said[row].append(text)
-    return ["; ".join(texts) or _shot(releases, row, scene) for row, texts in enumerate(said)]
+    return [
+        malformed[row] or "; ".join(texts) or _shot(releases, row, scene)
+        for row, texts in enumerate(said)
+    ]
 
 
-def _cell(name: str, cell: Any) -> str:
+def cause(reason: str) -> str:
+    """Return the cause in a reason, which many rows may have in common."""
+    return reason.partition(": ")[0].partition("; ")[0]
+
+
+def _cells(table: pa.Table, column: Column, wrong: NDArray[np.bool_], comma: bool) -> list[str]:
+    """Say what is wrong with the cells of a column that gave no number."""
+    rows = np.flatnonzero(wrong)
+    part = table.select([column.name]).take(rows)
+    found, name = numbers(part, column, comma), cut(column.name)
+    low, high = (f"{end / column.unit:g}" for end in column.limits)
+    return [
+        _cell(name, cell)
+        if isnan(number)
+        else f"implausible {name}: {number / column.unit:g} is not within {low} to {high}"
+        for number, cell in zip(found, part[column.name].to_pylist(), strict=True)
+    ]
+
+
+def _cell(column: str, cell: Any) -> str:
     """Say what is wrong with a cell that gave no number that is allowed."""
-    column = cut(name)
     if cell is None or (isinstance(cell, str) and not cell.strip()):
         return f"no value in {column}"
     try:

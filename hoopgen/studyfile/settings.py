@@ -146,8 +146,14 @@ class Setting:
         origin = origin_of(source, self.engine)
         shared = {} if origin is None else origin.release
         names = source.schema().names
-        own = {*releases.own, *(() if origin is None else origin.own)}
-        said = {name: variable_of(name, self.engine)[0] for name in names if name not in own}
+        own = {*releases.own, *(() if origin is None else origin.passed)}
+        mapped = {} if origin is None else origin.columns
+        spelled = {column: name for name, column in mapped.items()}
+        said = {
+            name: variable_of(spelled.get(name, name), self.engine)[0]
+            for name in names
+            if name not in own
+        }
         said = {name: variable for name, variable in said.items() if variable}
         kept = _change(dict.fromkeys(said.values(), math.nan) | dict(shared), self.own)
         passed = [name for name, one in said.items() if one in self.own or one not in kept]
@@ -157,7 +163,8 @@ class Setting:
             **{name: value for name, value in shared.items() if name in kept},
             **self.own,
         }
-        columns = source.columns(sorted({*own, *passed}), given, self.engine)
+        kept_columns = {name: one for name, one in mapped.items() if one not in passed}
+        columns = source.columns(sorted({*own, *passed}), given, self.engine, kept_columns)
         return {**source.values(source.whole(), columns), **given}
 
     def _source(self, releases: Releases) -> Source:

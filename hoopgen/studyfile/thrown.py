@@ -252,7 +252,7 @@ def check_batch(asked: Asked, question: Batch) -> None:
     origin = settle(
         source, None, question.release, None, question.own, override=True, scene=asked.engine
     )
-    source.columns(origin.own, origin.release, asked.engine)
+    source.columns(origin.passed, origin.release, asked.engine, origin.columns)
     contacts_of(question.max_contacts, asked.engine)
     if question.measures:
         check_hoop("measures", asked.engine)
