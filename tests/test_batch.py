@@ -509,9 +509,10 @@ def test_the_command_says_what_was_read_and_what_is_invalid(tmp_path: Path) -> N
     ]
     assert lines[8:] == [
         "invalid: row 6: no number in speed_mph: 'x'",
-        "invalid: and 2 more; --reason writes why into a column",
-        "causes: 7 no number in speed_mph",
+        "invalid: and 2 more; by cause 7 no number in speed_mph",
     ]
+    result = run(tmp_path / "t.csv", "--out", tmp_path / "out.csv", *place)
+    assert "\ninvalid: --reason writes why into a column\n" in result.stdout
 
 
 # Tables in memory, and CSV out

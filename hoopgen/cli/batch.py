@@ -13,7 +13,6 @@ from hoopgen.cli.measuring import check_caught, measure_options
 from hoopgen.cli.options import examples, scheduler_option, table_options, threads_option
 from hoopgen.cli.types import OUT
 from hoopgen.phrases import counted
-from hoopgen.printable import printable
 
 __all__ = ["batch"]
 
@@ -87,13 +86,9 @@ def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -
     counts = [f"{count:,} {name}" for name, count in outcomes.items()]
     said = f"{counted(sum(outcomes.values()), 'shot')}: {', '.join(counts)}; in {out}"
     say_lines(f"{said}\n{outcomes.read}")
-    for row, reason in outcomes.invalid:
-        click.echo(printable(f"invalid: row {row}: {reason}"))
-    more = outcomes["invalid"] - len(outcomes.invalid)
-    if more:
-        click.echo(f"invalid: and {more:,} more; --reason writes why into a column")
-        causes = sorted(outcomes.causes.items(), key=lambda one: -one[1])
-        click.echo(printable(f"causes: {', '.join(f'{count:,} {why}' for why, count in causes)}"))
+    say_lines(outcomes.invalid_lines)
+    if len(outcomes.invalid) < outcomes["invalid"] and not options["reason"]:
+        click.echo("invalid: --reason writes why into a column")
     if outcomes.groups:
         from hoopgen.study.groups import groups_text
 

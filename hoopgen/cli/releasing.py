@@ -39,6 +39,7 @@ from hoopgen.cli.types import ASSIGNMENT, CORRELATION, FILE, once
 if TYPE_CHECKING:
     from hoopgen.engines import Engine
     from hoopgen.study.reading import Interpreted, Reading
+    from hoopgen.study.reasons import InvalidRows
     from hoopgen.study.resample import Resample
     from hoopgen.study.scatter import Scatter
 
@@ -104,8 +105,8 @@ class Releasing:
 
     def read(
         self, file: Path, reading: Reading, asked: Mapping[str, Any], override: bool
-    ) -> tuple[Releasing, Interpreted]:
-        """Return this with what a file says of releases and their scene; and how it is read."""
+    ) -> tuple[Releasing, Interpreted, InvalidRows]:
+        """Return this with what a file says; how it is read; and its rows that are invalid."""
         if self.sd:
             raise click.UsageError(
                 "--scatter is about a release, and --from has many; leave one out"
@@ -114,9 +115,9 @@ class Releasing:
         read = reading.interpreted(
             source, release=self.values, **asked, override=override, scene=self.engine
         )
-        measured = source.values(source.whole(), read.columns)
+        measured, invalid = read.measured(source)
         scene, values = read.origin.parameters, read.origin.release
-        return replace(self, values=values, parameters=scene, measured=measured), read
+        return replace(self, values=values, parameters=scene, measured=measured), read, invalid
 
 
 _FROM = together(
@@ -153,11 +154,11 @@ def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
             return command(*arguments, releasing=releasing, **options)
         reading = reading_of(said)
         asked, assumed = flown(releasing.engine, file, reading)
-        releasing, read = releasing.read(file, reading, asked, override)
+        releasing, read, invalid = releasing.read(file, reading, asked, override)
         if "max_contacts" in options:
             options["max_contacts"] = read.origin.max_contacts
         result = command(*arguments, releasing=releasing, **options)
-        say_lines(f"\n{read.interpretation}", err=bool(options.get("as_json")))
+        say_lines(f"\n{read.interpretation}\n{invalid}", err=bool(options.get("as_json")))
         if assumed:
             click.echo(assumed, err=True)
         return result

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +15,7 @@ from hoopgen.notebook import table as rendered
 from hoopgen.phrases import counted
 
 from .groups import Group
+from .reasons import InvalidRows
 from .tables import Source
 
 __all__ = ["Batch", "in_memory"]
@@ -52,9 +53,8 @@ class Batch(dict[str, int]):
         path: Path | None,
         scene: str = "",
         read: str = "",
-        invalid: Sequence[tuple[int, str]] = (),
+        invalid: InvalidRows | None = None,
         table: pa.Table | None = None,
-        causes: Mapping[str, int] | None = None,
         groups: Mapping[str, Group] | None = None,
         events: Path | None = None,
     ) -> None:
@@ -62,15 +62,21 @@ class Batch(dict[str, int]):
         self.path = path
         self.scene = scene
         self.read = read
-        self.invalid = tuple(invalid)
-        self.causes = dict(causes or {})
+        self._invalid = invalid or InvalidRows()
+        self.invalid = tuple(self._invalid.first)
+        self.causes = dict(self._invalid.causes)
         self.groups = dict(groups or {})
         self.events = events
         self._table = table
 
     def __reduce__(self) -> tuple[Any, ...]:
-        about = (self.path, self.scene, self.read, self.invalid, self._table)
-        return type(self), (dict(self), *about, self.causes, self.groups, self.events)
+        about = (self.path, self.scene, self.read, self._invalid, self._table)
+        return type(self), (dict(self), *about, self.groups, self.events)
+
+    @property
+    def invalid_lines(self) -> str:
+        """In words, line by line: the first invalid rows, and how many more there are by cause."""
+        return str(self._invalid)
 
     def to_arrow(self) -> pa.Table:
         """Return the rows with their results as a pyarrow.Table, which Polars takes too.

@@ -27,7 +27,7 @@ from hoopgen.variables import STATE
 from .delimited import parsed
 from .measures import MEASURES
 from .models import check_turns, from_columns
-from .near import near_variable, stems
+from .near import likely_variable, near_variable, stems
 from .plausible import limits_of
 
 __all__ = ["CONTACTS", "NAMED", "Column", "columns_of", "numbers", "values", "variable_of"]
@@ -174,7 +174,11 @@ def _mapped(
         if column in found:
             raise ValueError(f"{where}: the column is read as {found[column][0]} already")
         kind = _kinds(scene)[variable]
-        size = unit if name.strip().lower() != variable.lower() else unit_at_end(column, kind)
+        size = unit_at_end(column, kind)
+        if name.strip().lower() != variable.lower():  # that name has a unit, too
+            if size not in (None, unit):
+                raise ValueError(f"{where}: the two names have different units; keep one")
+            size = unit
         if size is None and kind in NO_BARE:
             *others, last = (f"{column_name(variable, one)}={cut(column)}" for one in NO_BARE[kind])
             raise ValueError(f"{where}: the unit is not known; write {', '.join(others)} or {last}")
@@ -277,6 +281,7 @@ def _check(
     if not found:
         raise ValueError(f"no column says how a shot is released: {listed(names) or 'none'}")
     said = {name: column.name for name, column in found.items()} | {name: name for name in given}
+    taken = {column.name for column in found.values()}
     states = [said[name] for name in STATE[2:] if name in said]
     others = [said[name] for name in said if name not in (*STATE, *scene.table.defaults)]
     if states and others:
@@ -289,7 +294,12 @@ def _check(
     try:
         from_columns({name: np.empty(0) for name in said}, scene.parameters)
     except ValueError as error:
-        raise ValueError(f"{error}. The columns are {listed(names)}") from None
+        kinds = _kinds(scene)
+        absent = set(kinds) - set(said)
+        likely = {name: likely_variable(name, kinds, absent) for name in names if name not in taken}
+        meant = [quote(f"{one}={cut(name)}") for name, one in likely.items() if one]
+        asked = f" Did you mean --column {' --column '.join(meant)}?" if meant else ""
+        raise ValueError(f"{error}. The columns are {listed(names)}.{asked}") from None
 
 
 def _no_states(names: Sequence[str], scene: Engine) -> ValueError:
@@ -300,15 +310,26 @@ def _no_states(names: Sequence[str], scene: Engine) -> ValueError:
 
 
 def values(
-    table: pa.Table, columns: Mapping[str, Column], comma: bool = False
+    table: pa.Table, columns: Mapping[str, Column], comma: bool = False, *, check: bool = True
 ) -> dict[str, NDArray[np.float64]]:
     """Return the numbers of a table's columns, in SI; text may have decimal commas.
+
+    Parameters
+    ----------
+    table
+        Rows.
+    columns
+        Where they have the variables.
+    comma
+        Whether numbers in text may have decimal commas.
+    check
+        Whether angles in radians that are degrees, by their median, are refused.
 
     Returns
     -------
     dict
-        By variable, (n,) each; NaN where a cell is empty, no number, or infinite where it may not
-        be.
+        By variable, (n,) each; NaN where a cell is empty, no number, infinite where it may not be,
+        or implausible.
 
     Raises
     ------
@@ -316,7 +337,9 @@ def values(
         If a column can hold no numbers, or angles in radians are degrees.
     """
     found = {name: numbers(table, column, comma) for name, column in columns.items()}
-    check_turns("columns", found, found)
+    if check:  # what says its unit, and another one, is that
+        bare = {name: column for name, column in found.items() if columns[name].unit == 1.0}
+        check_turns("columns", bare, found)
     return {name: _plausible(found[name], column) for name, column in columns.items()}
 
 

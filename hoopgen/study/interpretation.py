@@ -114,10 +114,10 @@ def interpret(
     }
     said = {*columns, *given}
     absent = _absent(said)
-    kinds = {name: known[name].kind for name in absent}
+    kinds = {name: one.kind for name, one in known.items()}
     kept, former = set(own), set(results)
     not_read = {
-        name: "" if name in kept else likely_variable(name, kinds)
+        name: "" if name in kept else likely_variable(name, kinds, absent)
         for name in names
         if name not in read and name not in former
     }

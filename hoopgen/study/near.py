@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping
 from difflib import get_close_matches
 
 from hoopgen.units import Kind, unit_size
@@ -25,23 +25,21 @@ _BEFORE = ("release_", "launch_", "initial_")
 _MEANT = {"angle": "elevation", "velocity": "speed"}
 """What those words make of others: a release angle is no place around the ring."""
 
-_LIKELY: Mapping[str, Sequence[tuple[str, ...]]] = {
-    "speed": (("speed",), ("velocity",)),
-    "elevation": (("elevation",), ("release", "angle"), ("launch", "angle"), ("vertical", "angle")),
-    "azimuth": (
-        ("azimuth",),
-        ("side", "angle"),
-        ("lateral", "angle"),
-        ("horizontal", "angle"),
-        ("direction",),
-    ),
-    "backspin": (("backspin",), ("spin",), ("spin", "rate")),
-    "sidespin": (("sidespin",), ("side", "spin")),
-    "height": (("height",),),
-    "distance": (("distance",), ("range",)),
-    "angle": (("court", "angle"), ("floor", "angle"), ("shot", "angle"), ("location", "angle")),
-    "entry": (("entry",), ("entry", "angle")),
-}
+_LIKELY = tuple(
+    (variable, tuple(words.split()))
+    for variable, several in {
+        "speed": "speed, velocity",
+        "elevation": "elevation, release angle, launch angle, vertical angle",
+        "azimuth": "azimuth, side angle, lateral angle, horizontal angle, direction",
+        "backspin": "backspin, spin, spin rate",
+        "sidespin": "sidespin, side spin, side spin rate",
+        "height": "height",
+        "distance": "distance, range",
+        "angle": "court angle, floor angle, shot angle, location angle",
+        "entry": "entry, entry angle",
+    }.items()
+    for words in several.split(", ")
+)
 """Words of columns that people have for variables; the last of them is the column's last word."""
 
 
@@ -77,7 +75,7 @@ def near_variable(column: str, kinds: Mapping[str, Kind]) -> str:
     return ""
 
 
-def likely_variable(column: str, kinds: Mapping[str, Kind]) -> str:
+def likely_variable(column: str, kinds: Mapping[str, Kind], absent: Container[str]) -> str:
     """Return the variable that a column with a unit may be meant for, or nothing.
 
     That is less than `near_variable` asks for: ``side_angle_deg`` may be the azimuth.
@@ -87,19 +85,25 @@ def likely_variable(column: str, kinds: Mapping[str, Kind]) -> str:
     column
         Its name, which says no variable.
     kinds
-        Variables that no column says, and what they measure.
+        Variables, and what they measure.
+    absent
+        Those that no column says.
     """
     if any(f"{_plain(column)}_".startswith(f"{measure}_") for measure in MEASURES):
         return ""
+    found: list[tuple[int, str]] = []
     for stem, unit in stems(column):
         words = stem.split("_")
-        for variable, kind in kinds.items():
-            if unit_size(unit, kind) is None:
-                continue
-            for needed in _LIKELY.get(variable, ()):
-                if words[-1] == needed[-1] and set(needed) <= set(words):
-                    return variable
-    return ""
+        found += [
+            (len(needed), variable)
+            for variable, needed in _LIKELY
+            if words[-1] == needed[-1]
+            and set(needed) <= set(words)
+            and variable in kinds
+            and unit_size(unit, kinds[variable]) is not None
+        ]
+    _, likely = max(found, default=(0, ""))
+    return likely if likely in absent else ""
 
 
 def stems(column: str) -> Iterator[tuple[str, str]]:

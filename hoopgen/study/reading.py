@@ -7,15 +7,22 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from hoopgen.engines import HOOP, Engine
 
 from .columns import Column
 from .interpretation import Interpretation, interpret
 from .limits import MEMORY
 from .origin import Origin, settle
+from .reasons import InvalidRows, reasons
 from .tables import Source
 
 __all__ = ["Interpreted", "Reading"]
+
+_ROWS = 1 << 20
+"""Read at a time where all are."""
 
 
 @dataclass(frozen=True)
@@ -112,3 +119,37 @@ class Interpreted:
     origin: Origin
     columns: Mapping[str, Column]
     interpretation: Interpretation
+
+    def measured(self, table: Source) -> tuple[dict[str, NDArray[np.float64]], InvalidRows]:
+        """Return the numbers of all rows, by variable, and the rows without one that is needed.
+
+        Such a row has a NaN there, and its shot is INVALID.
+
+        Parameters
+        ----------
+        table
+            That was interpreted.
+
+        Raises
+        ------
+        ValueError
+            If the file is not of its format.
+        """
+        invalid = InvalidRows()
+        parts: list[dict[str, NDArray[np.float64]]] = []
+        for part, numbers in table.numbered(_ROWS):
+            given = table.values(part, self.columns, check=not parts)
+            rows = np.flatnonzero(np.isnan(np.stack(list(given.values()))).any(axis=0))
+            listed = numbers[rows].tolist()
+            why = reasons(
+                part.take(rows),
+                self.columns,
+                {name: column[rows] for name, column in given.items()},
+                malformed=[table.malformed.get(number, "") for number in listed],
+                comma=table.comma,
+            )
+            invalid.add(listed, why)
+            parts.append(given)
+        return {
+            name: np.concatenate([one[name] for one in parts]) for name in self.columns
+        }, invalid

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 import pyarrow as pa
@@ -20,15 +20,12 @@ from .flights import Flights
 from .groups import Group, GroupCounts
 from .named import named
 from .origin import Origin
-from .reasons import cause, reasons
+from .reasons import InvalidRows, reasons, shot_reason
 from .rebounds import caught_at
 from .sinks import Sink
 from .tables import Source
 
 __all__ = ["Results"]
-
-SHOWN = 5
-"""Invalid rows that are listed."""
 
 
 @dataclass
@@ -54,9 +51,7 @@ class Results:
     outcomes
         Counts of the rows that were written, by code.
     invalid
-        Rows of the source, from 1, and reasons; the first ones.
-    causes
-        Number of invalid rows by cause.
+        Rows of the source that are.
     """
 
     source: Source
@@ -69,8 +64,7 @@ class Results:
     log: Sink | None = None
     log_schema: pa.Schema = field(default=None, init=False)
     outcomes: NDArray[np.int64] = field(init=False)
-    invalid: list[tuple[int, str]] = field(default_factory=list, init=False)
-    causes: Counter[str] = field(default_factory=Counter, init=False)
+    invalid: InvalidRows = field(default_factory=InvalidRows, init=False)
 
     def __post_init__(self) -> None:
         self.outcomes = np.zeros(len(self.shots.scene.outcomes), np.int64)
@@ -155,9 +149,7 @@ class Results:
         outcomes = _codes(results["outcome"])
         rows = np.flatnonzero(outcomes == self.shots.scene.outcomes["INVALID"])
         why = self._reasons(read, rows, numbers)
-        first = zip(numbers[rows].tolist(), why, strict=True)
-        self.invalid += list(first)[: SHOWN - len(self.invalid)]
-        self.causes.update(map(cause, why))
+        self.invalid.add(numbers[rows].tolist(), why)
         if self.log is not None:
             self.log(event_log(results[EVENTS], int(self.outcomes.sum())))
             results = results.drop_columns([EVENTS])
@@ -178,11 +170,16 @@ class Results:
         if not len(rows):
             return []
         taken = read.take(rows)
-        given = self.source.values(taken, self.columns)
+        given = self.source.values(taken, self.columns, check=False)
         found = self.shots.releases(given)
         malformed = [self.source.malformed.get(number, "") for number in numbers[rows].tolist()]
         scene, comma = self.shots.scene, self.source.comma
-        return reasons(taken, self.columns, given, found, scene, malformed=malformed, comma=comma)
+        return reasons(
+            *(taken, self.columns, given),
+            partial(shot_reason, found, scene=scene),
+            malformed=malformed,
+            comma=comma,
+        )
 
 
 def _codes(column: pa.ChunkedArray) -> NDArray[np.int64]:

@@ -180,11 +180,11 @@ class Source:
             return columns_of(schema, own, given, scene, columns, implausible=implausible)
 
     def values(
-        self, table: pa.Table, columns: Mapping[str, Column]
+        self, table: pa.Table, columns: Mapping[str, Column], *, check: bool = True
     ) -> dict[str, NDArray[np.float64]]:
         """Return the numbers of the columns of a part of the table; as `values`."""
         with self._naming():
-            return values(table, columns, self.comma)
+            return values(table, columns, self.comma, check=check)
 
     def tables(self, rows: int) -> Iterator[pa.Table]:
         """Read the rows in order, lazily, so many in each table; the last has what is left.

@@ -130,7 +130,7 @@ def sample(
         found = {
             "draw": drawn[best],
             "row": numbers[best] - 1.0,
-            **table.values(taken, columns),
+            **table.values(taken, columns, check=total == 0),
         }
         joined = {name: np.concatenate([kept[name], found[name]]) for name in kept}
         lowest = np.argsort(joined["draw"], kind="stable")[:count]
