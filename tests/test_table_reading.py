@@ -782,3 +782,79 @@ def test_nested_columns_are_kept_and_hold_no_numbers(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="column deep: expected numbers, got list"):
         hoopgen.batch(table, release=PLACE, columns={"backspin_hz": "deep"})
     assert HOOP.has_hoop
+
+
+# Study files
+
+STUDY = """
+[study]
+name = "tables"
+seed = 3
+
+[scene]
+preset = "nba"
+
+[[question]]
+name = "rows"
+kind = "batch"
+file = "thrown.csv"
+columns = { speed = "release_speed_mph", azimuth = "side_angle_deg", distance = "shot_distance_ft" }
+where = ["player != Cy"]
+
+[[question]]
+name = "share"
+kind = "estimate"
+shots = 100
+[question.releases]
+file = "thrown.csv"
+where = ["player == Ann"]
+[question.releases.columns]
+speed = "release_speed_mph"
+backspin_rpm = "spin_rpm"
+distance = "shot_distance_ft"
+"""
+
+
+def test_a_study_reads_tables_alike(thrown: Path, tmp_path: Path) -> None:
+    pytest.importorskip("pydantic")
+    out = tmp_path / "out"
+    hoopgen.run_study(written(tmp_path / "study.toml", STUDY), out)
+    answers = {
+        name: json.loads((out / name / "answer.json").read_bytes())["numbers"]
+        for name in ("rows", "share")
+    }
+    columns = {name: one for name, one in MAPPED.items() if name != "backspin"}
+    given: dict[str, Any] = {"columns": columns, "where": "player != Cy"}
+    assert answers["rows"] == hoopgen.batch(thrown, parameters=hoopgen.NBA, **given)
+    plain = pa.table(THROWN).filter(pa.compute.equal(pa.array(THROWN["player"]), "Ann"))
+    units = {
+        "release_speed_mph": ("speed", "mph", "speed"),
+        "spin_rpm": ("spin", "rpm", "backspin"),
+    }
+    sizes = {name: (UNITS[kind][unit], said) for name, (kind, unit, said) in units.items()}
+    sizes |= {"elevation_deg": (DEGREE, "elevation"), "height_ft": (FOOT, "height")}
+    sizes |= {"shot_distance_ft": (FOOT, "distance")}
+    model = hoopgen.Resample(
+        {said: plain[name].to_numpy() * size for name, (size, said) in sizes.items()}
+    )
+    found = hoopgen.estimate(model, hoopgen.NBA, shots=100, seed=3)
+    assert answers["share"]["made"] == found.made
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ('where = ["player"]', "where: expected a column, one of"),
+        ('columns = ["speed"]', "expected a table, a column's name each"),
+        ('implausible = "yes"', "expected true or false"),
+        ('columns = { speed = "nope" }', "columns: speed=nope: no column nope"),
+    ],
+)
+def test_what_a_study_says_wrong_of_a_table_is_refused(
+    line: str, said: str, thrown: Path, tmp_path: Path
+) -> None:
+    pytest.importorskip("pydantic")
+    question = f'[[question]]\nname = "rows"\nkind = "batch"\nfile = "thrown.csv"\n{line}\n'
+    file = written(tmp_path / "study.toml", f'[study]\nname = "x"\n{question}')
+    with pytest.raises(ValueError, match=re.escape(said)):
+        hoopgen.run_study(file, tmp_path / "out")

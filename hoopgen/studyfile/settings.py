@@ -147,7 +147,7 @@ class Setting:
         shared = {} if origin is None else origin.release
         names = source.schema().names
         own = {*releases.own, *(() if origin is None else origin.passed)}
-        mapped = {} if origin is None else origin.columns
+        mapped = {**({} if origin is None else origin.columns), **releases.columns}
         spelled = {column: name for name, column in mapped.items()}
         said = {
             name: variable_of(spelled.get(name, name), self.engine)[0]
@@ -163,12 +163,17 @@ class Setting:
             **{name: value for name, value in shared.items() if name in kept},
             **self.own,
         }
-        kept_columns = {name: one for name, one in mapped.items() if one not in passed}
-        columns = source.columns(sorted({*own, *passed}), given, self.engine, kept_columns)
+        columns = source.columns(
+            sorted({*own, *passed}),
+            given,
+            self.engine,
+            {name: one for name, one in mapped.items() if one not in passed},
+            implausible=releases.implausible,
+        )
         return {**source.values(source.whole(), columns), **given}
 
     def _source(self, releases: Releases) -> Source:
-        return Source(self.folder / releases.file, releases.format or "")
+        return releases.reading.source(self.folder / releases.file)
 
     def identity(self) -> dict[str, Any]:
         """Return what tells this setting from others, in types that JSON knows."""
