@@ -757,6 +757,19 @@ def test_a_packed_spreadsheet_is_measured_before_it_is_read(tmp_path: Path) -> N
     assert Source(file).schema().names == ["speed", "note"]
 
 
+def test_pages_that_are_small_in_the_file_alone_are_refused(tmp_path: Path) -> None:
+    zeros = pa.table({"speed": np.zeros(4_000_000)})
+    packed: dict[str, Any] = {"compression": "zstd", "use_dictionary": False}
+    pq.write_table(zeros, tmp_path / "t.parquet", row_group_size=len(zeros), **packed)
+    assert (tmp_path / "t.parquet").stat().st_size < 30_000
+    with pytest.raises(
+        ValueError, match=r"column speed has 32,\d+,\d+ bytes, more than 16,777,216"
+    ):
+        Source(tmp_path / "t.parquet", memory=1 << 24).schema()
+    pq.write_table(zeros.slice(0, 1000), tmp_path / "few.parquet", use_dictionary=False)
+    assert Source(tmp_path / "few.parquet", memory=1 << 24).schema().names == ["speed"]
+
+
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no pipes with names")
 def test_a_pipe_is_no_table(tmp_path: Path) -> None:
     pipe = tmp_path / "t.csv"

@@ -37,9 +37,10 @@ def check_pages(file: pq.ParquetFile, memory: int) -> None:
         thousandfold: then single pages may.
     """
     about = file.metadata
-    for group in range(about.num_row_groups):
-        for index in range(about.num_columns):
-            column = about.row_group(group).column(index)
+    for group in map(about.row_group, range(about.num_row_groups)):
+        if group.total_byte_size <= memory:
+            continue
+        for column in map(group.column, range(about.num_columns)):
             size = column.total_uncompressed_size
             if size > memory and size > _PACKED * column.total_compressed_size:
                 raise _too_large(column.path_in_schema, size, memory)
