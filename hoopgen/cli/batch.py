@@ -37,7 +37,7 @@ cells than the header. In CSV with semicolons or tabs, numbers may have decimal 
         "    --release distance=13.75ft --preset nba --measure depth --measure entry_angle",
         "hoopgen batch releases.csv --out results.csv --reason --group player",
         "hoopgen batch releases.xlsx --out results.parquet --column speed=release_speed_mph \\",
-        "    --where 'release_speed_mph >= 15' --events contacts.parquet",
+        "    --where 'player == Ann' --events contacts.parquet",
         "hoopgen batch states.arrow --out results.parquet --scheduler tcp://10.0.0.1:8786",
     )
 )
