@@ -103,6 +103,15 @@ def test_a_bare_angle_or_spin_is_refused_with_its_readings(name: str, said: str)
     assert list(columns_of([*FREE_THROW, name], own=[name])) == RELEASE
 
 
+def test_a_bare_angle_whose_name_cannot_change_is_read_as_the_message_says() -> None:
+    names = ["speed", "elevation", "height", "distance"]
+    with pytest.raises(ValueError, match="column elevation has no unit") as raised:
+        columns_of(names)
+    assert str(raised.value).endswith("say --column elevation_deg=elevation")
+    found = columns_of(names, columns={"elevation_deg": "elevation"})
+    assert found["elevation"] == Column("elevation", math.pi / 180)
+
+
 def test_a_bare_column_of_what_is_given_elsewhere_is_not_read() -> None:
     found = columns_of([*FREE_THROW, "backspin"], given=["backspin"])
     assert list(found) == RELEASE

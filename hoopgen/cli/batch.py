@@ -73,8 +73,8 @@ cells than the header. In CSV with semicolons or tabs, numbers may have decimal 
 def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -> None:
     """Simulate the releases of a table, and write it with the results.
 
-    FILE is CSV, Parquet or Arrow, and may be larger than the memory. The same command goes on
-    where an interrupted one stopped.
+    FILE is CSV, Parquet, Arrow or .xlsx, and may be larger than the memory. The same command goes
+    on where an interrupted one stopped.
     """
     import hoopgen
     from hoopgen.cli.progress import shown

@@ -231,7 +231,8 @@ def _no_unit(column: str, variable: str, scene: Engine) -> str:
     *others, last = (column_name(variable, unit) for unit in NO_BARE[kind])
     return (
         f"column {cut(column)} has no unit: name it {', '.join(others)} or {last}. "
-        "If it is a column of your own, list it in own"
+        "If it is a column of your own, list it in own; if its name cannot change, say "
+        f"--column {quote(f'{(others or [last])[0]}={cut(column)}')}"
     )
 
 

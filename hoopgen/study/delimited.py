@@ -10,6 +10,7 @@ its number, and is a row of empty cells; a line with the wrong number of cells t
 from __future__ import annotations
 
 import csv
+import itertools
 import re
 from collections import deque
 from collections.abc import Iterable, Iterator
@@ -18,9 +19,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 import pyarrow.csv
+from numpy.typing import NDArray
 
 from hoopgen.brief import brief
 from hoopgen.phrases import counted
@@ -212,36 +215,34 @@ def _with_malformed(
 ) -> Iterator[pa.RecordBatch]:
     """Give the rows of a file, and in their places malformed ones, whose cells are null."""
     schema: pa.Schema = reader.schema
-    read, given = 0, 0  # rows as the reader counts them, and rows that were given
-
-    def recovered() -> Iterator[pa.RecordBatch]:
-        nonlocal read, given
-        read += 1
-        for cells in _recovered(found.rows.popleft()[1], schema, delimiter):
-            given += 1
-            if isinstance(cells, str):
-                malformed[given] = cells
-            yield _row(None if isinstance(cells, str) else cells, schema)
-
-    for batch in reader:
+    good, bad, given = 0, 0, 0  # rows of the reader until now, and rows that were given
+    for batch in itertools.chain(reader, [schema.empty_table().combine_chunks()]):
+        number = batch.num_rows
+        order: list[NDArray[np.intp]] = []
+        rows: list[list[str | None]] = []
         start = 0
-        while start < batch.num_rows:
-            until = found.rows[0][0] - 1 if found.rows else read + batch.num_rows
-            good = batch.slice(start, until - read)
-            if good.num_rows:
-                yield good
-            start, read, given = (one + good.num_rows for one in (start, read, given))
-            if found.rows and found.rows[0][0] == read + 1:
-                yield from recovered()
-    while found.rows:
-        yield from recovered()
+        while found.rows and (until := found.rows[0][0] - 1 - bad - good) <= number:
+            order.append(np.arange(start, until))
+            given, start, bad = given + until - start, until, bad + 1
+            for cells in _recovered(found.rows.popleft()[1], schema, delimiter):
+                given += 1
+                order.append(np.array([number + len(rows)]))
+                if isinstance(cells, str):
+                    malformed[given] = cells
+                rows.append([None] * len(schema) if isinstance(cells, str) else [*cells])
+        given, good = given + number - start, good + number
+        if rows:
+            order.append(np.arange(start, number))
+            batch = _placed(batch, rows, np.concatenate(order))
+        yield from batch.to_batches() if isinstance(batch, pa.Table) else [batch]
 
 
-def _row(cells: list[str] | None, schema: pa.Schema) -> pa.RecordBatch:
-    columns = [[None]] * len(schema) if cells is None else [[cell] for cell in cells]
-    return pa.RecordBatch.from_arrays(
-        [pa.array(column, pa.string()) for column in columns], schema=schema
-    )
+def _placed(batch: Any, rows: list[list[str | None]], order: NDArray[np.intp]) -> pa.Table:
+    """Return rows of a batch and others, in an order of both one after the other."""
+    columns = [pa.array(column, pa.string()) for column in zip(*rows, strict=True)]
+    others = pa.Table.from_arrays(columns, schema=batch.schema)
+    first = batch if isinstance(batch, pa.Table) else pa.Table.from_batches([batch])
+    return pa.concat_tables([first, others]).take(pa.array(order)).combine_chunks()
 
 
 def _recovered(text: str, schema: pa.Schema, delimiter: str) -> Iterator[list[str] | str]:

@@ -81,7 +81,7 @@ def sample(
     Parameters
     ----------
     source
-        CSV, Parquet or Arrow; see `hoopgen.study.columns`.
+        CSV, Parquet, Arrow or .xlsx; see `hoopgen.study.columns`.
     count
         How many, from 1; all of them if the table has no more.
     seed
