@@ -35,9 +35,8 @@ cells than the header. In CSV with semicolons or tabs, numbers may have decimal 
         "hoopgen batch releases.csv --out results.parquet",
         "hoopgen batch releases.csv --out results.parquet --release height=7ft \\",
         "    --release distance=13.75ft --preset nba --measure depth --measure entry_angle",
-        "hoopgen batch releases.csv --out results.csv --reason --group player",
         "hoopgen batch releases.xlsx --out results.parquet --column speed=release_speed_mph \\",
-        "    --where 'player == Ann' --events contacts.parquet",
+        "    --reason --group player --where 'season == 2024' --events contacts.parquet",
         "hoopgen batch states.arrow --out results.parquet --scheduler tcp://10.0.0.1:8786",
     )
 )

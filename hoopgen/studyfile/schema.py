@@ -307,7 +307,7 @@ class Aim(Question):
     by: Annotated[By, Word(tuple(BY))] = Field("any", description="What counts, as of an optimum.")
 
 
-class Batch(TableFile, Question):
+class Batch(Question, TableFile):
     """A table of releases, simulated row by row.
 
     Of where shots come from it takes the scene, and what its own `release` says, which all rows
