@@ -555,6 +555,7 @@ def test_events_of_rows_that_are_invalid_or_left_out_are_none(tmp_path: Path) ->
     [
         ("e.txt", r"events: expected a file \.parquet or \.pq or \.csv or \.tsv, got .*e\.txt"),
         ("o.csv", "events: .*o.csv is the file of results"),
+        ("thrown.csv", "events: .*thrown.csv is the source"),
     ],
 )
 def test_a_file_of_events_that_is_none_is_refused(
@@ -768,6 +769,15 @@ def test_pages_that_are_small_in_the_file_alone_are_refused(tmp_path: Path) -> N
         Source(tmp_path / "t.parquet", memory=1 << 24).schema()
     pq.write_table(zeros.slice(0, 1000), tmp_path / "few.parquet", use_dictionary=False)
     assert Source(tmp_path / "few.parquet", memory=1 << 24).schema().names == ["speed"]
+
+
+def test_a_frame_of_one_large_batch_is_read_in_parts() -> None:
+    rows, limit = 2_000_000, 1 << 24
+    table = pa.table({"speed": np.full(rows, 0.01), "elevation_rad": np.full(rows, 0.9)})
+    (batch,) = table.to_batches()
+    assert batch.nbytes > limit
+    read = hoopgen.batch(table, release=PLACE, memory=limit, where="speed > 1")
+    assert sum(read.values()) == 0
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no pipes with names")

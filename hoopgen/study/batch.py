@@ -197,6 +197,8 @@ def batch(
         memory=memory,
     )
     with sourced(source, reading) as table, _target(out, table) as target:
+        if log is not None and log.exists() and log.samefile(table.path):
+            raise ValueError(f"events: {events} is the source")
         asked: dict[str, Any] = {"override": override, "scene": engine}
         found = reading.interpreted(table, parameters, release, max_contacts, **asked)
         origin = found.origin

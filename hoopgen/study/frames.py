@@ -19,6 +19,9 @@ from .tables import Source
 
 __all__ = ["sourced"]
 
+_ROWS = 1 << 16
+"""Written at a time."""
+
 # Of Polars; files and the reading of numbers know the others.
 _OLDER = {pa.string_view(): pa.large_string(), pa.binary_view(): pa.large_binary()}
 
@@ -50,7 +53,8 @@ def sourced(source: Any, reading: Reading) -> Iterator[Source]:
         schema = _older(reader.schema)
         with pa.ipc.new_stream(str(file), schema) as stream:
             for batch in reader:
-                stream.write_table(pa.Table.from_batches([batch]).cast(schema))
+                # In parts, as of a file: a frame may be one batch, however large it is.
+                stream.write_table(pa.Table.from_batches([batch]).cast(schema), _ROWS)
         yield reading.source(file, "the table")
 
 
