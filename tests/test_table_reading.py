@@ -208,6 +208,13 @@ def test_every_command_says_how_it_read_the_table(thrown: Path, tmp_path: Path) 
     assert result.stderr == f"\n{READ}\n"
 
 
+def test_a_page_of_mapped_columns_in_python(thrown: Path, tmp_path: Path) -> None:
+    page = hoopgen.view(thrown, path=tmp_path / "page.html", columns=MAPPED)
+    assert page.read == READ
+    with pytest.raises(ValueError, match="columns: shots are no table"):
+        hoopgen.view(hoopgen.simulate(states(), record=True), columns=MAPPED)
+
+
 def test_an_estimate_of_mapped_columns_is_that_of_columns_so_named(
     thrown: Path, tmp_path: Path
 ) -> None:
