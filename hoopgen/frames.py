@@ -14,13 +14,17 @@ from .events import Event, event_words, numbered
 from .installed import need
 from .notebook import ROWS, some_rows, table
 from .told import say_of
-from .units import column_name
+from .units import System, column_name, file_unit
 from .variables import STATE, STATE_UNITS
 from .words import for_json
 
 __all__ = [
     "contacts_frame",
     "contacts_html",
+    "event_columns",
+    "event_numbers",
+    "events_frame",
+    "events_table",
     "scene_of",
     "shots_dataset",
     "shots_frame",
@@ -47,6 +51,9 @@ class Shots(Protocol):
 
     @property
     def surfaces(self) -> tuple[str, ...]: ...
+
+    @property
+    def events(self) -> NDArray[Any]: ...
 
     def __len__(self) -> int: ...
 
@@ -164,21 +171,83 @@ def shots_html(shots: Shots) -> str:
     return table(about, head, zip(rows, *columns.values(), strict=True), gap=gap)
 
 
+def event_columns(
+    events: NDArray[Any], scene: Any, units: System = "si"
+) -> dict[str, NDArray[Any] | tuple[NDArray[Any], list[str]]]:
+    """Return an event log as columns, with units in their names.
+
+    Time, kind, surface, position, and velocity and spin before and after.
+
+    Parameters
+    ----------
+    events
+        (n,), as of `hoopgen.Shots.events`.
+    scene
+        In which the shots are.
+    units
+        "si" or "us"; see `hoopgen.units.file_unit`.
+
+    Returns
+    -------
+    dict
+        (n,) each; of kind and surface codes, and the words that they stand for.
+    """
+    numbers = {"time": ("s", events["time"])}
+    numbers |= {one: (UNITS[one], events["before"][:, k]) for k, one in enumerate(STATE[:3])}
+    for name in ("before", "after"):
+        moving = enumerate(STATE[3:], 3)
+        numbers |= {f"{name}_{one}": (UNITS[one], events[name][:, k]) for k, one in moving}
+    columns: dict[str, Any] = {}
+    for name, (si, column) in numbers.items():
+        unit, size = file_unit(si, units)
+        columns[column_name(name, unit)] = column / size if size != 1.0 else column.copy()
+        if name == "time":
+            columns["kind"] = events["kind"], [one.name.lower() for one in Event]
+            columns["surface"] = events["surface"], [*scene.surfaces, "end"]
+    return columns
+
+
+def _events_frame(events: NDArray[Any], scene: Any) -> dict[str, Any]:
+    """Return an event log as columns for pandas."""
+    pd = need("pandas", "to_pandas")
+    return {
+        name: pd.Categorical.from_codes(*column) if isinstance(column, tuple) else column
+        for name, column in event_columns(events, scene).items()
+    }
+
+
 def contacts_frame(trajectory: Trajectory) -> Any:
     """Return what `Trajectory.to_pandas` does."""
     pd = need("pandas", "to_pandas")
-    events = trajectory.events
-    words = pd.Categorical.from_codes(events["surface"], [*trajectory.scene.surfaces, "end"])
-    kinds = pd.Categorical.from_codes(events["kind"], [one.name.lower() for one in Event])
-    columns = {_named("time"): events["time"], "kind": kinds, "surface": words}
-    columns |= dict(zip(map(_named, STATE[:3]), events["before"].T, strict=False))
-    for name in ("before", "after"):
-        columns |= {
-            _named(f"{name}_{one}", UNITS[one]): events[name][:, k]
-            for k, one in enumerate(STATE)
-            if k > 2
-        }
-    return pd.DataFrame(columns, pd.RangeIndex(1, len(events) + 1, name="event"))
+    columns = _events_frame(trajectory.events, trajectory.scene)
+    index = pd.RangeIndex(1, len(trajectory.events) + 1, name="event")
+    return pd.DataFrame(columns, index)
+
+
+def events_frame(shots: Shots) -> Any:
+    """Return what `Shots.events_to_pandas` does."""
+    pd = need("pandas", "events_to_pandas")
+    events: NDArray[Any] = shots.events
+    index = pd.MultiIndex.from_arrays([events["shot"], event_numbers(events)])
+    return pd.DataFrame(_events_frame(events, shots.scene), index.set_names(["shot", "event"]))
+
+
+def events_table(shots: Shots) -> Any:
+    """Return what `Shots.events_to_arrow` does."""
+    pa = need("pyarrow", "events_to_arrow")
+    events: NDArray[Any] = shots.events
+    columns = {"shot": events["shot"], "event": event_numbers(events)}
+    columns |= {
+        name: pa.DictionaryArray.from_arrays(*column) if isinstance(column, tuple) else column
+        for name, column in event_columns(events, shots.scene).items()
+    }
+    return pa.table(columns).replace_schema_metadata({"scene": scene_of(shots)})
+
+
+def event_numbers(events: NDArray[Any]) -> NDArray[np.int64]:
+    """Return the number of each event among those of its shot, from 1."""
+    rows = np.arange(len(events))
+    return rows - np.searchsorted(events["shot"], events["shot"]) + 1
 
 
 def contacts_html(trajectory: Trajectory) -> str:

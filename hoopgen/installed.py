@@ -27,6 +27,7 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "markdown_it": "study",
         "dask": "scale",
         "distributed": "scale",
+        "openpyxl": "xlsx",
         "pandas": "",
     }
 )

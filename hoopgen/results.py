@@ -321,6 +321,35 @@ class Shots:
         """
         return frames.shots_frame(self)
 
+    def events_to_pandas(self) -> Any:
+        """Return the event log as a pandas.DataFrame, a row each event, units in columns' names.
+
+        Its index is the shot, from 0, and the event's number among those of the shot, from 1; the
+        columns are those of `Trajectory.to_pandas`. The shots are simulated with ``record=True``.
+
+        Raises
+        ------
+        AttributeError
+            If they were not.
+        ImportError
+            If pandas is missing: what brings it.
+        """
+        return frames.events_frame(self)
+
+    def events_to_arrow(self) -> Any:
+        """Return the event log as a pyarrow.Table, which Polars takes too; as `events_to_pandas`.
+
+        Shot and event are columns.
+
+        Raises
+        ------
+        AttributeError
+            If the shots were not simulated with ``record=True``.
+        ImportError
+            If pyarrow is missing: what brings it.
+        """
+        return frames.events_table(self)
+
     def to_xarray(self) -> Any:
         """Return the results as an xarray.Dataset over ``shot``, with what the codes mean.
 

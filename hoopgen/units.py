@@ -32,12 +32,14 @@ __all__ = [
     "Shown",
     "System",
     "column_name",
+    "file_unit",
     "parse_quantity",
     "readings",
     "showing",
     "shown",
     "shown_system",
     "unit_size",
+    "unit_symbol",
 ]
 
 Kind = Literal["length", "speed", "angle", "spin", "acceleration", "number"]
@@ -134,6 +136,11 @@ def unit_size(unit: str, kind: Kind) -> float | None:
     parts = re.split(r"\s*/\s*|\s+per\s+", unit.strip().lower())
     symbol = "/".join(_SYMBOLS.get(part, part) for part in parts)
     return _SIZES[kind].get(_SYMBOLS.get(symbol, symbol))
+
+
+def unit_symbol(size: float, kind: Kind) -> str:
+    """Return the first unit of `kind` that has this size in SI; empty if there is none."""
+    return next((unit for unit, one in UNITS[kind].items() if one == size), "")
 
 
 def parse_quantity(text: str, kind: Kind, *, infinite: bool = False) -> float:
@@ -234,6 +241,39 @@ def column_name(name: str, unit: str) -> str:
 
 
 System = Literal["si", "us"]
+
+_IN_FILES: Mapping[str, str] = {
+    "m": "ft",
+    "m/s": "mph",
+    "m/s2": "ft/s2",
+    "rad": "deg",
+    "rad/s": "Hz",
+}
+"""By SI unit: the unit of columns of files in US units."""
+
+
+def file_unit(unit: str, system: System) -> tuple[str, float]:
+    """Return the unit of a column of results, and its size in SI.
+
+    Parameters
+    ----------
+    unit
+        In SI.
+    system
+        "si" for that; "us" for feet and mph, and degrees and Hz.
+
+    Raises
+    ------
+    ValueError
+        If there is no such system.
+    """
+    if system not in _SHOWN:
+        raise ValueError(f"units: expected {' or '.join(_SHOWN)}, got {brief(system)}")
+    if system == "si" or unit not in _IN_FILES:
+        return unit, 1.0
+    other = _IN_FILES[unit]
+    (kind,) = (kind for kind, units in UNITS.items() if unit in units)
+    return other, UNITS[kind][other]
 
 
 @dataclass(frozen=True)

@@ -182,6 +182,10 @@ def test_results_are_flown_again_as_they_were(results: Path, tmp_path: Path) -> 
         one, other = (table[prefix + name].to_pandas() for prefix in ("", "again_"))
         assert one.equals(other)
     ours, theirs = (json.loads(read(file).schema.metadata[b"hoopgen"]) for file in (results, out))
+    assert theirs.pop("results") == [
+        *(names := ours.pop("results")),
+        *(f"again_{name}" for name in names),
+    ]
     assert ours == theirs
     assert ours["scene"] == SAID
     assert ours["preset"] == "nba"
@@ -193,7 +197,8 @@ def test_results_are_flown_again_as_they_were(results: Path, tmp_path: Path) -> 
 def test_an_estimate_draws_from_results_in_their_scene(results: Path) -> None:
     options = ("--shots", "500", "--json")
     result = run("estimate", "--from", results, *options)
-    assert result.stderr == ""
+    assert "assumed; --preset" not in result.stderr
+    assert "\nread: speed as speed in m/s, elevation_rad as elevation in rad\n" in result.stderr
     found = json.loads(result.stdout)
     assert found["scene"] == SAID
     assert parameters_named(found["setting"]["parameters"]) == dict(SCENE)

@@ -8,11 +8,11 @@ from typing import Any
 
 import click
 
+from hoopgen.cli.flown import say_lines
 from hoopgen.cli.measuring import check_caught, measure_options
 from hoopgen.cli.options import examples, scheduler_option, table_options, threads_option
 from hoopgen.cli.types import OUT
 from hoopgen.phrases import counted
-from hoopgen.printable import printable
 
 __all__ = ["batch"]
 
@@ -22,8 +22,9 @@ m/s; an angle or a spin needs its unit:
   releases    speed_mph elevation_deg azimuth_deg backspin_hz height_ft distance ...
   or states   x y z vx vy vz wx_rad_s wy_rad_s wz_rad_s, x_ft, vx_ft_s, wy_rpm ...
   and         ring_radius_in restitution ..., which change the scene of that row
-All others are kept as they are. A row with no number where one is needed is invalid. In CSV with
-semicolons or tabs, numbers may have decimal commas.
+A column of another name is read with --column speed=release_speed_mph. All others are kept as they
+are. A row is invalid that has no number where one is needed, an implausible one, or more or fewer
+cells than the header. In CSV with semicolons or tabs, numbers may have decimal commas.
 
 """
 
@@ -34,7 +35,8 @@ semicolons or tabs, numbers may have decimal commas.
         "hoopgen batch releases.csv --out results.parquet",
         "hoopgen batch releases.csv --out results.parquet --release height=7ft \\",
         "    --release distance=13.75ft --preset nba --measure depth --measure entry_angle",
-        "hoopgen batch releases.csv --out results.csv --reason",
+        "hoopgen batch releases.xlsx --out results.parquet --column speed=release_speed_mph \\",
+        "    --reason --group player --where 'season == 2024' --events contacts.parquet",
         "hoopgen batch states.arrow --out results.parquet --scheduler tcp://10.0.0.1:8786",
     )
 )
@@ -48,9 +50,21 @@ semicolons or tabs, numbers may have decimal commas.
 @measure_options("Add a column")
 @click.option("--prefix", default="", help="Of the names of the results.")
 @click.option(
-    "--delimiter",
-    metavar="CHARACTER",
-    help="Between the cells of CSV, ; or tab; by default as its first line says.",
+    "--group",
+    metavar="COLUMN",
+    help="Count results by the values of a column, too, with intervals.",
+)
+@click.option(
+    "--events",
+    type=OUT,
+    help="Parquet or CSV: the event log, a row for each event of each row.",
+)
+@click.option(
+    "--units",
+    type=click.Choice(["si", "us"], case_sensitive=False),
+    default="si",
+    show_default=True,
+    help="Of the columns of results: metres and m/s, or feet, mph and degrees.",
 )
 @click.option("--reason", is_flag=True, help="Add a column: why a row is invalid.")
 @threads_option
@@ -58,22 +72,24 @@ semicolons or tabs, numbers may have decimal commas.
 def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -> None:
     """Simulate the releases of a table, and write it with the results.
 
-    FILE is CSV, Parquet or Arrow, and may be larger than the memory. The same command goes on
-    where an interrupted one stopped.
+    FILE is CSV, Parquet, Arrow or .xlsx, and may be larger than the memory. The same command goes
+    on where an interrupted one stopped.
     """
     import hoopgen
     from hoopgen.cli.progress import shown
 
     check_caught(options["measures"])
+    options = {name: value for name, value in options.items() if value is not None}
     with shown() as progress:
         outcomes = hoopgen.batch(file, out, release=release, progress=progress, **options)
     counts = [f"{count:,} {name}" for name, count in outcomes.items()]
     said = f"{counted(sum(outcomes.values()), 'shot')}: {', '.join(counts)}; in {out}"
-    click.echo(printable(said))
-    click.echo(printable(f"read {outcomes.read}"))
-    for row, reason in outcomes.invalid:
-        click.echo(printable(f"invalid: row {row}: {reason}"))
-    more = outcomes["invalid"] - len(outcomes.invalid)
-    if more:
-        click.echo(f"invalid: and {more:,} more; --reason writes why into a column")
+    say_lines(f"{said}\n{outcomes.read}")
+    say_lines(outcomes.invalid_lines)
+    if len(outcomes.invalid) < outcomes["invalid"] and not options["reason"]:
+        click.echo("invalid: --reason writes why into a column")
+    if outcomes.groups:
+        from hoopgen.study.groups import groups_text
+
+        say_lines(f"\n{groups_text(options['group'], outcomes.groups)}\n")
     click.echo(f"scene: {outcomes.scene}")

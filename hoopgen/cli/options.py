@@ -10,13 +10,15 @@ from typing import Any
 import click
 
 from hoopgen.cli.examples import examples
-from hoopgen.cli.flown import flown
+from hoopgen.cli.flown import flown, reading_of
 from hoopgen.cli.own import engine_of, parameters_of, scene_option
 from hoopgen.cli.types import (
     ASSIGNMENT,
+    COLUMN,
     COUNT,
     FILE,
     FOLDER,
+    MEMORY,
     PICTURE,
     SCENE,
     SETTING,
@@ -44,6 +46,7 @@ __all__ = [
     "override_option",
     "picture_option",
     "preset_options",
+    "reading_options",
     "scene_options",
     "scheduler_option",
     "seed_option",
@@ -229,6 +232,53 @@ override_option = click.option(
     help="Fly the shots of a file of results as the options say, though the file says otherwise.",
 )
 
+reading_options = together(
+    click.option(
+        "--format",
+        type=click.Choice(["csv", "parquet", "arrow", "xlsx"]),
+        help="Of the table; by default as the file's suffix says.",
+    ),
+    click.option(
+        "--delimiter",
+        metavar="CHARACTER",
+        help="Between the cells of CSV, ; or tab; by default as its first line says.",
+    ),
+    click.option(
+        "--column",
+        "columns",
+        type=COLUMN,
+        multiple=True,
+        callback=once,
+        help="Read a column as a variable, speed=release_speed_mph; may be repeated. The unit is "
+        "at the end of either name: azimuth_deg='Side angle'.",
+    ),
+    click.option(
+        "--own",
+        metavar="COLUMN",
+        multiple=True,
+        help="A column that is not to be read, though it is named like a variable.",
+    ),
+    click.option(
+        "--where",
+        metavar="CONDITION",
+        multiple=True,
+        help="Leave out rows that do not meet it: 'speed_mph >= 15', 'player == Ann'. If repeated, "
+        "all must hold.",
+    ),
+    click.option(
+        "--keep-implausible",
+        "implausible",
+        is_flag=True,
+        help="Simulate rows with implausible numbers, too, such as an elevation of 500 degrees.",
+    ),
+    click.option(
+        "--memory",
+        type=MEMORY,
+        help="That rows read at once may take, 4GB; 1 GB by default.",
+    ),
+)
+"""How a table is read; `hoopgen.cli.flown.reading_of` takes them."""
+
 _TABLE = together(
     click.argument("file", type=FILE),
     scene_option,
@@ -242,17 +292,7 @@ _TABLE = together(
     preset_options,
     override_option,
     max_contacts_option,
-    click.option(
-        "--format",
-        type=click.Choice(["csv", "parquet", "arrow"]),
-        help="Of FILE; by default as its suffix says.",
-    ),
-    click.option(
-        "--own",
-        metavar="COLUMN",
-        multiple=True,
-        help="A column that is not to be read, though it is named like a variable.",
-    ),
+    reading_options,
 )
 
 
@@ -265,11 +305,7 @@ def table_options(command: Callable[..., Any]) -> Callable[..., Any]:
     @functools.wraps(command)
     def collected(*arguments: Any, preset: str, settings: Any, **options: Any) -> Any:
         engine = engine_of()
-        asked, assumed = flown(
-            engine,
-            *(options["file"], options["format"] or "", options["own"]),
-            options.get("delimiter") or "",
-        )
+        asked, assumed = flown(engine, options["file"], reading_of(dict(options)))
         result = command(*arguments, scene=engine, **(options | asked))
         if assumed:
             click.echo(assumed, err=True)

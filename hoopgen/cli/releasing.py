@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hoopgen.cli.flown import flown
+from hoopgen.cli.flown import READING, flown, reading_of, say_lines
 from hoopgen.cli.options import (
     VARIABLE_HELP,
     backend_option,
@@ -19,6 +19,7 @@ from hoopgen.cli.options import (
     folder_option,
     max_contacts_option,
     override_option,
+    reading_options,
     scene_options,
     scheduler_option,
     seed_option,
@@ -37,6 +38,8 @@ from hoopgen.cli.types import ASSIGNMENT, CORRELATION, FILE, once
 
 if TYPE_CHECKING:
     from hoopgen.engines import Engine
+    from hoopgen.study.reading import Interpreted, Reading
+    from hoopgen.study.reasons import InvalidRows
     from hoopgen.study.resample import Resample
     from hoopgen.study.scatter import Scatter
 
@@ -100,22 +103,21 @@ class Releasing:
             return Resample(values), scene
         return Scatter(values, self.sd, self.correlation), scene
 
-    def read(self, file: Path, asked: Mapping[str, Any], override: bool) -> tuple[Releasing, int]:
-        """Return this with what a file says of releases and their scene; and its contacts."""
-        from hoopgen.study.origin import settle
-        from hoopgen.study.tables import Source
-
+    def read(
+        self, file: Path, reading: Reading, asked: Mapping[str, Any], override: bool
+    ) -> tuple[Releasing, Interpreted, InvalidRows]:
+        """Return this with what a file says; how it is read; and its rows that are invalid."""
         if self.sd:
             raise click.UsageError(
                 "--scatter is about a release, and --from has many; leave one out"
             )
-        source = Source(file)
-        origin = settle(source, release=self.values, **asked, override=override, scene=self.engine)
-        columns = source.columns(origin.own, origin.release, self.engine)
-        measured = source.values(source.whole(), columns)
-        scene, values = origin.parameters, origin.release
-        found = replace(self, values=values, parameters=scene, measured=measured)
-        return found, origin.max_contacts
+        source = reading.source(file)
+        read = reading.interpreted(
+            source, release=self.values, **asked, override=override, scene=self.engine
+        )
+        measured, invalid = read.measured(source)
+        scene, values = read.origin.parameters, read.origin.release
+        return replace(self, values=values, parameters=scene, measured=measured), read, invalid
 
 
 _FROM = together(
@@ -123,9 +125,11 @@ _FROM = together(
         "--from",
         "file",
         type=FILE,
-        help="Draw from measured releases, .csv, .parquet or .arrow; the options above fill in.",
+        help="Draw from measured releases, .csv, .parquet, .arrow or .xlsx; the options above fill "
+        "in.",
     ),
     override_option,
+    reading_options,
 )
 
 
@@ -140,21 +144,33 @@ def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
     def collected(
         *arguments: Any, releasing: Releasing, file: Path | None, override: bool, **options: Any
     ) -> Any:
+        said = {name: options.pop(name) for name in READING}
         if file is None:
             if override:
                 raise click.UsageError("--override: there is no file of results; leave it out")
+            stray = [name for name, value in said.items() if value]
+            if stray:
+                raise click.UsageError(f"{_spelled(stray[0])}: there is no table; give --from")
             return command(*arguments, releasing=releasing, **options)
-        asked, assumed = flown(releasing.engine, file)
-        releasing, contacts = releasing.read(file, asked, override)
+        reading = reading_of(said)
+        asked, assumed = flown(releasing.engine, file, reading)
+        releasing, read, invalid = releasing.read(file, reading, asked, override)
         if "max_contacts" in options:
-            options["max_contacts"] = contacts
+            options["max_contacts"] = read.origin.max_contacts
         result = command(*arguments, releasing=releasing, **options)
+        say_lines(f"\n{read.interpretation}\n{invalid}", err=bool(options.get("as_json")))
         if assumed:
             click.echo(assumed, err=True)
         return result
 
     decorated: Callable[..., Any] = _FROM(collected)
     return decorated
+
+
+def _spelled(name: str) -> str:
+    """Return an option as it is written."""
+    options = click.get_current_context().command.params
+    return next(option.opts[0] for option in options if option.name == name)
 
 
 def release_options(command: Callable[..., Any]) -> Callable[..., Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from decimal import Decimal, InvalidOperation
 from pathlib import Path
@@ -23,11 +24,13 @@ __all__ = [
     "ASSIGNMENT",
     "AXIS",
     "BOUNDS",
+    "COLUMN",
     "CORRELATION",
     "COUNT",
     "FILE",
     "FOLDER",
     "MAP",
+    "MEMORY",
     "OUT",
     "PAGE",
     "PICTURE",
@@ -272,6 +275,31 @@ BOUNDS = OfScene(_bounds, "NAME=LOW:HIGH")
 
 CORRELATION = Parsed(_correlation, "NAME,NAME=VALUE")
 """Two variables and their correlation, ``speed,elevation=-0.3``."""
+
+
+def _column(text: str) -> tuple[str, str]:
+    name, separator, column = (part.strip() for part in text.partition("="))
+    if not (separator and name and column):
+        raise ValueError(f"{brief(text)} is not VARIABLE=COLUMN")
+    return name, column
+
+
+COLUMN = Parsed(_column, "VARIABLE=COLUMN")
+"""A variable and the column that is read as it, ``speed=release_speed_mph``."""
+
+_BYTES = {"": 1, "b": 1, **{f"{letter}b": 1000**k for k, letter in enumerate("kmgt", 1)}}
+_BYTES |= {f"{letter}ib": 1024**k for k, letter in enumerate("kmgt", 1)}
+
+
+def _memory(text: str) -> int:
+    found = re.fullmatch(r"\s*(\d+(?:\.\d*)?)\s*([a-z]*)\s*", text.lower(), re.ASCII)
+    if found is None or found[2] not in _BYTES:
+        raise ValueError(f"{brief(text)} is no size, such as 4GB or 500MB")
+    return int(float(found[1]) * _BYTES[found[2]])
+
+
+MEMORY = Parsed(_memory, "SIZE")
+"""Bytes, ``4GB``."""
 
 
 def _share(text: str) -> float:

@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from hoopgen.cli.flown import say_lines
 from hoopgen.cli.options import backend_option, examples, seed_option, table_options
 from hoopgen.cli.types import PAGE, whole
 from hoopgen.inputs import Backend
@@ -54,10 +55,9 @@ def view(
     parameters: Mapping[str, float] | None,
     max_contacts: int | None,
     override: bool,
-    format: str | None,
-    own: tuple[str, ...],
     backend: Backend,
     scene: Any,
+    **reading: Any,
 ) -> None:
     """Show a sample of a table of releases in space, in motion.
 
@@ -78,9 +78,9 @@ def view(
         release=release,
         max_contacts=max_contacts,
         override=override,
-        format=format,
-        own=own,
         backend=backend,
         scene=scene,
+        **{name: value for name, value in reading.items() if value is not None},
     )
     click.echo(printable(f"{out}: {page.about}"))
+    say_lines(page.read)

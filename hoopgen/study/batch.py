@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from functools import partial
 from math import ceil
@@ -17,36 +17,31 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from hoopgen.brief import listed
-from hoopgen.engines import Engine
-from hoopgen.hoop.kinds import ended_in
 from hoopgen.hoop.releases import from_zero
 from hoopgen.inputs import check_count, doubles
 from hoopgen.outputs import check_output, followed
 from hoopgen.parameters import completed, resolve
-from hoopgen.scenes import check_hoop, engine_of, outcomes_of, variables_of
+from hoopgen.scenes import check_hoop, engine_of, variables_of
 from hoopgen.told import say_of
+from hoopgen.units import System, file_unit
 from hoopgen.variables import check_names
 
 from .batched import Batch, in_memory
 from .chunks import check_workers, opened, run, written
-from .columns import Column, variable_of
+from .columns import Column
 from .flights import Flights
 from .frames import sourced
+from .limits import MEMORY
 from .measures import measures_of
 from .models import check_turns
-from .named import named
-from .origin import settle
-from .reasons import reasons
-from .rebounds import CATCHING_HEIGHT, caught_at, check_height
+from .reading import Reading
+from .rebounds import CATCHING_HEIGHT, check_height
+from .result_table import Results
 from .sinks import RESULTS, check_sink, sink
 from .tables import Source, Stamp
 
 __all__ = ["ROWS", "Batch", "batch"]
 
-
-SHOWN = 5
-"""Invalid rows that are listed."""
 
 ROWS = 1 << 16
 """Rows in a chunk: a small part of a second, and few megabytes."""
@@ -67,6 +62,13 @@ def batch(
     own: Sequence[str] = (),
     prefix: str = "",
     delimiter: str | None = None,
+    columns: Mapping[str, str] | None = None,
+    where: str | Sequence[str] = (),
+    group: str | None = None,
+    events: str | os.PathLike[str] | None = None,
+    implausible: bool = False,
+    units: System = "si",
+    memory: int = MEMORY,
     reason: bool = False,
     rows: int = ROWS,
     scheduler: str | None = None,
@@ -84,10 +86,11 @@ def batch(
     Parameters
     ----------
     source
-        CSV, Parquet or Arrow; or a table in memory of pandas (from 2.2), Polars, or whatever has
-        ``__arrow_c_stream__``. Its columns, see `hoopgen.study.columns`, say the releases, or the
-        states; and parameters of the scene, in place of those below. A row with no number where one
-        is needed becomes INVALID.
+        CSV, Parquet, Arrow or .xlsx; or a table in memory of pandas (from 2.2), Polars, or
+        whatever has ``__arrow_c_stream__``. Its columns, see `hoopgen.study.columns`, say the
+        releases, or the states; and parameters of the scene, in place of those below. A row with
+        no number where one is needed becomes INVALID, and so does one with an implausible number or
+        with more or fewer cells than the header.
     out
         Parquet or CSV, as the suffix says; None keeps the results in memory. There are the columns
         of `source` as they are; of CSV those that are read as numbers, null where a cell is none,
@@ -97,8 +100,9 @@ def batch(
         touched, time and state at the end plane (NaN for a shot that does not come to it),
         uncertain, and what is measured. Units are in the columns' names, ``end_time_s``, and in the
         fields' metadata; in the schema's, under "hoopgen", is what all shots share: scene, release,
-        max_contacts, and hoopgen's version. CSV has what all shots share in columns after the
-        others, so that it can be read again, and a number that is none is empty.
+        max_contacts, and hoopgen's version. In CSV that is a comment line before the header,
+        ``# hoopgen: {…}``, and a number that is none is empty. Where `source` is such a file of
+        results, new ones take the place of those.
     parameters
         Of the scene; one number each. By default those that `source` says, if it is such a file of
         results, else the scene's usual ones.
@@ -125,6 +129,23 @@ def batch(
     delimiter
         Between the cells of CSV, ";" or "tab"; by default as its first line says. Where it is no
         comma, numbers may have decimal commas.
+    columns
+        Names of columns by the variable that they are read as, whatever they are called; the unit
+        is at the end of either name: ``{"speed": "release_speed_mph"}``, ``{"speed_mph": "v"}``.
+    where
+        Conditions that rows meet, or are left out: a column, one of ``== != < <= > >=``, and a
+        value, such as "speed_mph >= 15" or "player == Ann"; see `hoopgen.study.filters`.
+    group
+        A column by whose values results are counted, too: `Batch.groups`.
+    events
+        Parquet or CSV: the event log, a row each event, with the number of its row in the results,
+        from 1, and its own among the events of that row.
+    implausible
+        Whether rows with implausible numbers are simulated, too; see `hoopgen.study.plausible`.
+    units
+        Of the columns of results: "si", or "us" for feet, mph, degrees and Hz.
+    memory
+        Bytes that rows which are read at once may take.
     reason
         Whether there is a column that says why a row is invalid.
     rows
@@ -161,13 +182,26 @@ def batch(
     if measures:
         check_hoop("measures", engine)
     height = check_height(catching_height)
+    file_unit("m", units)  # none but them
     check_workers(scheduler, threads)
     rows = check_count("rows", rows)
     computed = partial(run, scheduler=scheduler, threads=threads, progress=progress, report=report)
-    with sourced(source, format or "", delimiter or "") as table, _target(out, table) as target:
-        origin = settle(
-            table, parameters, release, max_contacts, own, override=override, scene=engine
-        )
+    log = None if events is None else _checked_events(events, out)
+    reading = Reading.of(
+        format=format,
+        delimiter=delimiter,
+        own=own,
+        columns=columns,
+        where=where,
+        implausible=implausible,
+        memory=memory,
+    )
+    with sourced(source, reading) as table, _target(out, table) as target:
+        if log is not None and log.exists() and log.samefile(table.path):
+            raise ValueError(f"events: {events} is the source")
+        asked: dict[str, Any] = {"override": override, "scene": engine}
+        found = reading.interpreted(table, parameters, release, max_contacts, **asked)
+        origin = found.origin
         shots = Flights(
             dict(origin.parameters),
             dict(origin.release),
@@ -175,42 +209,53 @@ def batch(
             origin.max_contacts,
             engine,
             height,
+            units,
+            log is not None,
         )
         check_names("measures", shots.measures, measures_of(engine))
         stamp = table.stamp()
-        columns = table.columns(origin.own, shots.release, engine)
-        said = say_of(engine, origin.parameters, columns)
-        results = _Results(table, columns, table.typed(columns), shots, prefix, reason)
-        schema = results.schema(origin.metadata(said))
+        said = say_of(engine, origin.parameters, found.columns)
+        results = Results(table, found.columns, shots, origin, prefix, reason, group)
+        schema = results.schema(said)
         format = target.suffix.lower()
         check_sink(format, schema, table)
-        shared = results.shared() if format == ".csv" else {}
         digest, count = table.digest()
-        work = _Rows(table, columns, shots, rows, digest, count, stamp)
+        work = _Rows(table, found.columns, shots, rows, digest, count, stamp)
         with opened(target.with_name(f"{target.name}.parts"), work.identity()) as folder:
             # In the folder, where the next start removes what was left unfinished.
             unfinished = folder.path / f"{target.name}.tmp"
-            with (
-                written(target, unfinished),
-                sink(unfinished, format, schema, rows, shared, table) as write,
-            ):
+            with ExitStack() as stack:
+                stack.enter_context(written(target, unfinished))
+                write = stack.enter_context(sink(unfinished, format, schema, rows, table))
+                if log is not None:
+                    part = log.with_name(f"{log.name}.tmp")
+                    stack.enter_context(written(log, part))
+                    also = sink(part, log.suffix.lower(), results.log_schema, rows, table)
+                    results.log = stack.enter_context(also)
                 for chunk in computed(work, folder):
-                    write(results.table(work.read.popleft(), chunk, schema))
+                    write(results.table(*work.read.popleft(), chunk, schema))
                 table.check_unchanged(stamp)  # its own columns were read until now
             folder.remove()
-        ended = outcomes_of(engine)
-        if engine.has_hoop:
-            ended = tuple(one.name.lower() for one in ended_in(engine.rolls))
-        counts = dict(zip(ended, results.outcomes.tolist(), strict=False))
-        told = ", ".join(f"{column.name} as {name}" for name, column in columns.items())
         return Batch(
-            counts,
+            dict(zip(results.ended, results.outcomes.tolist(), strict=False)),
             None if out is None else target,
             said,
-            read=told + (", with decimal commas" if table.comma else ""),
-            invalid=tuple(results.invalid),
+            read=str(found.interpretation),
+            invalid=results.invalid,
             table=in_memory(target) if out is None else None,
+            groups=results.groups,
+            events=log,
         )
+
+
+def _checked_events(events: str | os.PathLike[str], out: str | os.PathLike[str] | None) -> Path:
+    """Return the file of the event log, looked at."""
+    log = followed(Path(events))
+    if log.suffix.lower() not in RESULTS:
+        raise ValueError(f"events: expected a file {' or '.join(RESULTS)}, got {events}")
+    if out is not None and log == followed(Path(out)):
+        raise ValueError(f"events: {events} is the file of results")
+    return check_output(log)
 
 
 @contextmanager
@@ -243,102 +288,6 @@ def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
     return {key: float(array) for key, array in arrays.items()}
 
 
-@dataclass
-class _Results:
-    """What is written: the rows of a table, and what became of them."""
-
-    source: Source
-    columns: Mapping[str, Column]
-    types: pa.Schema
-    shots: Flights
-    prefix: str
-    reason: bool
-    outcomes: NDArray[np.int64] = field(init=False)
-    """Counts of the rows that were written."""
-    invalid: list[tuple[int, str]] = field(default_factory=list)
-    """Rows, from 1, and reasons; the first ones."""
-
-    def __post_init__(self) -> None:
-        self.outcomes = np.zeros(len(self.shots.scene.outcomes), np.int64)
-
-    def schema(self, about: Mapping[bytes, bytes]) -> pa.Schema:
-        """Return that of the results; arguments that shots cannot have are refused here."""
-        given = self.types
-        read = pa.schema([given.field(column.name) for column in self.columns.values()])
-        empty = self.source.values(read.empty_table(), self.columns)
-        results = list(self.shots.results(empty).schema)
-        if self.reason:
-            results.append(pa.field("reason", pa.string()))
-        results = [column.with_name(self.prefix + column.name) for column in results]
-        both = [column.name for column in results if column.name in given.names]
-        if both:
-            raise ValueError(
-                f"{self.source}: has columns named like results: {listed(both)}; give a prefix"
-            )
-        return pa.schema([*given, *results], {**(given.metadata or {}), **about})
-
-    def shared(self) -> dict[str, float]:
-        """Return columns of what all shots share, with which CSV can be read again.
-
-        Raises
-        ------
-        ValueError
-            If columns that are not read have the names of such variables.
-        """
-        scene = {n: v for n, v in self.shots.parameters.items() if n not in self.columns}
-        variables = {**self.shots.release, **scene}
-        height = caught_at(self.shots.measures, self.shots.catching_height)
-        limits = {"max_contacts": self.shots.max_contacts, **height}
-        ours = {f"{self.prefix}{named(name)}": value for name, value in limits.items()}
-        for name in self.types.names:
-            if name in ours or _variable(name, self.shots.scene) in variables:
-                raise ValueError(
-                    f"out: CSV has what all rows share in columns, and {self.source} has "
-                    f"{name} already; write .parquet, or rename it"
-                )
-        shared = {named(name, self.shots.scene): value for name, value in variables.items()}
-        return {**shared, **ours}
-
-    def table(self, read: pa.Table, results: pa.Table, schema: pa.Schema) -> pa.Table:
-        """Return the next rows, with their results, and count them."""
-        outcomes = _codes(results["outcome"])
-        rows = np.flatnonzero(outcomes == self.shots.scene.outcomes["INVALID"])
-        wanted = rows if self.reason else rows[: max(0, SHOWN - len(self.invalid))]
-        why = self._reasons(read, wanted)
-        before = int(self.outcomes.sum())
-        first = zip(wanted[: SHOWN - len(self.invalid)], why, strict=False)
-        self.invalid += [(before + int(row) + 1, said) for row, said in first]
-        self.outcomes += np.bincount(outcomes, minlength=len(self.outcomes))
-        cells = [*self.source.cast(read, self.types).columns, *results.columns]
-        if self.reason:
-            told: NDArray[np.object_] = np.full(read.num_rows, None)
-            told[rows] = why
-            cells.append(pa.array(told, pa.string()))
-        return pa.Table.from_arrays(cells, schema=schema)
-
-    def _reasons(self, read: pa.Table, rows: NDArray[np.int64]) -> list[str]:
-        if not len(rows):
-            return []
-        taken = read.take(rows)
-        given = self.source.values(taken, self.columns)
-        found = self.shots.releases(given)
-        return reasons(taken, self.columns, given, found, self.shots.scene)
-
-
-def _variable(column: str, scene: Engine) -> str:
-    """Return the variable that a column would be read as, or nothing."""
-    try:
-        return variable_of(column, scene)[0]
-    except ValueError:  # of a column that is not read
-        return ""
-
-
-def _codes(column: pa.ChunkedArray) -> NDArray[np.int64]:
-    """Return the outcomes of rows as numbers."""
-    parts = [part.indices.to_numpy(zero_copy_only=False) for part in column.chunks]
-    return np.concatenate([np.empty(0, np.int64), *parts])
-
-
 @dataclass(frozen=True)
 class _Rows:
     """The results of a table's rows, as a stream of chunks."""
@@ -350,8 +299,8 @@ class _Rows:
     digest: str
     count: int | None
     stamp: Stamp
-    read: deque[pa.Table] = field(default_factory=deque)
-    """What was read, and not yet written."""
+    read: deque[tuple[pa.Table, NDArray[np.int64]]] = field(default_factory=deque)
+    """What was read, and not yet written; and the rows' numbers."""
 
     @property
     def chunks(self) -> int | None:
@@ -361,18 +310,23 @@ class _Rows:
     def identity(self) -> dict[str, Any]:
         """Return all that the results depend on."""
         between = {"delimiter": self.table.between} if self.table.format == "csv" else {}
+        where = {"where": list(map(str, self.table.conditions))} if self.table.conditions else {}
+        columns = self.columns.items()
         return {
-            "source": {"digest": self.digest, "format": self.table.format, **between},
-            "columns": {name: column.name for name, column in self.columns.items()},
+            "source": {"digest": self.digest, "format": self.table.format, **between, **where},
+            "columns": {name: column.name for name, column in columns},
+            "units": {name: column.unit for name, column in columns},
+            "limits": {name: column.limits for name, column in columns},
             "rows": self.rows,
             **self.shots.identity(),
         }
 
     def tasks(self) -> Iterator[Callable[[], pa.Table]]:
         """Read, and give what simulates the rows of each chunk."""
-        for table in self.table.tables(self.rows):
-            given = self.table.values(table, self.columns)
+        for part, (table, numbers) in enumerate(self.table.numbered(self.rows)):
+            # A last part may have one row, and that a wrong angle.
+            given = self.table.values(table, self.columns, check=part == 0)
             # Of what was read until now the digest tells: no chunk is kept of anything else.
             self.table.check_unchanged(self.stamp)
-            self.read.append(table)
+            self.read.append((table, numbers))
             yield partial(self.shots.results, given)

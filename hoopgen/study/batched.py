@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +14,8 @@ from hoopgen.installed import need
 from hoopgen.notebook import table as rendered
 from hoopgen.phrases import counted
 
+from .groups import Group
+from .reasons import InvalidRows
 from .tables import Source
 
 __all__ = ["Batch", "in_memory"]
@@ -32,9 +34,17 @@ class Batch(dict[str, int]):
     scene
         In words: the preset, what differs from it, and what is each row's own.
     read
-        In words: which column was read as which variable.
+        In words, line by line: which column was read as which variable, which were not read, and
+        which values were assumed.
     invalid
         The first five rows that are: their numbers, from 1 and without a header, and reasons.
+    causes
+        Number of invalid rows by cause; of several causes of a row the first.
+    groups
+        Results by the value of a column: see `hoopgen.study.groups.Group`. Empty where none is
+        asked for.
+    events
+        The file with the event log; None where none is asked for.
     """
 
     def __init__(
@@ -43,19 +53,30 @@ class Batch(dict[str, int]):
         path: Path | None,
         scene: str = "",
         read: str = "",
-        invalid: Sequence[tuple[int, str]] = (),
+        invalid: InvalidRows | None = None,
         table: pa.Table | None = None,
+        groups: Mapping[str, Group] | None = None,
+        events: Path | None = None,
     ) -> None:
         super().__init__(counts)
         self.path = path
         self.scene = scene
         self.read = read
-        self.invalid = tuple(invalid)
+        self._invalid = invalid or InvalidRows()
+        self.invalid = tuple(self._invalid.first)
+        self.causes = dict(self._invalid.causes)
+        self.groups = dict(groups or {})
+        self.events = events
         self._table = table
 
     def __reduce__(self) -> tuple[Any, ...]:
-        about = (self.path, self.scene, self.read, self.invalid, self._table)
-        return type(self), (dict(self), *about)
+        about = (self.path, self.scene, self.read, self._invalid, self._table)
+        return type(self), (dict(self), *about, self.groups, self.events)
+
+    @property
+    def invalid_lines(self) -> str:
+        """In words, line by line: the first invalid rows, and how many more there are by cause."""
+        return str(self._invalid)
 
     def to_arrow(self) -> pa.Table:
         """Return the rows with their results as a pyarrow.Table, which Polars takes too.
@@ -68,7 +89,7 @@ class Batch(dict[str, int]):
         if self._table is not None:
             return self._table
         assert self.path is not None  # the one or the other
-        if self.path.suffix.lower() == ".csv":
+        if self.path.suffix.lower() in (".csv", ".tsv"):
             table = Source(self.path)
             types = table.typed({})
             return pa.concat_tables(table.cast(part, types) for part in table.tables(_ROWS))

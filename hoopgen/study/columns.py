@@ -1,16 +1,18 @@
 """Columns of a table of releases: which says what, and in which unit.
 
 The unit is in the column's name: ``speed_mph``, ``elevation_deg``, ``height_ft``; SI where none is,
-but an angle or a spin has its unit there.
+but an angle or a spin has its unit there. A column of any other name is read where a caller says
+as which variable: ``{"speed": "release_speed_mph"}``, or ``{"speed_mph": "Release speed"}``.
 """
 
 from __future__ import annotations
 
 import json
 from collections.abc import Container, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from shlex import quote
+from typing import Any
 
 import numpy as np
 import pyarrow as pa
@@ -19,15 +21,16 @@ from numpy.typing import NDArray
 from hoopgen.brief import cut, listed
 from hoopgen.engines import HOOP, Engine
 from hoopgen.scenes import STATES, variables_of
-from hoopgen.units import NO_BARE, UNITS, Kind, column_name, unit_size
+from hoopgen.units import NO_BARE, UNITS, Kind, column_name, unit_size, unit_symbol
 from hoopgen.variables import STATE
 
 from .delimited import parsed
 from .measures import MEASURES
 from .models import check_turns, from_columns
-from .near import near_variable
+from .near import likely_variable, near_variable, stems
+from .plausible import limits_of
 
-__all__ = ["CONTACTS", "NAMED", "Column", "columns_of", "values", "variable_of"]
+__all__ = ["CONTACTS", "NAMED", "Column", "columns_of", "numbers", "values", "variable_of"]
 
 
 @dataclass(frozen=True)
@@ -42,11 +45,14 @@ class Column:
         Its size in SI.
     infinite
         Whether a number in it may be infinite.
+    limits
+        The least and the largest number that is plausible, in SI.
     """
 
     name: str
     unit: float
     infinite: bool = False
+    limits: tuple[float, float] = field(default=(-np.inf, np.inf), compare=False)
 
 
 @cache
@@ -54,6 +60,8 @@ def _kinds(scene: Engine) -> dict[str, Kind]:
     """Return what the variables and components of states that columns may say measure."""
     return {name: one.kind for name, one in {**STATES, **variables_of(scene)}.items()}
 
+
+_ANY = (-np.inf, np.inf)
 
 CONTACTS = "_contacts"
 """After the name of a body, in results."""
@@ -68,6 +76,9 @@ def columns_of(
     own: Iterable[str] = (),
     given: Iterable[str] = (),
     scene: Engine = HOOP,
+    columns: Mapping[str, str] | None = None,
+    *,
+    implausible: bool = False,
 ) -> dict[str, Column]:
     """Return where a table has the variables of its shots, or their states.
 
@@ -86,6 +97,11 @@ def columns_of(
         Variables that are known from elsewhere; columns of them are not read.
     scene
         In which the shots are flown; where it has no hoop, rows are states.
+    columns
+        Names of columns by the variable that they are read as, whatever they are called. The unit
+        is at the end of either name: ``{"speed": "release_speed_mph"}``, ``{"speed_mph": "v"}``.
+    implausible
+        Whether numbers that `hoopgen.study.plausible` excludes are read, too.
 
     Returns
     -------
@@ -103,11 +119,20 @@ def columns_of(
     names = list(table.names if isinstance(table, pa.Schema) else table)
     old = isinstance(table, pa.Schema) and _is_old(table)
     own, given = list(own), list(given)
-    absent = [name for name in own if name not in names]
+    known = set(names)
+    absent = [name for name in own if name not in known]
     if absent:
         raise ValueError(f"own: no column {listed(absent)}; there are {listed(names)}")
+    mapped = _mapped(columns or {}, names, given, scene)
+    clear = {*own, *mapped}
     for column in names:
-        variable, unit = ("", None) if column in own else variable_of(column, scene)
+        variable, unit = (
+            mapped[column]
+            if column in mapped
+            else ("", None)
+            if column in clear
+            else variable_of(column, scene)
+        )
         if variable in found:
             raise ValueError(
                 f"columns {cut(found[variable].name)} and {cut(column)} both say {variable}; "
@@ -117,12 +142,54 @@ def columns_of(
             if unit is None and not old:
                 raise ValueError(_no_unit(column, variable, scene))
             infinite = variable in scene.infinite
-            found[variable] = Column(column, 1.0 if unit is None else unit, infinite)
-    _ask(
-        names, {*own, *(column.name for column in found.values())}, {*found, *given}, _kinds(scene)
-    )
+            limits = limits_of(variable) if scene.has_hoop and not implausible else _ANY
+            found[variable] = Column(column, 1.0 if unit is None else unit, infinite, limits)
+    _ask(names, clear | {one.name for one in found.values()}, {*found, *given}, _kinds(scene))
     _check(found, given, names, scene)
     return found
+
+
+def _mapped(
+    columns: Mapping[str, str], names: Sequence[str], given: Iterable[str], scene: Engine
+) -> dict[str, tuple[str, float]]:
+    """Return the variable and the size of the unit of columns that a caller names.
+
+    Raises
+    ------
+    ValueError
+        If there is no such column or variable, or no unit where one is needed.
+    """
+    known, found = set(names), dict[str, tuple[str, float]]()
+    for name, column in columns.items():
+        where = f"columns: {cut(name)}={cut(column)}"
+        variable, unit = variable_of(name, scene)
+        if not variable:
+            raise ValueError(
+                f"{where}: {cut(name)} is no variable; one of {', '.join(_kinds(scene))}"
+            )
+        if variable in given:
+            raise ValueError(f"{where}: {variable} is given for all rows; leave one out")
+        if column not in known:
+            raise ValueError(f"{where}: no column {cut(column)}; there are {listed(names)}")
+        if column in found:
+            raise ValueError(f"{where}: the column is read as {found[column][0]} already")
+        kind = _kinds(scene)[variable]
+        size = unit_at_end(column, kind)
+        if name.strip().lower() != variable.lower():  # that name has a unit, too
+            if size not in (None, unit):
+                raise ValueError(f"{where}: the two names have different units; keep one")
+            size = unit
+        if size is None and kind in NO_BARE:
+            *others, last = (f"{column_name(variable, one)}={cut(column)}" for one in NO_BARE[kind])
+            raise ValueError(f"{where}: the unit is not known; write {', '.join(others)} or {last}")
+        found[column] = (variable, 1.0 if size is None else size)
+    return found
+
+
+def unit_at_end(column: str, kind: Kind) -> float | None:
+    """Return the size in SI of the unit at the end of a column's name; None where there is none."""
+    sizes = (unit_size(unit, kind) for _, unit in stems(column) if unit)
+    return next((size for size in sizes if size is not None), None)
 
 
 def variable_of(column: str, scene: Engine = HOOP) -> tuple[str, float | None]:
@@ -164,7 +231,8 @@ def _no_unit(column: str, variable: str, scene: Engine) -> str:
     *others, last = (column_name(variable, unit) for unit in NO_BARE[kind])
     return (
         f"column {cut(column)} has no unit: name it {', '.join(others)} or {last}. "
-        "If it is a column of your own, list it in own"
+        "If it is a column of your own, list it in own; if its name cannot change, say "
+        f"--column {quote(f'{(others or [last])[0]}={cut(column)}')}"
     )
 
 
@@ -179,12 +247,21 @@ def _ask(
         variable = "" if column in clear else near_variable(column, kinds)
         if variable and variable not in said:
             kind = kinds[variable]
-            spelled = column_name(variable, next(iter(NO_BARE.get(kind, UNITS[kind]))))
             raise ValueError(
-                f"column {cut(column)} nearly names {variable}: is it meant? Name it with its "
-                f"unit, such as {spelled}; if it is a column of your own, list it in own "
+                f"column {cut(column)} nearly names {variable}: is it meant? "
+                f"{_meant(column, variable, kind)}; if it is a column of your own, list it in own "
                 f"(--own {quote(cut(column))})"
             )
+
+
+def _meant(column: str, variable: str, kind: Kind) -> str:
+    """Say how a column is read as a variable, in the unit that its name has."""
+    size = unit_at_end(column, kind)
+    if size is None and kind in NO_BARE:
+        return f"Name it with its unit, such as {column_name(variable, NO_BARE[kind][0])}"
+    spelled = column_name(variable, unit_symbol(size or 1.0, kind))
+    said = quote(f"{variable}={cut(column)}")
+    return f"Name it {spelled}, or say so with --column {said}, columns={{{variable!r}: ...}}"
 
 
 def _is_old(schema: pa.Schema) -> bool:
@@ -205,6 +282,7 @@ def _check(
     if not found:
         raise ValueError(f"no column says how a shot is released: {listed(names) or 'none'}")
     said = {name: column.name for name, column in found.items()} | {name: name for name in given}
+    taken = {column.name for column in found.values()}
     states = [said[name] for name in STATE[2:] if name in said]
     others = [said[name] for name in said if name not in (*STATE, *scene.table.defaults)]
     if states and others:
@@ -217,7 +295,12 @@ def _check(
     try:
         from_columns({name: np.empty(0) for name in said}, scene.parameters)
     except ValueError as error:
-        raise ValueError(f"{error}. The columns are {listed(names)}") from None
+        kinds = _kinds(scene)
+        absent = set(kinds) - set(said)
+        likely = {name: likely_variable(name, kinds, absent) for name in names if name not in taken}
+        meant = [quote(f"{one}={cut(name)}") for name, one in likely.items() if one]
+        asked = f" Did you mean --column {' --column '.join(meant)}?" if meant else ""
+        raise ValueError(f"{error}. The columns are {listed(names)}.{asked}") from None
 
 
 def _no_states(names: Sequence[str], scene: Engine) -> ValueError:
@@ -228,30 +311,65 @@ def _no_states(names: Sequence[str], scene: Engine) -> ValueError:
 
 
 def values(
-    table: pa.Table, columns: Mapping[str, Column], comma: bool = False
+    table: pa.Table, columns: Mapping[str, Column], comma: bool = False, *, check: bool = True
 ) -> dict[str, NDArray[np.float64]]:
     """Return the numbers of a table's columns, in SI; text may have decimal commas.
+
+    Parameters
+    ----------
+    table
+        Rows.
+    columns
+        Where they have the variables.
+    comma
+        Whether numbers in text may have decimal commas.
+    check
+        Whether angles in radians that are degrees, by their median, are refused.
 
     Returns
     -------
     dict
-        By variable, (n,) each; NaN where a cell is empty, no number, or infinite where it may not
-        be.
+        By variable, (n,) each; NaN where a cell is empty, no number, infinite where it may not be,
+        or implausible.
 
     Raises
     ------
     ValueError
         If a column can hold no numbers, or angles in radians are degrees.
     """
-    numbers = {name: _numbers(table, column, comma) for name, column in columns.items()}
-    check_turns("columns", numbers, numbers)
-    return numbers
+    found = {name: numbers(table, column, comma) for name, column in columns.items()}
+    if check:  # what says its unit, and another one, is that
+        bare = {name: column for name, column in found.items() if columns[name].unit == 1.0}
+        check_turns("columns", bare, found)
+    return {name: _plausible(found[name], column) for name, column in columns.items()}
 
 
-def _numbers(table: pa.Table, column: Column, comma: bool) -> NDArray[np.float64]:
+def _plausible(found: NDArray[np.float64], column: Column) -> NDArray[np.float64]:
+    low, high = column.limits
+    return np.where((found >= low) & (found <= high), found, np.nan)
+
+
+def numbers(table: pa.Table, column: Column, comma: bool = False) -> NDArray[np.float64]:
+    """Return the numbers of a column as `values` does, implausible ones too."""
     cells = table[column.name]
-    if pa.types.is_dictionary(cells.type):
-        cells = cells.cast(cells.type.value_type)
+    if not pa.types.is_dictionary(cells.type):
+        return _read(cells, column, comma)
+    # Each different text is read once, however many rows share it.
+    parts = [
+        _taken(_read(pa.chunked_array([part.dictionary]), column, comma), part.indices)
+        for part in cells.chunks
+    ]
+    return np.concatenate([np.empty(0), *parts])
+
+
+def _taken(found: NDArray[np.float64], indices: Any) -> NDArray[np.float64]:
+    """Return numbers by index; NaN where there is none."""
+    places = indices.cast(pa.int64()).fill_null(len(found)).to_numpy()
+    taken: NDArray[np.float64] = np.append(found, np.nan)[places]
+    return taken
+
+
+def _read(cells: Any, column: Column, comma: bool) -> NDArray[np.float64]:
     kind = cells.type
     if pa.types.is_string(kind) or pa.types.is_large_string(kind):
         cells = parsed(cells, pa.float64(), comma)
@@ -262,6 +380,6 @@ def _numbers(table: pa.Table, column: Column, comma: bool) -> NDArray[np.float64
         or pa.types.is_null(kind)
     ):
         raise ValueError(f"column {column.name}: expected numbers, got {kind}")
-    numbers = cells.cast(pa.float64(), safe=False).to_numpy() * column.unit
-    there = np.isfinite(numbers) | (column.infinite & (numbers == np.inf))
-    return np.where(there, numbers, np.nan)
+    found = cells.cast(pa.float64(), safe=False).to_numpy() * column.unit
+    there = np.isfinite(found) | (column.infinite & (found == np.inf))
+    return np.where(there, found, np.nan)

@@ -1,30 +1,58 @@
 """CSV as people save it: which character stands between cells, the encoding, and what cells are.
 
 All cells are read as text, so that none is changed and no type hangs on what comes first. What type
-a column has is known when all of it was read.
+a column has is known when all of it was read. Before the header there may be comment lines, which
+begin with ``#``, and the line ``sep=;`` of Excel. A row with too few or too many cells is told by
+its number, and is a row of empty cells; a line with the wrong number of cells that begins with
+``#`` is a comment.
 """
 
 from __future__ import annotations
 
+import csv
+import itertools
 import re
+from collections import deque
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 import pyarrow.csv
+from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.phrases import counted
 
-__all__ = ["DELIMITERS", "check_delimiter", "delimiter_of", "encoded", "parsed", "read", "survey"]
+__all__ = [
+    "COMMENT",
+    "DELIMITERS",
+    "Layout",
+    "check_delimiter",
+    "encoded",
+    "layout_of",
+    "parsed",
+    "read",
+    "survey",
+]
 
 DELIMITERS = (",", ";", "\t", "|")
-"""Those that are looked for in the first line; the first is that of a file without any."""
+"""Those that are looked for in the header; the first is that of a file without any."""
+
+COMMENT = "# hoopgen: "
+"""Begins the comment line in which results say their scene, as JSON."""
 
 _START = 1 << 16
-"""Bytes at the beginning that tell of encoding and delimiter."""
+"""Bytes at the beginning that tell of the encoding, and of the header those that are looked at."""
+
+_LONGEST_LINE = 1 << 24
+"""Bytes of a line before the header, at most."""
+
+_SEPARATOR = re.compile(r'"?sep=(.|\\t)"?\s*', re.IGNORECASE)
 
 _NUMBER = r"^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$"
 
@@ -40,6 +68,25 @@ _TYPES = (
 )
 
 
+@dataclass(frozen=True)
+class Layout:
+    """How a file of CSV is laid out.
+
+    Attributes
+    ----------
+    delimiter
+        Between the cells.
+    skipped
+        Lines before the header: comments, empty lines, and ``sep=;``.
+    about
+        What results say of their scene, as JSON; empty where there is no such comment.
+    """
+
+    delimiter: str
+    skipped: int = 0
+    about: str = ""
+
+
 def check_delimiter(delimiter: str) -> str:
     """Return what stands between the cells; "tab" too.
 
@@ -49,28 +96,52 @@ def check_delimiter(delimiter: str) -> str:
         If it is not one character, or one that cells consist of.
     """
     plain = {"tab": "\t", "\\t": "\t"}.get(delimiter, delimiter)
-    if len(plain) != 1 or not plain.isascii() or plain.isalnum() or plain in "\"'\n\r.+-_":
+    if len(plain) != 1 or not plain.isascii() or plain.isalnum() or plain in "\"'\n\r.+-_#":
         raise ValueError(
             f"delimiter: expected one character such as ; or , or tab, got {brief(delimiter)}"
         )
     return plain
 
 
-def delimiter_of(path: Path) -> str:
-    """Return which of `DELIMITERS` is most frequent in the first line, outside of quotes.
+def layout_of(path: Path, delimiter: str = "") -> Layout:
+    """Return the layout of a file.
+
+    Parameters
+    ----------
+    path
+        The file.
+    delimiter
+        That the caller names; by default the one of a line ``sep=;``, or else which of
+        `DELIMITERS` is most frequent in the header, outside of quotes.
 
     Raises
     ------
     ValueError
-        If the file is in UTF-16.
+        If the file is in UTF-16, or ``sep=`` names no delimiter.
     """
     with path.open("rb") as file:
         start = file.read(_START)
-    if start[:2] in (b"\xff\xfe", b"\xfe\xff") or start.count(0) * 4 > len(start):
-        raise ValueError("is in UTF-16, it seems; save it as UTF-8")
-    text = start.decode("latin-1").lstrip("\r\n")
-    first = re.sub(r'"[^"]*"', "", text).lstrip("\r\n").partition("\n")[0]
-    return max(DELIMITERS, key=first.count)
+        if start[:2] in (b"\xff\xfe", b"\xfe\xff") or start.count(0) * 4 > len(start):
+            raise ValueError("is in UTF-16, it seems; save it as UTF-8")
+        file.seek(0)
+        skipped, about, named = 0, "", ""
+        while line := file.readline(_LONGEST_LINE):
+            text = line.decode("utf-8", "replace").lstrip("\ufeff").strip("\r\n")
+            separator = _SEPARATOR.fullmatch(text)
+            if separator and not named:
+                named = check_delimiter(separator[1])
+            elif text.startswith(COMMENT):
+                about = text.removeprefix(COMMENT)
+            elif text.strip() and not text.startswith("#"):
+                break
+            skipped += 1
+    header = re.sub(r'"[^"]*"', "", _header(start, skipped)).partition("\n")[0]
+    return Layout(delimiter or named or max(DELIMITERS, key=header.count), skipped, about)
+
+
+def _header(start: bytes, skipped: int) -> str:
+    """Return what follows the lines before the header, as far as it lies at the beginning."""
+    return "".join(start.decode("latin-1").splitlines(keepends=True)[skipped:])
 
 
 @contextmanager
@@ -79,6 +150,11 @@ def encoded() -> Iterator[None]:
     try:
         yield
     except (UnicodeDecodeError, pa.ArrowInvalid) as error:
+        if "straddl" in str(error) or "out of sync" in str(error):
+            raise ValueError(
+                "a row is too long, or a quotation mark is not closed; --memory, memory=, raises "
+                "what is read at a time"
+            ) from error
         if not isinstance(error, UnicodeDecodeError) and "invalid UTF8" not in str(error):
             raise
         raise ValueError(
@@ -88,18 +164,103 @@ def encoded() -> Iterator[None]:
 
 @contextmanager
 def read(
-    path: Path, delimiter: str, block: int
+    path: Path, layout: Layout, block: int, malformed: dict[int, str]
 ) -> Iterator[tuple[pa.Schema, Iterable[pa.RecordBatch]]]:
-    """Open a file whose cells are text."""
-    blocks = pa.csv.ReadOptions(block_size=block)
-    first = pa.csv.ParseOptions(delimiter=delimiter)
-    layout = pa.csv.ParseOptions(delimiter=delimiter, newlines_in_values=True)
+    """Open a file whose cells are text.
+
+    Parameters
+    ----------
+    path, layout
+        The file, and its layout.
+    block
+        Bytes that are read at a time; the longest row.
+    malformed
+        Receives why a row has no cells, by its number from 1, as far as rows were read.
+    """
+    blocks = pa.csv.ReadOptions(block_size=block, skip_rows=layout.skipped, use_threads=False)
+    delimiter = layout.delimiter
+    first = pa.csv.ParseOptions(delimiter=delimiter, invalid_row_handler=lambda row: "skip")
+    found = _Malformed(layout.skipped + 1)
+    rest = pa.csv.ParseOptions(
+        delimiter=delimiter, newlines_in_values=True, invalid_row_handler=found
+    )
     with encoded():
         with pa.csv.open_csv(path, blocks, first) as reader:
             text = dict.fromkeys(reader.schema.names, pa.string())
         types = pa.csv.ConvertOptions(column_types=text)
-        with pa.csv.open_csv(path, blocks, layout, types) as reader:
-            yield reader.schema, reader
+        with pa.csv.open_csv(path, blocks, rest, types) as reader:
+            yield reader.schema, _with_malformed(reader, found, malformed, delimiter)
+
+
+class _Malformed:
+    """Notes rows with a wrong number of cells, in the order in which they are read.
+
+    Parameters
+    ----------
+    before
+        Rows before the first one with cells, as the reader counts them.
+    """
+
+    def __init__(self, before: int) -> None:
+        self._before = before
+        self.rows: deque[tuple[int, str]] = deque()
+
+    def __call__(self, row: Any) -> str:
+        self.rows.append((row.number - self._before, row.text))
+        return "skip"
+
+
+def _with_malformed(
+    reader: Any, found: _Malformed, malformed: dict[int, str], delimiter: str
+) -> Iterator[pa.RecordBatch]:
+    """Give the rows of a file, and in their places malformed ones, whose cells are null."""
+    schema: pa.Schema = reader.schema
+    good, bad, given = 0, 0, 0  # rows of the reader until now, and rows that were given
+    for batch in itertools.chain(reader, [schema.empty_table().combine_chunks()]):
+        number = batch.num_rows
+        order: list[NDArray[np.intp]] = []
+        rows: list[list[str | None]] = []
+        start = 0
+        while found.rows and (until := found.rows[0][0] - 1 - bad - good) <= number:
+            order.append(np.arange(start, until))
+            given, start, bad = given + until - start, until, bad + 1
+            for cells in _recovered(found.rows.popleft()[1], schema, delimiter):
+                given += 1
+                order.append(np.array([number + len(rows)]))
+                if isinstance(cells, str):
+                    malformed[given] = cells
+                rows.append([None] * len(schema) if isinstance(cells, str) else [*cells])
+        given, good = given + number - start, good + number
+        if rows:
+            order.append(np.arange(start, number))
+            batch = _placed(batch, rows, np.concatenate(order))
+        yield from batch.to_batches() if isinstance(batch, pa.Table) else [batch]
+
+
+def _placed(batch: Any, rows: list[list[str | None]], order: NDArray[np.intp]) -> pa.Table:
+    """Return rows of a batch and others, in an order of both one after the other."""
+    columns = [pa.array(column, pa.string()) for column in zip(*rows, strict=True)]
+    others = pa.Table.from_arrays(columns, schema=batch.schema)
+    first = batch if isinstance(batch, pa.Table) else pa.Table.from_batches([batch])
+    return pa.concat_tables([first, others]).take(pa.array(order)).combine_chunks()
+
+
+def _recovered(text: str, schema: pa.Schema, delimiter: str) -> Iterator[list[str] | str]:
+    """Give the rows in a malformed one: cells, or why it has none; comments are no rows.
+
+    A quote that is not closed takes the lines after it for its own. They are rows again where
+    quotes do not come in pairs, or a line is a row by itself.
+    """
+    lines = text.splitlines()
+    apart = [next(csv.reader([line], delimiter=delimiter), []) for line in lines]
+    whole = [len(cells) == len(schema) for cells in apart]
+    if not (text.count('"') % 2 or any(whole[1:])):
+        lines, apart, whole = [text], [next(csv.reader(lines, delimiter=delimiter), [])], [False]
+    for line, cells, good in zip(lines, apart, whole, strict=True):
+        if good:
+            yield cells
+        elif not line.lstrip().startswith("#"):
+            yield f"{counted(len(cells), 'cell')} where the header has {len(schema)}: {brief(line)}"
 
 
 def survey(batches: Iterable[pa.RecordBatch], names: Iterable[str], comma: bool) -> dict[str, Any]:

@@ -15,9 +15,11 @@ from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.results import Shots
 from hoopgen.scenes import outcomes_of
 from hoopgen.simulation import simulate
+from hoopgen.units import System, column_name, file_unit
 from hoopgen.variables import STATE, Releases
 
 from .columns import CONTACTS
+from .event_log import EVENTS, events_by_row
 from .measures import measure
 from .models import from_columns
 from .named import UNIT_OF, named
@@ -45,6 +47,10 @@ class Flights:
         In which they are.
     catching_height
         Of rebounds, m above the floor.
+    units
+        Of the columns of results: "si", or "us".
+    events
+        Whether each row has its part of the event log, too, in a column `EVENTS`.
     """
 
     parameters: dict[str, float]
@@ -53,6 +59,8 @@ class Flights:
     max_contacts: int
     scene: Engine
     catching_height: float = CATCHING_HEIGHT
+    units: System = "si"
+    events: bool = False
 
     def identity(self) -> dict[str, Any]:
         """Return what the results depend on, in types that JSON knows."""
@@ -62,6 +70,8 @@ class Flights:
             "measures": self.measures,
             "max_contacts": self.max_contacts,
             **caught_at(self.measures, self.catching_height),
+            **({} if self.units == "si" else {"units": self.units}),
+            **({"events": True} if self.events else {}),
             **scene_identity(self.scene),
         }
 
@@ -76,28 +86,36 @@ class Flights:
         releases = self.releases(given)
         states, scene = releases.states, releases.parameters
         most = self.max_contacts
-        shots = simulate(states, scene, scene=self.scene, max_contacts=most, threads=1)
+        shots = simulate(
+            *(states, scene),
+            scene=self.scene,
+            max_contacts=most,
+            threads=1,
+            record=self.events,
+        )
         columns = _ends(shots)
         more = [name for name in self.measures if name not in columns]
         if more:
             height = self.catching_height
             columns |= measure(states, shots, scene, more, catching_height=height)
-        cells = {name: pa.array(column) for name, column in columns.items()}
-        schema = [
-            pa.field(
-                named(name),
-                array.type,
-                metadata=self._about(name),
-            )
-            for name, array in cells.items()
-        ]
-        return pa.Table.from_arrays(list(cells.values()), schema=pa.schema(schema))
+        found = [self._column(name, column) for name, column in columns.items()]
+        if self.events:
+            log = events_by_row(shots, self.units)
+            found.append((pa.field(EVENTS, log.type), log))
+        fields, cells = zip(*found, strict=True)
+        return pa.Table.from_arrays(list(cells), schema=pa.schema(fields))
 
-    def _about(self, name: str) -> dict[str, str] | None:
-        """Return what the schema says of a column."""
+    def _column(self, name: str, column: Any) -> tuple[pa.Field, Any]:
+        """Return a column of results, in its unit."""
+        unit, size = file_unit(UNIT_OF.get(name, ""), self.units)
+        cells = pa.array(column if size == 1.0 else column / size)
+        about = {"unit": unit, **self._about(name)} if name in UNIT_OF else None
+        return pa.field(column_name(name, unit), cells.type, metadata=about), cells
+
+    def _about(self, name: str) -> dict[str, str]:
+        """Return what the schema says of a column besides its unit."""
         height = caught_at([name], self.catching_height)
-        at = {named(one): repr(value) for one, value in height.items()}
-        return {"unit": UNIT_OF[name], **at} if name in UNIT_OF else None
+        return {named(one): repr(value) for one, value in height.items()}
 
 
 def _ends(shots: Shots) -> dict[str, Any]:

@@ -14,16 +14,20 @@ import pyarrow.ipc
 
 from hoopgen.brief import brief
 
+from .reading import Reading
 from .tables import Source
 
 __all__ = ["sourced"]
+
+_ROWS = 1 << 16
+"""Written at a time."""
 
 # Of Polars; files and the reading of numbers know the others.
 _OLDER = {pa.string_view(): pa.large_string(), pa.binary_view(): pa.large_binary()}
 
 
 @contextmanager
-def sourced(source: Any, format: str, delimiter: str) -> Iterator[Source]:
+def sourced(source: Any, reading: Reading) -> Iterator[Source]:
     """Give a table to be read from a file, also one in memory.
 
     Raises
@@ -34,14 +38,14 @@ def sourced(source: Any, format: str, delimiter: str) -> Iterator[Source]:
         If format or delimiter are not as for `Source`.
     """
     if isinstance(source, str | os.PathLike):
-        yield Source(Path(source), format, delimiter)
+        yield reading.source(Path(source))
         return
     if not hasattr(source, "__arrow_c_stream__"):
         raise TypeError(
             "source: expected a file, or a table of pandas (from 2.2), Polars or Arrow; "
             f"got {brief(source)}"
         )
-    if format or delimiter:
+    if reading.format or reading.delimiter:
         raise ValueError("format, delimiter: a table in memory has none")
     with TemporaryDirectory(prefix="hoopgen-") as folder:
         file = Path(folder, "source.arrow")
@@ -49,8 +53,9 @@ def sourced(source: Any, format: str, delimiter: str) -> Iterator[Source]:
         schema = _older(reader.schema)
         with pa.ipc.new_stream(str(file), schema) as stream:
             for batch in reader:
-                stream.write_table(pa.Table.from_batches([batch]).cast(schema))
-        yield Source(file, label="the table")
+                # In parts, as of a file: a frame may be one batch, however large it is.
+                stream.write_table(pa.Table.from_batches([batch]).cast(schema), _ROWS)
+        yield reading.source(file, "the table")
 
 
 def _older(schema: pa.Schema) -> pa.Schema:

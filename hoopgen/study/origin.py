@@ -1,14 +1,14 @@
 """What a file of results says of its shots: the scene that they were flown in, and all shared.
 
-It lies in the metadata of the Arrow schema, under "hoopgen", of Parquet and Arrow files. In CSV the
-scene is columns, one of each parameter, as where it differs from row to row.
+It lies in the metadata of the Arrow schema, under "hoopgen", of Parquet and Arrow files; in CSV it
+is a comment line before the header, ``# hoopgen: {…}``.
 """
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 from hoopgen.engines import HOOP, Engine
@@ -22,12 +22,10 @@ from hoopgen.variables import check_names
 from hoopgen.words import for_json
 
 from .columns import NAMED, variable_of
-from .tables import Source
+from .tables import ABOUT, Source
 from .tallies import check_scene, contacts_of
 
 __all__ = ["Origin", "names_scene", "origin_of", "settle"]
-
-_KEY = b"hoopgen"
 
 _MADE_IN = "made_in"
 """What tells a scene of one's own from others."""
@@ -47,6 +45,10 @@ class Origin:
         Contacts after which a shot ends as capped.
     own
         Columns that are not read, though they are named like variables.
+    columns
+        Names of columns by the variable that they are read as, whatever they are called.
+    results
+        Columns of a file of results that say what became of the shots.
     engine
         The scene itself, which is nowhere in the file: it says what tells it from others.
     """
@@ -55,6 +57,8 @@ class Origin:
     release: Mapping[str, float]
     max_contacts: int
     own: tuple[str, ...] = ()
+    columns: Mapping[str, str] = field(default_factory=dict)
+    results: tuple[str, ...] = ()
     engine: Engine = HOOP
 
     @property
@@ -62,14 +66,19 @@ class Origin:
         """In words: the preset or the scene's name, and what differs from it."""
         return say_of(self.engine, self.parameters)
 
-    def metadata(self, scene: str) -> dict[bytes, bytes]:
-        """Return what a schema says of it, with the scene in words."""
+    @property
+    def passed(self) -> tuple[str, ...]:
+        """Return the columns that are not read: those of the caller, and former results."""
+        return (*self.own, *self.results)
+
+    def metadata(self, scene: str, **more: Any) -> dict[bytes, bytes]:
+        """Return what a schema says of it, with the scene in words, and `more`."""
         made: dict[str, Any] = {_MADE_IN: self.engine.identity}
         if self.engine.is_hoop:
             made = {"preset": nearest_preset(self.parameters)[0]}
         said = {"version": version(), **made, "scene": scene, NAMED: True}
         shared = {one.name: getattr(self, one.name) for one in fields(self) if one.name != "engine"}
-        return {_KEY: json.dumps(for_json({**said, **shared})).encode()}
+        return {ABOUT: json.dumps(for_json({**said, **shared, **more})).encode()}
 
 
 class OtherScene(ValueError):
@@ -94,19 +103,22 @@ def origin_of(table: Source, scene: Engine = HOOP) -> Origin | None:
         If it cannot be read.
     """
     schema = table.schema()
-    text = (schema.metadata or {}).get(_KEY)
+    text = (schema.metadata or {}).get(ABOUT)
     if text is None:
         return None
     try:
         said = json.loads(text)
         _check_made_in(table, said, scene)
+        names = set(schema.names)
         release = {name: float(value) for name, value in said["release"].items()}
         check_names("release", release, variables_of(scene))
         return Origin(
             check_scene({n: float(v) for n, v in said["parameters"].items()}, scene),
             release,
             check_contacts(said["max_contacts"]),
-            tuple(name for name in said.get("own", ()) if name in schema.names),
+            tuple(name for name in said.get("own", ()) if name in names),
+            {one: str(name) for one, name in said.get("columns", {}).items() if name in names},
+            tuple(name for name in said.get("results", ()) if name in names),
             scene,
         )
     except OtherScene:
@@ -146,6 +158,7 @@ def settle(
     *,
     override: bool = False,
     scene: Engine = HOOP,
+    columns: Mapping[str, str] | None = None,
 ) -> Origin:
     """Return how the shots of a table are flown: as it says, and where it says nothing as asked.
 
@@ -154,7 +167,7 @@ def settle(
     parameters, max_contacts
         Asked for; None for what the file says, and what is usual in the scene where it says
         nothing.
-    release, own
+    release, own, columns
         Asked for besides what the file says.
     override
         Whether what is asked for may contradict the file.
@@ -175,15 +188,18 @@ def settle(
         said = None
     if said is None:
         values = dict(scene.parameters if parameters is None else parameters)
-        return Origin(values, asked, contacts_of(max_contacts, scene), own, scene)
+        contacts = contacts_of(max_contacts, scene)
+        return Origin(values, asked, contacts, own, dict(columns or {}), (), scene)
     wanted = Origin(
         said.parameters if parameters is None else dict(parameters),
         change_variables(said.release, asked) if scene.has_hoop else {**said.release, **asked},
         said.max_contacts if max_contacts is None else check_contacts(max_contacts),
         (*said.own, *(name for name in own if name not in said.own)),
+        {**said.columns, **(columns or {})},
+        said.results,
         scene,
     )
-    if not override and replace(wanted, own=said.own) != said:
+    if not override and replace(wanted, own=said.own, columns=said.columns) != said:
         raise ValueError(
             f"{table}: its shots were flown otherwise than is asked now: "
             f"{'; '.join(_differences(said, wanted))}. Leave that out, or override what the file "

@@ -3,22 +3,26 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TypeAlias
 
-import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 import pyarrow.csv
 import pyarrow.ipc
 import pyarrow.parquet as pq
 
+from .delimited import COMMENT
+from .tables import ABOUT
+
 __all__ = ["RESULTS", "Sink", "check_sink", "sink"]
 
-RESULTS = (".parquet", ".pq", ".csv")
+RESULTS = (".parquet", ".pq", ".csv", ".tsv")
 """What the names of files of results end in."""
+
+_DELIMITERS = {".csv": ",", ".tsv": "\t"}
 
 Sink: TypeAlias = Callable[[pa.Table], None]
 """Takes the next rows."""
@@ -32,20 +36,13 @@ def check_sink(format: str, schema: pa.Schema, source: object) -> None:
     ValueError
         The message begins with the source.
     """
-    if format == ".csv":
+    if format in _DELIMITERS:
         with _refused(source, "CSV"):
             pa.csv.write_csv(_plain(schema).empty_table(), io.BytesIO())
 
 
 @contextmanager
-def sink(
-    file: Path,
-    format: str,
-    schema: pa.Schema,
-    rows: int,
-    shared: Mapping[str, float],
-    source: object,
-) -> Iterator[Sink]:
+def sink(file: Path, format: str, schema: pa.Schema, rows: int, source: object) -> Iterator[Sink]:
     """Write tables to a file.
 
     Parameters
@@ -55,22 +52,27 @@ def sink(
     format
         One of `RESULTS`, or ".arrow", a stream.
     schema
-        Of the tables.
+        Of the tables; CSV has what its metadata says of the scene in a comment line at its start.
     rows
         At most, in a group.
-    shared
-        Columns of CSV with one number each, after the others.
     source
         That of the rows, for errors.
     """
     if format == ".arrow":
         with pa.ipc.new_stream(str(file), schema) as stream:
             yield stream.write_table
-    elif format == ".csv":
+    elif format in _DELIMITERS:
         plain = _plain(schema)
-        whole = pa.schema([*plain, *((name, pa.scalar(v).type) for name, v in shared.items())])
-        with _refused(source, "CSV"), pa.csv.CSVWriter(str(file), whole) as text:
-            yield lambda table: text.write_table(_with(table.cast(plain), shared, whole))
+        options = pa.csv.WriteOptions(delimiter=_DELIMITERS[format])
+        with (
+            _refused(source, "CSV"),
+            pa.OSFile(str(file), "wb") as bytes_out,
+        ):
+            about = (schema.metadata or {}).get(ABOUT)
+            if about:
+                bytes_out.write(COMMENT.encode() + about + b"\n")
+            with pa.csv.CSVWriter(bytes_out, plain, write_options=options) as text:
+                yield lambda table: text.write_table(_without_nan(table.cast(plain)))
     else:
         # A dictionary of doubles that hardly repeat is larger and slower than they are.
         repeat = [column.name for column in schema if not pa.types.is_floating(column.type)]
@@ -107,11 +109,10 @@ def _plain(schema: pa.Schema) -> pa.Schema:
     )
 
 
-def _with(table: pa.Table, shared: Mapping[str, float], schema: pa.Schema) -> pa.Table:
-    """Return a table with columns of one number each; nothing stands where there is no number."""
+def _without_nan(table: pa.Table) -> pa.Table:
+    """Return a table in which nothing stands where there is no number."""
     cells = [
         pc.if_else(pc.is_nan(column), None, column) if pa.types.is_floating(column.type) else column
         for column in table.columns
     ]
-    cells += [pa.array(np.full(table.num_rows, value)) for value in shared.values()]
-    return pa.Table.from_arrays(cells, schema=schema)
+    return pa.Table.from_arrays(cells, schema=table.schema)

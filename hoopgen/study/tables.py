@@ -1,21 +1,24 @@
 """Tables of releases in files, read in chunks; what their columns say, see `hoopgen.study.columns`.
 
-CSV is read as `hoopgen.study.delimited` says. Reading is by pyarrow, and holds a few blocks in
-memory, whatever the file's size; of Arrow, record batches as they were written. What was read is
-validated before it is looked at.
+CSV is read as `hoopgen.study.delimited` says, spreadsheets as `hoopgen.study.spreadsheets` does.
+Reading is by pyarrow, and holds a few blocks in memory, whatever the file's size; of Arrow, record
+batches as they were written. What was read is validated before it is looked at, and measured before
+it is laid out in memory, see `hoopgen.study.limits`.
 """
 
 from __future__ import annotations
 
 import hashlib
 import os
+import stat
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import AbstractContextManager, contextmanager
-from dataclasses import dataclass
+from contextlib import contextmanager
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 import pyarrow as pa
@@ -26,19 +29,32 @@ from numpy.typing import NDArray
 from hoopgen.brief import brief, cut, listed
 from hoopgen.engines import HOOP, Engine
 
+from . import spreadsheets
 from .columns import Column, columns_of, values
-from .delimited import check_delimiter, delimiter_of, parsed, read, survey
+from .delimited import Layout, check_delimiter, layout_of, parsed, read, survey
+from .filters import Condition, check_columns, chosen, parse_conditions
+from .limits import LEAST_MEMORY, MEMORY, check_laid_out, check_pages, text_columns
 
-__all__ = ["FORMATS", "Source", "Stamp"]
+__all__ = ["ABOUT", "FORMATS", "Source", "Stamp"]
 
 FORMATS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
-        "csv": (".csv",),
+        "csv": (".csv", ".tsv"),
         "parquet": (".parquet", ".pq"),
         "arrow": (".arrow", ".arrows", ".feather", ".ipc"),
+        "xlsx": (".xlsx",),
     }
 )
 """Formats of tables, and the suffixes that say so. Arrow is the IPC file, Feather, or stream."""
+
+_TEXT = ("csv", "xlsx")
+"""Formats all of whose cells are read as text."""
+
+ABOUT = b"hoopgen"
+"""Of a schema's metadata: what results say of their scene, as JSON."""
+
+_ROW = "\0row"
+"""A column that no file has: the numbers of rows, while some are chosen."""
 
 Stamp: TypeAlias = tuple[int, int]
 """Of a file: its size, and the time of its last change, ns."""
@@ -70,6 +86,13 @@ class Source:
         number is a decimal one.
     label
         What errors call it; by default its path.
+    where
+        Conditions that a row meets, or is left out, such as "speed_mph >= 15"; see
+        `hoopgen.study.filters`.
+    memory
+        Bytes that rows which are read at once may take.
+    malformed
+        Why rows of CSV have no cells, by their number from 1, as far as they were read.
 
     Raises
     ------
@@ -81,6 +104,10 @@ class Source:
     format: str = ""
     delimiter: str = ""
     label: str = ""
+    where: tuple[str, ...] = ()
+    memory: int = MEMORY
+    conditions: tuple[Condition, ...] = field(default=(), init=False, compare=False, repr=False)
+    malformed: dict[int, str] = field(default_factory=dict, init=False, compare=False, repr=False)
 
     def __str__(self) -> str:
         return self.label or str(self.path)
@@ -99,15 +126,32 @@ class Source:
             if found != "csv":
                 raise ValueError(f"delimiter: {self.path} is {found}; only CSV has one")
             object.__setattr__(self, "delimiter", check_delimiter(self.delimiter))
+        elif self.path.suffix.lower() == ".tsv":
+            object.__setattr__(self, "delimiter", "\t")
+        if self.memory < LEAST_MEMORY:
+            raise ValueError(
+                f"memory: expected at least {LEAST_MEMORY:,} bytes, got {self.memory:,}"
+            )
+        object.__setattr__(self, "conditions", parse_conditions(self.where))
 
     @cached_property
+    def layout(self) -> Layout:
+        """Return how a file of CSV is laid out."""
+        return layout_of(self.path, self.delimiter)
+
+    @property
     def between(self) -> str:
-        """What stands between the cells of CSV."""
-        return self.delimiter or delimiter_of(self.path)
+        """Return what stands between the cells of CSV."""
+        return self.layout.delimiter
+
+    @property
+    def is_text(self) -> bool:
+        """Return whether all cells are read as text."""
+        return self.format in _TEXT
 
     @property
     def comma(self) -> bool:
-        """Whether numbers in text have decimal commas."""
+        """Return whether numbers in text have decimal commas."""
         return self.format == "csv" and self.between != ","
 
     def schema(self) -> pa.Schema:
@@ -122,32 +166,60 @@ class Source:
             return schema
 
     def columns(
-        self, own: Iterable[str] = (), given: Iterable[str] = (), scene: Engine = HOOP
+        self,
+        own: Iterable[str] = (),
+        given: Iterable[str] = (),
+        scene: Engine = HOOP,
+        columns: Mapping[str, str] | None = None,
+        *,
+        implausible: bool = False,
     ) -> dict[str, Column]:
         """Return where the table has the variables of its shots; as `columns_of`."""
         schema = self.schema()
         with self._naming():
-            return columns_of(schema, own, given, scene)
+            return columns_of(schema, own, given, scene, columns, implausible=implausible)
 
     def values(
-        self, table: pa.Table, columns: Mapping[str, Column]
+        self, table: pa.Table, columns: Mapping[str, Column], *, check: bool = True
     ) -> dict[str, NDArray[np.float64]]:
         """Return the numbers of the columns of a part of the table; as `values`."""
         with self._naming():
-            return values(table, columns, self.comma)
+            return values(table, columns, self.comma, check=check)
 
     def tables(self, rows: int) -> Iterator[pa.Table]:
         """Read the rows in order, lazily, so many in each table; the last has what is left.
 
-        There is at least one table: that of an empty file has no rows.
+        There is at least one table: that of an empty file has no rows. Rows that do not meet the
+        conditions are left out.
 
         Raises
         ------
         ValueError
             If the file is not of its format.
         """
+        for table, _ in self.numbered(rows):
+            yield table
+
+    def numbered(self, rows: int) -> Iterator[tuple[pa.Table, NDArray[np.int64]]]:
+        """Read as `tables` does, and give the number of each row in the file, from 1."""
         with self._opened() as (schema, batches):
-            yield from _regrouped(schema, map(_validated, batches), rows)
+            measured = (_validated(batch, self.memory) for batch in batches)
+            counted = schema.append(pa.field(_ROW, pa.int64()))
+            for table in _regrouped(counted, self._chosen(measured), rows):
+                numbers = table[_ROW].to_numpy()
+                yield table.drop_columns([_ROW]).replace_schema_metadata(schema.metadata), numbers
+
+    def _chosen(self, batches: Iterable[pa.RecordBatch]) -> Iterator[pa.RecordBatch]:
+        """Give the rows that meet the conditions, with their numbers."""
+        first = 1
+        for batch in batches:
+            numbers = np.arange(first, first + batch.num_rows)
+            first += batch.num_rows
+            yield chosen(
+                batch.append_column(_ROW, pa.array(numbers, pa.int64())),
+                self.conditions,
+                self.comma,
+            )
 
     def whole(self) -> pa.Table:
         """Read all rows into one table.
@@ -165,7 +237,7 @@ class Source:
         Of `columns` they are doubles. Others are whole numbers, numbers or truths if all of their
         cells are; identifiers, with leading zeros or more than 15 digits, are text.
         """
-        if self.format != "csv":
+        if not self.is_text:
             return self.schema()
         numbers = {column.name for column in columns.values()}
         with self._opened() as (schema, batches):
@@ -175,7 +247,7 @@ class Source:
 
     def cast(self, table: pa.Table, schema: pa.Schema) -> pa.Table:
         """Return a part of the table with the types of `typed`; no number is null."""
-        if self.format != "csv":
+        if not self.is_text:
             return table
         with self._naming():
             cells = [
@@ -191,10 +263,12 @@ class Source:
             while block := file.read(_BLOCK):
                 digest.update(block)
                 lines += block.count(b"\n")
-        if self.format == "parquet":
+        if self.format == "parquet" and not self.where:
             with self._naming(), pq.ParquetFile(self.path) as table:
                 return digest.hexdigest(), table.metadata.num_rows
-        return digest.hexdigest(), lines - 1 if self.format == "csv" else None
+        if self.format != "csv" or self.where:
+            return digest.hexdigest(), None
+        return digest.hexdigest(), lines - 1
 
     def stamp(self) -> Stamp:
         """Return what is the same for as long as nobody writes to the file."""
@@ -217,15 +291,29 @@ class Source:
 
     @contextmanager
     def _opened(self) -> Iterator[tuple[pa.Schema, Iterable[pa.RecordBatch]]]:
-        openers = {"csv": self._csv, "parquet": _parquet, "arrow": _arrow}
-        with self._naming(), openers[self.format](self.path) as (schema, batches):
-            twice = sorted({name for name in schema.names if schema.names.count(name) > 1})
-            if twice:
-                raise ValueError(f"two columns are named {listed(twice)}")
-            yield schema, batches
+        openers = {
+            "csv": self._csv,
+            "parquet": _parquet,
+            "arrow": _arrow,
+            "xlsx": spreadsheets.read,
+        }
+        with self._naming():
+            if not stat.S_ISREG(self.path.stat().st_mode):
+                raise ValueError("is no file, but a pipe or a device, which can be read only once")
+            with openers[self.format](self.path, self.memory) as (schema, batches):
+                often = Counter(schema.names)
+                twice = sorted(name for name, count in often.items() if count > 1)
+                if twice:
+                    raise ValueError(f"two columns are named {listed(twice)}")
+                check_columns(self.conditions, schema.names)
+                yield schema, batches
 
-    def _csv(self, path: Path) -> AbstractContextManager[_Read]:
-        return read(path, self.between, _BLOCK)
+    @contextmanager
+    def _csv(self, path: Path, memory: int) -> _Opened:
+        block = _BLOCK * max(1, memory // MEMORY)
+        with read(path, self.layout, block, self.malformed) as (schema, batches):
+            about = self.layout.about.encode()
+            yield schema.with_metadata({ABOUT: about} if about else None), batches
 
     @contextmanager
     def _naming(self) -> Iterator[None]:
@@ -250,14 +338,24 @@ _Opened = Iterator[_Read]
 
 
 @contextmanager
-def _parquet(path: Path) -> _Opened:
+def _parquet(path: Path, memory: int) -> _Opened:
     # Else a row group's pages are all read at once, and it may be all the file.
-    with pq.ParquetFile(path, buffer_size=_BLOCK, pre_buffer=False) as file:
-        yield file.schema_arrow, file.iter_batches()
+    options: dict[str, Any] = {"buffer_size": _BLOCK, "pre_buffer": False}
+    with pq.ParquetFile(path, **options) as file:
+        check_pages(file, memory)
+        schema, text = file.schema_arrow, text_columns(file)
+    # A text that many rows share is held once until its size is known.
+    with pq.ParquetFile(path, read_dictionary=text, **options) as file:
+        yield schema, (_laid_out(batch, schema, memory) for batch in file.iter_batches())
+
+
+def _laid_out(batch: pa.RecordBatch, schema: pa.Schema, memory: int) -> pa.RecordBatch:
+    check_laid_out(batch, memory)
+    return batch if batch.schema.equals(schema) else batch.cast(schema)
 
 
 @contextmanager
-def _arrow(path: Path) -> _Opened:
+def _arrow(path: Path, memory: int) -> _Opened:
     # No memory map: a file that becomes shorter while it is read would end the process.
     with pa.OSFile(str(path)) as file:
         if file.read(len(_ARROW_FILE)) != _ARROW_FILE:
@@ -269,12 +367,13 @@ def _arrow(path: Path) -> _Opened:
             yield blocks.schema, map(blocks.get_batch, range(blocks.num_record_batches))
 
 
-def _validated(batch: pa.RecordBatch) -> pa.RecordBatch:
+def _validated(batch: pa.RecordBatch, memory: int) -> pa.RecordBatch:
     """Return the rows that were read, all of whose offsets and indices lie within them.
 
     Arrow takes those of a file as they are, and follows them wherever they lead.
     """
     batch.validate(full=True)
+    check_laid_out(batch, memory)
     return batch
 
 

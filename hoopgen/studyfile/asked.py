@@ -12,7 +12,6 @@ from hoopgen import plots
 from hoopgen.engines import Engine
 from hoopgen.study.folders import trim
 from hoopgen.study.rebounds import REBOUNDS, caught_at
-from hoopgen.study.tables import Source
 from hoopgen.study.throws import chunks_of, scene_identity
 from hoopgen.told import say_of
 
@@ -115,7 +114,7 @@ class Asked:
         """In words: the preset, and what differs from it."""
         table = self.question if isinstance(self.question, Batch) else None
         if table is not None:
-            source = Source(self.folder / table.file, table.format or "")
+            source = table.reading.source(self.folder / table.file)
             return say_of(self.engine, self.setting.parameters_of(source))
         return say_of(self.engine, self.setting.parameters)
 
@@ -138,7 +137,7 @@ class Asked:
         unsaid = {"measures"} if isinstance(question, Estimate) and not question.measures else set()
         identity = {name: v for name, v in identity.items() if name not in caught | unsaid}
         if isinstance(question, Batch):
-            source = Source(self.folder / question.file, question.format or "")
+            source = question.reading.source(self.folder / question.file)
             scene = self.setting.parameters_of(source)
             shared = {"release": question.release, "parameters": scene}
             return identity | {"setting": shared, "table": source.digest()[0]}

@@ -26,7 +26,7 @@ from hoopgen.units import Kind
 
 from .single import EXAMPLES, Quantity, Single, Whole, Word, meant, show, wrong
 
-__all__ = ["Ends", "Listed", "Named", "OneOf", "Table", "Values"]
+__all__ = ["Each", "Ends", "Listed", "Named", "OneOf", "Table", "Values"]
 
 
 @dataclass(frozen=True)
@@ -83,6 +83,36 @@ class Listed:
         if not isinstance(given, list) or len(given) < self.least:
             raise ValueError(f"expected {self.words}; got {show(given)}")
         read: list[Any] = handler(given)
+        return read
+
+
+@dataclass(frozen=True)
+class Each:
+    """A table whose values are alike, whatever their keys.
+
+    Attributes
+    ----------
+    of
+        What each is.
+    """
+
+    of: Single
+
+    @property
+    def words(self) -> str:
+        """What may be given."""
+        return f"a table, {self.of.words} each"
+
+    def __get_pydantic_core_schema__(self, _: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        value = handler.generate_schema(Annotated[Any, self.of])
+        return core_schema.no_info_wrap_validator_function(
+            self._read, core_schema.dict_schema(core_schema.str_schema(), value)
+        )
+
+    def _read(self, given: Any, handler: Callable[[Any], Any]) -> dict[str, Any]:
+        if not isinstance(given, dict):
+            raise ValueError(f"expected {self.words}; got {show(given)}")
+        read: dict[str, Any] = handler(given)
         return read
 
 

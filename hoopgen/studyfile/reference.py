@@ -190,7 +190,7 @@ def _default(field: FieldInfo) -> str:
     if field.is_required():
         return "needed"
     value = field.default
-    if isinstance(value, dict):  # variables to search over, within their usual ends
+    if isinstance(value, dict) and value:  # variables to search over, within their usual ends
         value = list(value)
     return "" if value is None else f"`{json.dumps(value)}`"
 

@@ -15,6 +15,7 @@ from hoopgen.study.aim import Arc
 from hoopgen.study.lock import LOCK
 from hoopgen.study.margins import MARGINS
 from hoopgen.study.player import BY, By
+from hoopgen.study.reading import Reading
 
 from .fields import Listed, Named, Table, Values
 from .scene import (
@@ -26,6 +27,8 @@ from .scene import (
 from .single import Name, Quantity, Share, Text, Whole, Word, meant, show, wrong
 from .values import (
     ByWay,
+    Columns,
+    Conditions,
     Contacts,
     Count,
     File,
@@ -35,6 +38,7 @@ from .values import (
     Names,
     Over,
     Search,
+    YesNo,
     correlations,
     deviation,
     quantity,
@@ -90,7 +94,39 @@ class Study(Table):
     )
 
 
-class Releases(Table):
+class TableFile(Table):
+    """A file with a table of releases, and how it is read."""
+
+    file: File = Field(
+        description="CSV, Parquet, Arrow or .xlsx; relative to the study file. The columns' names "
+        "say the variables and units: `speed_mph`, `elevation_deg`."
+    )
+    format: Format = Field(None, description="By default as the suffix says.")
+    own: Names = Field(
+        [], description="Columns that are not to be read, though they are named like variables."
+    )
+    columns: Columns = Field(
+        {},
+        description="Columns that are read as variables, whatever they are called: "
+        '`columns.speed = "release_speed_mph"`.',
+    )
+    where: Conditions = Field(
+        [], description="Rows that do not meet all of these are left out: `player == Ann`."
+    )
+    implausible: YesNo = Field(
+        False,
+        description="Whether rows with implausible numbers are simulated, too, such as an "
+        "elevation of 500°.",
+    )
+
+    @property
+    def reading(self) -> Reading:
+        """Return how the table is read."""
+        names = ("format", "own", "columns", "where", "implausible")
+        return Reading.of(**{name: getattr(self, name) for name in names})
+
+
+class Releases(TableFile):
     """Measured releases, whose rows are drawn at random.
 
     A map and a search move the mean of a column; how far the rows are from it stays as it was.
@@ -98,15 +134,6 @@ class Releases(Table):
     The columns take the place of what is given above; `release` beside this table, in the same
     place of the file, takes the place of columns.
     """
-
-    file: File = Field(
-        description="CSV, Parquet or Arrow; relative to the study file. The columns' names say "
-        "the variables and units: `speed_mph`, `elevation_deg`."
-    )
-    format: Format = Field(None, description="By default as the suffix says.")
-    own: Names = Field(
-        [], description="Columns that are not to be read, though they are named like variables."
-    )
 
 
 class Given(Table):
@@ -280,18 +307,13 @@ class Aim(Question):
     by: Annotated[By, Word(tuple(BY))] = Field("any", description="What counts, as of an optimum.")
 
 
-class Batch(Question):
+class Batch(Question, TableFile):
     """A table of releases, simulated row by row.
 
     Of where shots come from it takes the scene, and what its own `release` says, which all rows
     share.
     """
 
-    file: File = Field(description="CSV, Parquet or Arrow, as of `releases`.")
-    format: Format = Field(None, description="By default as the suffix says.")
-    own: Names = Field(
-        [], description="Columns that are not to be read, though they are named like variables."
-    )
     measures: Measures = Field([], description="Columns to add.")
     catching_height: Height = Field(CATCHING_HEIGHT, description=_CAUGHT)
     prefix: Annotated[str, Text(r".*", "text")] = Field(

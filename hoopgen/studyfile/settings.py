@@ -146,8 +146,14 @@ class Setting:
         origin = origin_of(source, self.engine)
         shared = {} if origin is None else origin.release
         names = source.schema().names
-        own = {*releases.own, *(() if origin is None else origin.own)}
-        said = {name: variable_of(name, self.engine)[0] for name in names if name not in own}
+        own = {*releases.own, *(() if origin is None else origin.passed)}
+        mapped = {**({} if origin is None else origin.columns), **releases.columns}
+        spelled = {column: name for name, column in mapped.items()}
+        said = {
+            name: variable_of(spelled.get(name, name), self.engine)[0]
+            for name in names
+            if name not in own
+        }
         said = {name: variable for name, variable in said.items() if variable}
         kept = _change(dict.fromkeys(said.values(), math.nan) | dict(shared), self.own)
         passed = [name for name, one in said.items() if one in self.own or one not in kept]
@@ -157,11 +163,17 @@ class Setting:
             **{name: value for name, value in shared.items() if name in kept},
             **self.own,
         }
-        columns = source.columns(sorted({*own, *passed}), given, self.engine)
+        columns = source.columns(
+            sorted({*own, *passed}),
+            given,
+            self.engine,
+            {name: one for name, one in mapped.items() if one not in passed},
+            implausible=releases.implausible,
+        )
         return {**source.values(source.whole(), columns), **given}
 
     def _source(self, releases: Releases) -> Source:
-        return Source(self.folder / releases.file, releases.format or "")
+        return releases.reading.source(self.folder / releases.file)
 
     def identity(self) -> dict[str, Any]:
         """Return what tells this setting from others, in types that JSON knows."""

@@ -222,6 +222,22 @@ class Text(Single):
 
 
 @dataclass(frozen=True)
+class Truth(Single):
+    """True or false."""
+
+    @property
+    def words(self) -> str:
+        """What may be given."""
+        return "true or false"
+
+    def read(self, given: Any) -> bool:
+        """Return it."""
+        if not isinstance(given, bool):
+            raise self.refuse(given)
+        return given
+
+
+@dataclass(frozen=True)
 class Name(Text):
     """Text that names a folder.
 

@@ -18,13 +18,11 @@ from hoopgen.study.estimate import estimate
 from hoopgen.study.landings import landings_of
 from hoopgen.study.measures import measures_of
 from hoopgen.study.named import in_units
-from hoopgen.study.origin import settle
 from hoopgen.study.resample import Resample
 from hoopgen.study.scatter import Scatter
 from hoopgen.study.shares import Shares
 from hoopgen.study.solve import check_scatters, solve
 from hoopgen.study.spread import in_brief
-from hoopgen.study.tables import Source
 from hoopgen.study.tallies import contacts_of
 from hoopgen.study.throws import check_states, most_shots, outcome_by
 from hoopgen.told import in_a_note, told_setting
@@ -248,11 +246,10 @@ def answer_compare(asked: Asked, question: Compare, work: Work) -> Answer:
 
 def check_batch(asked: Asked, question: Batch) -> None:
     """Look for what is wrong with a batch."""
-    source = Source(asked.folder / question.file, question.format or "")
-    origin = settle(
-        source, None, question.release, None, question.own, override=True, scene=asked.engine
+    source = question.reading.source(asked.folder / question.file)
+    question.reading.interpreted(
+        source, None, question.release, None, override=True, scene=asked.engine
     )
-    source.columns(origin.own, origin.release, asked.engine)
     contacts_of(question.max_contacts, asked.engine)
     if question.measures:
         check_hoop("measures", asked.engine)
@@ -265,7 +262,7 @@ def _most_contacts(question: Batch) -> int | None:
 
 def answer_batch(asked: Asked, question: Batch, work: Work) -> Answer:
     """Return how the shots of a table end, each in the table of results."""
-    source = Source(asked.folder / question.file, question.format or "")
+    source = question.reading.source(asked.folder / question.file)
     counts = batch(
         source.path,
         work.folder / "results.parquet",
@@ -278,6 +275,9 @@ def answer_batch(asked: Asked, question: Batch, work: Work) -> Answer:
         override=True,  # what the study file says is said on purpose
         format=question.format,
         own=question.own,
+        columns=question.columns,
+        where=question.where,
+        implausible=question.implausible,
         prefix=question.prefix,
         scheduler=work.scheduler,
         threads=work.threads,

@@ -8,17 +8,20 @@ from pydantic import AfterValidator
 
 from hoopgen.hoop.presets import PRESETS
 from hoopgen.hoop.variables import VARIABLES
+from hoopgen.study.filters import parse_conditions
 from hoopgen.study.measures import MEASURES
 from hoopgen.study.player import BY
 from hoopgen.study.rebounds import check_height
 from hoopgen.study.tables import FORMATS
 
-from .fields import Ends, Listed, Named, OneOf, Values
+from .fields import Each, Ends, Listed, Named, OneOf, Values
 from .scene import FILE, Varying, Way, kind_of, limits_of, may_be_infinite, scattering, varying
-from .single import Quantity, Text, Whole, Word
+from .single import Quantity, Text, Truth, Whole, Word
 
 __all__ = [
     "ByWay",
+    "Columns",
+    "Conditions",
     "Contacts",
     "Count",
     "File",
@@ -28,12 +31,19 @@ __all__ = [
     "Names",
     "Over",
     "Search",
+    "YesNo",
     "correlations",
     "deviation",
     "quantity",
     "scene_or_size",
     "values_of",
 ]
+
+
+def check_conditions(where: list[str]) -> list[str]:
+    """Return conditions, once each is a comparison of a column with a value."""
+    parse_conditions(where)
+    return where
 
 
 def quantity(name: str) -> Quantity:
@@ -86,6 +96,11 @@ Over: TypeAlias = Annotated[dict[str, list[float]], Named(varying, values_of, le
 Search: TypeAlias = Annotated[dict[str, list[float] | None], _SEARCHED, AfterValidator(_search)]
 ByWay: TypeAlias = Annotated[str, Way(tuple(BY))]
 Names: TypeAlias = Annotated[list[str], Listed(Text(said="a column's name"))]
+Columns: TypeAlias = Annotated[dict[str, str], Each(Text(said="a column's name"))]
+Conditions: TypeAlias = Annotated[
+    list[str], Listed(Text(said="a comparison")), AfterValidator(check_conditions)
+]
+YesNo: TypeAlias = Annotated[bool, Truth()]
 Format: TypeAlias = Annotated[str | None, Word(tuple(FORMATS))]
 File: TypeAlias = Annotated[str, Text(said="the name of a file")]
 Measures: TypeAlias = Annotated[list[str], Listed(Word(tuple(MEASURES)))]

@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from hoopgen.brief import brief, cut, listed
 from hoopgen.engines import HOOP, Engine
 from hoopgen.study.draws import ROW_OF_SAMPLE, uniforms
+from hoopgen.study.interpretation import Interpretation
 from hoopgen.study.models import check_turns, from_columns
-from hoopgen.study.origin import settle
+from hoopgen.study.reading import Reading
 from hoopgen.study.tables import Source
 from hoopgen.variables import Releases
 
@@ -45,6 +46,8 @@ class Sample:
         Contacts after which their shots end as capped.
     labels
         What each is called: its cell in a column, and where rows share that, the row too.
+    interpretation
+        What each column of the table was read as.
     """
 
     rows: NDArray[np.int64]
@@ -52,6 +55,10 @@ class Sample:
     releases: Releases
     max_contacts: int
     labels: Sequence[str]
+    interpretation: Interpretation
+
+
+_AS_IT_IS = Reading()
 
 
 def sample(
@@ -63,8 +70,7 @@ def sample(
     release: Mapping[str, float] | None = None,
     max_contacts: int | None = None,
     override: bool = False,
-    format: str | None = None,
-    own: Sequence[str] = (),
+    reading: Reading = _AS_IT_IS,
     label: str | None = None,
     scene: Engine = HOOP,
 ) -> Sample:
@@ -75,7 +81,7 @@ def sample(
     Parameters
     ----------
     source
-        CSV, Parquet or Arrow; see `hoopgen.study.columns`.
+        CSV, Parquet, Arrow or .xlsx; see `hoopgen.study.columns`.
     count
         How many, from 1; all of them if the table has no more.
     seed
@@ -89,10 +95,8 @@ def sample(
         By default as many as a file of results says, else as is usual in the scene.
     override
         Whether those three may contradict what the file says.
-    format
-        "csv", "parquet" or "arrow"; by default as the suffix says.
-    own
-        Columns that are not to be read, though they are named like variables.
+    reading
+        What the caller says of how the table is read.
     label
         A column that says what each row is called; by default its number, from 1.
     scene
@@ -108,24 +112,25 @@ def sample(
     """
     if count < 1:
         raise ValueError(f"count: expected a whole number from 1, got {brief(count)}")
-    table = Source(Path(source), format or "")
+    table = reading.source(Path(source))
     check_turns("release", release or {}, release or {})
-    origin = settle(table, parameters, release, max_contacts, own, override=override, scene=scene)
-    shared = origin.release
-    columns = table.columns(origin.own, shared, scene)
+    read = reading.interpreted(
+        table, parameters, release, max_contacts, override=override, scene=scene
+    )
+    origin, columns, shared = read.origin, read.columns, read.origin.release
     named = _labelled(table, label)
     # Every row draws a number, and the lowest win: that does not hang on how the rows are read.
     kept = {"draw": np.empty(0), "row": np.empty(0), **{name: np.empty(0) for name in columns}}
     called: NDArray[np.object_] = np.empty(0, np.object_)
     total = 0
-    for part in table.tables(_ROWS):
+    for part, numbers in table.numbered(_ROWS):
         drawn = uniforms(seed, ROW_OF_SAMPLE, total, total + part.num_rows)
         best = np.argsort(drawn, kind="stable")[:count]
         taken = part.take(best)
         found = {
             "draw": drawn[best],
-            "row": best + float(total),
-            **table.values(taken, columns),
+            "row": numbers[best] - 1.0,
+            **table.values(taken, columns, check=total == 0),
         }
         joined = {name: np.concatenate([kept[name], found[name]]) for name in kept}
         lowest = np.argsort(joined["draw"], kind="stable")[:count]
@@ -138,7 +143,8 @@ def sample(
     rows = kept["row"][order].astype(np.int64)
     given = {name: kept[name][order] for name in columns}
     releases = from_columns({**given, **shared}, origin.parameters)
-    return Sample(rows, total, releases, origin.max_contacts, _labels(rows, called[order].tolist()))
+    labels = _labels(rows, called[order].tolist())
+    return Sample(rows, total, releases, origin.max_contacts, labels, read.interpretation)
 
 
 def _labelled(table: Source, label: str | None) -> Callable[[pa.Table], NDArray[np.object_]]:

@@ -26,11 +26,14 @@ class Page(os.PathLike[str]):
         The page, HTML.
     about
         What is said below its title, the scene at the end.
+    read
+        Of a table, what each of its columns was read as, line by line; see `hoopgen.batch`.
     """
 
     path: Path | None
     text: str = field(repr=False)
     about: str = field(default="", repr=False)
+    read: str = field(default="", repr=False)
 
     def __fspath__(self) -> str:
         return os.fspath(self._file())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,8 @@ from hoopgen.outputs import PAGES, check_output
 from hoopgen.phrases import counted
 from hoopgen.scenes import engine_of
 from hoopgen.simulation import simulate
+from hoopgen.study.limits import MEMORY
+from hoopgen.study.reading import Reading
 
 from .page import written
 from .sample import Sample, sample
@@ -37,7 +40,12 @@ def view_table(
     max_contacts: int | None = None,
     override: bool = False,
     format: str | None = None,
+    delimiter: str | None = None,
     own: Sequence[str] = (),
+    columns: Mapping[str, str] | None = None,
+    where: str | Sequence[str] = (),
+    implausible: bool = False,
+    memory: int = MEMORY,
     label: str | None = None,
     backend: Backend = "auto",
     scene: Any = None,
@@ -46,8 +54,10 @@ def view_table(
 
     Parameters
     ----------
-    source, count, seed, parameters, release, max_contacts, override, format, own, label
+    source, count, seed, parameters, release, max_contacts, override, label
         As for `hoopgen.viewer.sample.sample`.
+    format, delimiter, own, columns, where, implausible, memory
+        As for `hoopgen.batch`.
     path, title
         As for `hoopgen.view`.
     backend, scene
@@ -60,6 +70,15 @@ def view_table(
     """
     target = None if path is None else check_output(path, PAGES)
     file, engine = Path(source), engine_of(scene)
+    reading = Reading.of(
+        format=format,
+        delimiter=delimiter,
+        own=own,
+        columns=columns,
+        where=where,
+        implausible=implausible,
+        memory=memory,
+    )
     chosen = sample(
         file,
         count,
@@ -68,8 +87,7 @@ def view_table(
         release=release,
         max_contacts=max_contacts,
         override=override,
-        format=format,
-        own=own,
+        reading=reading,
         label=label,
         scene=engine,
     )
@@ -80,7 +98,8 @@ def view_table(
     )
     invalid = int(np.count_nonzero(shots.outcome == engine.outcomes["INVALID"]))
     about = _about(file, chosen, seed, invalid)
-    return written(shots, parameters, target, title=title, about=about, labels=chosen.labels)
+    page = written(shots, parameters, target, title=title, about=about, labels=chosen.labels)
+    return replace(page, read=str(chosen.interpretation))
 
 
 def _about(file: Path, chosen: Sample, seed: int, invalid: int) -> str:

@@ -26,6 +26,7 @@ def view(
     about: str = "",
     labels: Sequence[str] | str | None = None,
     scene: Any = None,
+    columns: Mapping[str, str] | None = None,
 ) -> Page:
     """Write a page on which shots are seen in motion; in a notebook, show it.
 
@@ -56,6 +57,8 @@ def view(
         name of a column that says it; by default "Row 1", ...
     scene
         Of a file, as for `hoopgen.simulate`; shots have theirs.
+    columns
+        Of a file, names of columns by the variable that they are read as, as for `hoopgen.batch`.
 
     Returns
     -------
@@ -83,7 +86,9 @@ def view(
         if labels is not None and not isinstance(labels, str):
             raise ValueError(f"labels: of a file, expected a column's name, got {brief(labels)}")
         options = {"title": title, "label": labels, "parameters": parameters, "scene": scene}
-        return view_table(shots, target, **options)
+        return view_table(shots, target, columns=columns, **options)
+    if columns is not None:
+        raise ValueError("columns: shots are no table; leave out")
     if scene is not None and engine_of(scene) is not shots.scene:
         raise ValueError("scene: shots were flown in their own; leave out")
     given = shots.parameters if parameters is None else parameters
