@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from .events import Event
     from .hoop.presets import FIBA, NBA, PAPER
     from .hoop.releases import release
+    from .invalid import why_invalid
     from .results import SURFACES, Outcome, Shots, Trajectory
     from .simulation import simulate
 
@@ -43,11 +44,13 @@ __all__ = [
     "SURFACES",
     "Shots",
     "Trajectory",
+    "why_invalid",
 ]
 
 
 _LATER = {
     "simulate": "simulation",
+    "why_invalid": "invalid",
     "compile": "scene.compile",
     "Scene": "scene",
     "load_scene": "scene",

@@ -49,7 +49,7 @@ RARELY_MET = {"ring_prepare": 2, "ring_opened": 1, "ring_nearness": 1}
 """Choices of which random rows meet one side only: windows whose pads overlap, and a flight
 through the very axis."""
 """Rows at which kernels are compared with 50 digits."""
-UNBOUNDED = ("finite_parameters", "finite_state", "limited", "opening")
+UNBOUNDED = ("parameters_in_range", "state_in_range", "limited", "opening")
 """Kernels that ask whether their arguments are finite."""
 
 EXTREMES = [0.0, -0.0, 5e-324, -5e-324, 2.5e-308, 1e-150, -1e-150, 1e150, -1e150]
