@@ -105,12 +105,15 @@ def reason(
     ]
     if large:
         return f"out of range: {', '.join(large)}; in a release at most {largest:g}"
-    outside = [
-        body
-        for index, body in enumerate(scene.surfaces)
-        if index != leaving and _valid(float(index), state, parameters, scene)  # as if it left it
-    ]
-    return f"inside the {outside[0]}" if len(outside) == 1 else "inside several surfaces"
+    bodies = np.arange(len(scene.surfaces))
+    own = {name: float(value) for name, value in parameters.items()}
+    # Inside one alone it could start if it left that one.
+    shots = scene.simulate(
+        np.tile(state, (len(bodies), 1)), own, leaving=bodies, max_contacts=1, fields=("outcome",)
+    )
+    left = np.flatnonzero(shots.outcome != scene.outcomes["INVALID"])
+    inside = [scene.surfaces[index] for index in left if index != leaving]
+    return f"inside the {inside[0]}" if len(inside) == 1 else "inside several surfaces"
 
 
 def allowed(scene: Engine, parameters: Mapping[str, Any]) -> bool:
@@ -144,15 +147,6 @@ def out_of_range(scene: Engine, parameters: Mapping[str, Any]) -> list[str]:
             expected = f"{least:g} to {most:g}" if least else f"at most {most:g}"
             said.append(f"{name} {value:g}, expected a size of {expected}")
     return said or ["all coefficients of a surface's formula, which are too small"]
-
-
-def _valid(
-    last: float, state: NDArray[np.float64], parameters: Mapping[str, Any], scene: Engine
-) -> bool:
-    inputs = scene.table.inputs(parameters)
-    place = dict(zip("xyz", map(np.float64, state[:3]), strict=True))
-    found: bool = _evaluate(scene, "valid", inputs, last=np.float64(last), **place) > 0
-    return found
 
 
 def _evaluate(scene: Engine, kernel: str, inputs: Any, **more: Any) -> Any:

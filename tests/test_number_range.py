@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from compiled import needs_compiler
 from court_shots import all_kinds
 from hoopgen.derive.ground.number_range import MAX_FLIGHT, MAX_SIZE, MAX_TIME, MIN_SIZE
 from numpy.typing import NDArray
+from test_own_scenes import numpy_engine
 
 import hoopgen
 from benchmarks.families import FAMILIES
@@ -335,6 +337,25 @@ def test_other_reasons_are_told_as_well() -> None:
         "not finite: the release",
         "inside the ring",
         "parameter not allowed: restitution 1.5",
+    ]
+
+
+def test_of_many_alike_bodies_the_one_is_named_that_a_ball_starts_in(tmp_path: Path) -> None:
+    balls = [Sphere(f"stone_{k}", radius=0.2, centre=(k, 0, 0)) for k in range(4)]
+    scene = Scene(
+        "stones",
+        ball_radius=0.1,
+        gravity=9.81,
+        restitution=0.7,
+        bodies=balls,
+        ends={"low": End(at=-4)},
+    )
+    states = np.zeros((3, 9))
+    states[:, :3] = [(1, 0, 0.1), (3, 0, 0.1), (2, 0, 0.5)]
+    assert hoopgen.why_invalid(states, scene=numpy_engine(scene, tmp_path)) == [
+        "inside the stone_1",
+        "inside the stone_3",
+        "",
     ]
 
 
