@@ -5,7 +5,7 @@ PYTHON ?= python3
 ARGS ?=
 VENV := .venv
 BIN := $(VENV)/bin
-PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet
+PIP := $(BIN)/python -m pip --disable-pip-version-check
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -33,7 +33,9 @@ lint: $(VENV)/with-dev $(VENV)/typing ## format, lint and types
 	$(BIN)/mypy
 
 docs: $(VENV)/with-docs $(if $(shell command -v cc),,$(VENV)/with-compile) ## the site, into docs/_build/html; every example of it is run
-	$(BIN)/sphinx-build -E -W --keep-going -q -b html -d docs/_build/doctrees docs docs/_build/html $(ARGS)
+	$(BIN)/sphinx-build -E -W --keep-going -b html -d docs/_build/doctrees docs docs/_build/html $(ARGS)
+	@! grep -rlE '<(script|link|img)[^>]*(src|href)="https?://' docs/_build/html --include='*.html' || \
+	    { echo "these pages load something from a network"; exit 1; }
 	@echo docs/_build/html/index.html
 
 attack: $(VENV)/with-dev ## what should not be able to break it, tried; ARGS="--minutes 5 --seed 1"
@@ -60,15 +62,18 @@ clean: ## remove all that these targets made, .venv too
 	find benchmarks derive generated hoopgen templates tests -name __pycache__ -prune -exec rm -rf {} +
 
 $(BIN)/python:
+	@echo "Making a virtual environment in $(VENV)"
 	$(PYTHON) -m venv $(VENV)
 
 # The C library is compiled at installation, so a change of its sources installs again.
 $(VENV)/installed: pyproject.toml setup.py $(wildcard generated/c/*.[ch]) | $(BIN)/python
+	@echo "Installing hoopgen and compiling its C engines: one to two minutes, once"
 	$(PIP) install --editable .
 	@touch $@
 
 # hoopgen is there already, so this adds only what the extra asks for.
 $(VENV)/with-%: $(VENV)/installed
+	@echo "Installing what '$*' needs"
 	$(PIP) install 'hoopgen[$*]'
 	@touch $@
 

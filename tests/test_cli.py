@@ -168,8 +168,17 @@ def test_paper_draws_every_figure(tmp_path: Path) -> None:
     result = run("paper", "--out", str(folder), "--format", "svg")
     assert result.exit_code == 0, result.output
     names = {path.name for path in folder.iterdir()}
-    assert names == {f"figure-{case.slug}.svg" for case in hoopgen.paper.CASES}
-    assert f"8 pictures in {folder}" in result.stdout
+    pictures = {f"figure-{case.slug}.svg" for case in hoopgen.paper.CASES}
+    assert names == {*pictures, "table.txt"}
+    assert f"table.txt, and 8 pictures are in {folder}" in result.stdout
+
+
+def test_paper_writes_the_table_that_it_prints(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    result = run("paper", "--out", str(tmp_path), "--format", "svg", "--events")
+    written = (tmp_path / "table.txt").read_text("utf-8")
+    assert written == run("paper", "--events").stdout
+    assert result.stdout.startswith(written)
 
 
 def test_paper_refuses_an_unknown_format(tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ ROOT = Path(__file__).resolve().parents[1]
 ROOMS = ("derive", "generated", "templates")
 FILES = ("LICENSE", "MANIFEST.in", "README.md", "pyproject.toml", "setup.py")
 NOT_SHIPPED = shutil.ignore_patterns("__pycache__", "*.py[cod]", "*.so", "*.pyd", "*.dylib")
+PLATFORM = f"{sysconfig.get_platform()}-{sys.implementation.cache_tag}"
 COMPILER = (os.environ.get("CC") or sysconfig.get_config_var("CC") or "cl").split()[0]
 
 # One worker: the wheels are built once.
@@ -116,6 +117,43 @@ def test_wheel_with_compiler_holds_a_library_of_each_scene_for_ctypes(installed:
         assert library.parent == installed / "hoopgen" / "engine"
         assert library.name.startswith(f"{name}.")
         assert not hasattr(ctypes.CDLL(str(library)), f"PyInit_{name}")
+
+
+@pytest.mark.skipif(os.name == "nt" or shutil.which(COMPILER) is None, reason="no C compiler")
+def test_a_second_installation_from_a_checkout_compiles_nothing(tmp_path: Path) -> None:
+    """`make paper` and then `pip install '.[study]'` took two minutes of compiling each."""
+    source, log = copy_sources(tmp_path / "source"), tmp_path / "log"
+    (source / "generated" / "c" / "court.c").unlink()
+    compiler = tmp_path / "cc"
+    narrow = "-DHOOP_WIDEST=1 -O0"  # compiles in a second
+    compiler.write_text(f'#!/bin/sh\necho "$@" >>{log}\nexec {COMPILER} "$@" {narrow}\n')
+    compiler.chmod(0o755)
+    plain = {"CC": str(compiler), "CFLAGS": "", "CPPFLAGS": "", "LDFLAGS": ""}
+
+    def compile_engine() -> tuple[dict[str, bytes], int]:
+        """Return the library of a wheel, by its name, and how many files were compiled for it."""
+        log.write_text("")
+        (out := tmp_path / "out").mkdir()
+        unpacked = unpack(build_wheel(source, out, **plain), out)
+        # As after an editable installation, which leaves no such folder.
+        shutil.rmtree(source / "build" / f"lib.{PLATFORM}")
+        found = {library.name: library.read_bytes() for library in libraries(unpacked)}
+        shutil.rmtree(out)
+        return found, sum(" -c " in f" {line} " for line in log.read_text().splitlines())
+
+    first, compiled = compile_engine()
+    assert (len(first), compiled) == (1, 1)
+    assert compile_engine() == (first, 0)
+
+    # Other sources, another compiler and flags of the user's own are compiled.
+    with (source / "generated" / "c" / "hoop.c").open("a") as file:
+        file.write("/* changed */\n")
+    assert compile_engine()[1] == 1
+    version = f'#!/bin/sh\n[ "$1" = --version ] && echo newer && exit\n{compiler.read_text()}'
+    compiler.write_text(version)
+    assert compile_engine()[1] == 1
+    plain["CFLAGS"] = "-DANYTHING"
+    assert compile_engine()[1] == 1
 
 
 def test_without_the_library_numpy_serves_and_one_line_says_so(

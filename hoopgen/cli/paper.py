@@ -11,15 +11,20 @@ import click
 from hoopgen.brief import brief
 from hoopgen.cli.options import backend_option, examples
 from hoopgen.cli.own import no_scene_option
+from hoopgen.cli.progress import shown
 from hoopgen.cli.types import FOLDER
 from hoopgen.inputs import Backend
 from hoopgen.layout import NO_BREAK, table
+from hoopgen.outputs import write
 from hoopgen.printable import printable
 
 if TYPE_CHECKING:
     from hoopgen.paper import Result
 
-__all__ = ["paper"]
+__all__ = ["TABLE", "paper"]
+
+TABLE = "table.txt"
+"""Name of the file that holds the table and its notes."""
 
 
 @click.command(
@@ -29,7 +34,7 @@ __all__ = ["paper"]
         "hoopgen paper --out figures --format svg",
     )
 )
-@click.option("--out", type=FOLDER, help="Draw Figs. 5-7 into this folder.")
+@click.option("--out", type=FOLDER, help="Write the table and draw Figs. 5-7 into this folder.")
 @click.option(
     "--format",
     "formats",
@@ -60,13 +65,19 @@ def paper(
     if out is not None:
         out.mkdir(parents=True, exist_ok=True)
     results = run(backend=backend)
-    click.echo(_overview(results))
-    click.echo(f"\nScene: {say_scene(results[0].parameters)}; releases: Table 3")
-    click.echo(_notes(results))
-    if events:
-        click.echo(_logs(results))
+    report = "\n".join(
+        [
+            _overview(results),
+            f"\nScene: {say_scene(results[0].parameters)}; releases: Table 3",
+            _notes(results),
+            *([_logs(results)] if events else []),
+        ]
+    )
+    click.echo(report)
     if out is not None:
-        click.echo(printable(f"\n{_draw(results, out, suffixes)} pictures in {out}"))
+        write(out / TABLE, f"{report}\n")
+        count = _draw(results, out, suffixes)
+        click.echo(printable(f"\nThe table, {TABLE}, and {count} pictures are in {out}"))
     wrong = [result.case.name for result in results if not result.agrees]
     if wrong:
         click.echo(f"\nNot as in the article: {'; '.join(wrong)}", err=True)
@@ -128,18 +139,20 @@ def _logs(results: tuple[Result, ...]) -> str:
 
 
 def _draw(results: tuple[Result, ...], folder: Path, suffixes: list[str]) -> int:
-    """Write the pictures and count them."""
+    """Write the pictures and return how many there are."""
     from hoopgen import plots
 
-    count = 0
-    for result in results:
-        figure = plots.plot_trajectory(
-            result.trajectory,
-            result.parameters,
-            outcome=result.outcome,
-            title=f"Fig. {result.case.figure}. {result.case.title}",
-        )
-        for suffix in suffixes:
-            plots.save(figure, folder / f"figure-{result.case.slug}.{suffix}")
-            count += 1
-    return count
+    total = len(results) * len(suffixes)
+    with shown() as progress:
+        for done, result in enumerate(results):
+            progress(done * len(suffixes), total)
+            figure = plots.plot_trajectory(
+                result.trajectory,
+                result.parameters,
+                outcome=result.outcome,
+                title=f"Fig. {result.case.figure}. {result.case.title}",
+            )
+            for suffix in suffixes:
+                plots.save(figure, folder / f"figure-{result.case.slug}.{suffix}")
+        progress(total, total)
+    return total
