@@ -17,9 +17,10 @@ from .follow import kinds as of_kinds
 from .follow.fields import Result, fields, results
 from .follow.kinds import Contact
 from .follow.loop import Loop, event_loop
-from .ground.choice import largest, release
+from .ground.choice import hold, largest, release
 from .ground.kernel import Kernel, decision, kernel
 from .ground.kinds import Like, Symbols, kinds
+from .ground.number_range import MAX_FLIGHT
 from .ground.rounding import extent, position_error, speed, velocity_error
 from .ground.symbols import (
     NORMAL,
@@ -44,9 +45,6 @@ from .search.plate import reachable
 from .search.search import Formula, Search
 from .studies import ARGUMENTS, study_kernels
 from .surfaces import Box, Surface
-
-LARGEST = sp.Integer(2) ** 450
-"""Squares of larger coordinates and velocities come near to overflow: no result is certain."""
 
 FRAME = sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"n{i + 1}{j + 1}", real=True))
 """The contact frame's components, R of Eq. 10."""
@@ -133,9 +131,10 @@ def _components(names: tuple[sp.Symbol, ...], *vectors: sp.Matrix) -> dict[str, 
     return {symbol.name: value for symbol, value in zip(names, values, strict=True)}
 
 
-def _largest_input(scene: Scene) -> sp.Expr:
-    """Return the largest of what is squared or divided by."""
-    return largest(1 / scene.flight.strength, *map(sp.Abs, (*POSITION, *VELOCITY)))
+def _flight_size(scene: Scene) -> sp.Expr:
+    """Return the largest number of the sizes of a flight: its place, its speed and v²/g."""
+    place, fastest = (hold(sum(map(sp.Abs, of))) for of in (POSITION, VELOCITY))
+    return largest(place, fastest, hold(fastest**2 * hold(1 / scene.flight.strength)))
 
 
 def _plain_order(scene: Scene) -> tuple[sp.Symbol, ...]:
@@ -217,10 +216,10 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> lis
             {
                 "extent": sp.Add(*map(sp.Abs, POSITION)),
                 "speed": sp.Add(*map(sp.Abs, VELOCITY)),
-                "excess": _largest_input(scene) - LARGEST,
+                "excess": _flight_size(scene) - MAX_FLIGHT,
             },
             order,
-            "Sums of the sizes of the coordinates and of the velocities; excess over the largest.",
+            "Sums of the sizes of place and velocity; by how much a flight exceeds the largest.",
             "what rounding errors are measured by",
         ),
         kernel(
@@ -270,11 +269,11 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> lis
             "the scene's requirements",
         ),
         kernel(
-            "finite_parameters",
-            validity.finite(scene),
+            "parameters_in_range",
+            validity.parameters_in_range(scene),
             (*plain_order, validity.permission),
-            "Where the parameters are finite and allowed.",
-            "IEEE 754",
+            "Where the parameters are allowed, and no arithmetic with them over- or underflows.",
+            "the range of numbers",
         ),
         kernel(
             "valid",

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from .hoop.presets import NBA as NBA
     from .hoop.presets import PAPER as PAPER
     from .hoop.releases import release as release
+    from .invalid import why_invalid as why_invalid
     from .judge import certify as certify
     from .results import SURFACES as SURFACES
     from .results import Outcome as Outcome
@@ -76,11 +77,13 @@ __all__ = [
     "SURFACES",
     "Shots",
     "Trajectory",
+    "why_invalid",
 ]
 
 
 _LAZY = {
     "simulate": "simulation",
+    "why_invalid": "invalid",
     "compile": "scene.compile",
     "Scene": "scene",
     "load_scene": "scene",

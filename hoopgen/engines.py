@@ -114,8 +114,8 @@ class Engine:
         kernels, names = self.kernels, list(self.kernels.VARIABLES)
         tried = np.where(np.eye(len(names), dtype=np.bool_), math.inf, 1.0)
         given = {**dict(zip(kernels.VARIABLES.values(), tried, strict=True)), "allowed": 1.0}
-        asked = (given[name] for name in kernels.ARGUMENTS["finite_parameters"])
-        (permitted,) = kernels.finite_parameters(*asked)
+        asked = (given[name] for name in kernels.ARGUMENTS["parameters_in_range"])
+        (permitted,) = kernels.parameters_in_range(*asked)
         found = dict(zip(names, np.broadcast_to(permitted, len(names)), strict=True))
         return frozenset(name for name in self.table.defaults if found.get(name))
 

@@ -171,7 +171,7 @@ def check_time_limit(time_limit: Any) -> float:
     Raises
     ------
     TypeError, ValueError
-        If it is neither None nor a positive number.
+        If it is neither None nor a positive number, or so large that arithmetic could overflow.
     """
     if time_limit is None:
         return math.inf
@@ -179,6 +179,10 @@ def check_time_limit(time_limit: Any) -> float:
     limit = doubles("time_limit", time_limit, expected)
     if isinstance(time_limit, bool | np.bool_) or limit.ndim or not limit > 0:
         raise ValueError(f"time_limit: expected {expected}, got {brief(time_limit)}")
+    if hoop.MAX_TIME < limit < math.inf:
+        raise ValueError(
+            f"time_limit: expected at most {hoop.MAX_TIME:g} seconds, or None; got {limit:g}"
+        )
     return float(limit)
 
 

@@ -175,14 +175,14 @@ def simulate(
     time_limit
         s since the release, of flight and contact: a shot that has not ended then ends as ENDLESS,
         with its state at that time; so does one that is certain to roll for ever, as soon as that
-        is. None: no limit in the hoop, elsewhere 60. A shot that can never
+        is. At most 2^40. None: no limit in the hoop, elsewhere 60. A shot that can never
         reach the end plane is SHORT all the same, unless the limit comes before its last contact.
 
     Returns
     -------
     Shots
         By shot, whatever the backend and the number of threads. A shot that cannot be simulated
-        is INVALID, with NaN results, and does not disturb the others.
+        is INVALID, with NaN results, and does not disturb the others; `why_invalid` says why.
 
     Raises
     ------

@@ -11,6 +11,7 @@ from decimal import Decimal
 from fractions import Fraction
 from itertools import pairwise, product
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -771,3 +772,151 @@ def test_the_command_says_what_it_needs(tmp_path: Path) -> None:
     wrong = CliRunner().invoke(command, [str(file)])
     assert wrong.exit_code == 1
     assert "expected what `hoopgen shot --json` writes" in wrong.output
+
+
+# ------------------------------------------------------------------------ bounces that accumulate
+
+SMALL_BALL = hoopgen.PAPER_COURT | {
+    "ball_radius": 0.03,
+    "bridge_half_width": 0.5,
+    "bridge_restitution": 0.6,
+}
+ONTO_THE_BRIDGE = state((-0.308, 0.0, 0.25), (0.02, 0.0, 0.0), (0.0, 5.0, 0.0))
+TO_THE_SIDE = state((-0.308, 0.0, 0.25), (0.0, 0.1, 0.0))
+
+
+def on_court(shot: Any, **options: Any) -> Any:
+    return certify(shot, SMALL_BALL, scene=hoopgen.COURT, record=True, **options)
+
+
+def test_a_proof_ends_where_bounces_accumulate_and_says_so() -> None:
+    """Its impacts are those that it has proved, it has no outcome, and no more digits are tried."""
+    certificate = on_court(ONTO_THE_BRIDGE)
+    proof = certificate[0]
+    assert not proof.decided
+    assert proof.accumulates
+    assert proof.outcome == UNDECIDED
+    assert proof.question == (
+        "the bounces on the bridge accumulate; from there the ball rolls, which the judge does "
+        "not follow"
+    )
+    assert set(proof.surfaces) == {BRIDGE}
+    assert 20 < len(proof.surfaces) < 100
+    assert 0 < proof.hops < len(proof.surfaces)
+    assert proof.bits < 1024
+    assert certificate.accumulates.tolist() == [True]
+    assert certificate.until.tolist() == [proof.times[-1]] == [proof.until]
+    assert certificate.contacts[0] == len(proof.surfaces)
+    assert certificate.uncertain.tolist() == [True]
+    assert "0 decided, 1 until they roll" in repr(certificate)
+    # The sum of a geometric series of bounces: e = 0.6, from the first impact on.
+    first, second = proof.times[:2]
+    assert proof.until == pytest.approx(first + (second - first) / (1 - 0.6), rel=0, abs=1e-6)
+
+
+def test_a_proof_agrees_with_shots_as_far_as_it_goes() -> None:
+    states = np.array([ONTO_THE_BRIDGE, TO_THE_SIDE])
+    shots = hoopgen.simulate(states, SMALL_BALL, scene=hoopgen.COURT, record=True)
+    assert np.all(shots.rolls > 0)
+    certificate = on_court(states)
+    assert certificate.accumulates.all()
+    assert certificate.agrees(shots).all()
+    # Nothing is compared beyond the proof, and everything before it.
+    fields = {name: getattr(shots, name) for name in ("outcome", "rolls", "slip_left")}
+    for changed, agrees in ((0, False), (5, False), (None, True)):
+        events = shots.events.copy()
+        rows = np.flatnonzero(events["shot"] == 0)
+        if changed is not None:
+            events["surface"][rows[changed]] = BOARD
+        uncertain = np.zeros(2, np.bool_)
+        own = SimpleNamespace(**fields, events=events, uncertain=uncertain, scene=shots.scene)
+        assert certificate.agrees(Copy(own))[0] == agrees
+
+
+class Copy:
+    """Shots with some results replaced."""
+
+    def __init__(self, results: SimpleNamespace) -> None:
+        self._results = results
+
+    def __len__(self) -> int:
+        return len(self._results.outcome)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._results, name)
+
+
+def test_few_contacts_are_capped_and_proved_where_bounces_are_still_large() -> None:
+    """The shot is given up long before the ball could roll: as in the simulation."""
+    shots = hoopgen.simulate(
+        ONTO_THE_BRIDGE, SMALL_BALL, scene=hoopgen.COURT, max_contacts=6, record=True
+    )
+    certificate = on_court(ONTO_THE_BRIDGE, max_contacts=6)
+    assert certificate.decided.all()
+    assert certificate.outcome[0] == shots.outcome[0] == hoopgen.COURT.outcomes["CAPPED"]
+    assert certificate.agrees(shots).all()
+
+
+@pytest.mark.parametrize("most", [24, 30, 36, 1000])
+def test_no_capped_outcome_is_proved_of_a_ball_that_rolls(most: int) -> None:
+    """However many contacts there may be: one that is small may be that after which it rolls."""
+    shots = hoopgen.simulate(
+        ONTO_THE_BRIDGE, SMALL_BALL, scene=hoopgen.COURT, max_contacts=most, record=True
+    )
+    proof = on_court(ONTO_THE_BRIDGE, max_contacts=most)
+    assert proof.agrees(shots).all()
+    rolled = shots.events["kind"] == hoopgen.Event.ROLL
+    if rolled.any():
+        assert not proof.decided[0]
+        assert proof[0].accumulates
+    if most == 1000:
+        assert rolled.any()
+
+
+def test_bounces_without_a_loss_do_not_accumulate() -> None:
+    """With restitution 1 a small hop stays one: so many contacts cap the shot, as simulated."""
+    hop = state((-0.308, 0.0, 0.04 + 1e-14))
+    lossless = SMALL_BALL | {"bridge_restitution": 1.0}
+    shots = hoopgen.simulate(hop, lossless, scene=hoopgen.COURT, max_contacts=50, record=True)
+    certificate = certify(hop, lossless, scene=hoopgen.COURT, max_contacts=50)
+    assert certificate.decided.all()
+    assert certificate.outcome[0] == hoopgen.COURT.outcomes["CAPPED"]
+    assert certificate.agrees(shots).all()
+
+
+def rolling_file(folder: Path) -> Path:
+    file = folder / "rolls.json"
+    record = {"release": ONTO_THE_BRIDGE, "parameters": {**SMALL_BALL}}
+    told = {n: "inf" if np.isinf(v) else v for n, v in record["parameters"].items()}
+    file.write_text(json.dumps({**record, "parameters": told}), encoding="utf-8")
+    return file
+
+
+def test_the_command_says_how_far_the_proof_of_a_ball_that_rolls_goes(tmp_path: Path) -> None:
+    """In a short log, and never that an outcome is proved."""
+    result = CliRunner().invoke(command, [str(rolling_file(tmp_path)), "--scene", "court"])
+    assert result.exit_code == 1, result.output
+    lines = result.output.splitlines()
+    assert len(lines) < 25
+    assert re.search(r"^14-\d+  bridge   0\.8268457\d+, all within \d+ µs$", result.output, re.M)
+    assert (
+        "outcome    not proved: the bounces on the bridge accumulate; from there the ball rolls, "
+        "which the judge does not follow"
+    ) in lines
+    assert any(
+        re.match(r"proved     \d+ impacts, until 0\.827657 s, with \d+ bits$", line)
+        for line in lines
+    )
+    assert "capped" not in result.output
+
+
+def test_the_command_says_so_in_json_too(tmp_path: Path) -> None:
+    options = [str(rolling_file(tmp_path)), "--scene", "court", "--json"]
+    result = CliRunner().invoke(command, options)
+    assert result.exit_code == 1, result.output
+    proved = json.loads(result.output)
+    assert proved["outcome"] == "undecided"
+    assert proved["accumulates"] is True
+    assert proved["impacts"] == len(proved["events"])
+    assert proved["until_s"] == pytest.approx(0.827657, abs=1e-6)
+    assert "accumulate" in proved["question"]

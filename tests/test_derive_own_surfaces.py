@@ -30,8 +30,9 @@ from scenes.posts import POSTS
 from scenes.rings import RINGS
 from test_derive_evaluation import digits, exactly, in_doubles
 
-from hoopgen.judge.flight import Undecided, fly
+from hoopgen.judge.flight import fly
 from hoopgen.judge.formulas import formulas
+from hoopgen.judge.roots import Undecided
 
 GRAVITY = sp.Symbol("g", positive=True)
 DOWN = Parabola((sp.Integer(0), sp.Integer(0), -GRAVITY))

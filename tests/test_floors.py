@@ -35,6 +35,7 @@ FLOORS = (
     {"results"},
     {"judge"},
     {"simulation"},
+    {"invalid"},
     {"paper", "study"},
     {"plots", "viewer"},
     {"studyfile"},

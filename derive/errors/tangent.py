@@ -41,7 +41,7 @@ LEAST = sp.Rational(1, 2**100)
 """No rounding counts for less: single precision, in which errors are carried where balls do not
 roll, has no smaller numbers to speak of. It rounds the errors themselves by 2^-24 of them, which
 `GUARD` covers; what it does not hold is infinite, or not a number, with which no contact is sure.
-(A shot among lengths of 2^128 m that touches nothing may be sure, and its bounds say nothing.)"""
+What a shot may be of is within what it holds (`ground/number_range.py`)."""
 
 LIFT = 8
 """See above. Constant, it would make an exponential growth of its own; so it is a power's."""

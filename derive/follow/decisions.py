@@ -25,6 +25,7 @@ from ..ground.choice import (
     size,
 )
 from ..ground.kernel import Kernel, decision
+from ..ground.number_range import MAX_SIZE
 from ..ground.rounding import position_error, velocity_error
 from ..ground.symbols import STATE, UNIT_ROUNDOFF
 from ..search import decisions as searching
@@ -38,8 +39,8 @@ first, body, reached, outcome, most_contacts, claims, count, valid, uncertain = 
 caller gives."""
 time_limit = sp.Symbol("time_limit", nonnegative=True)
 """Time since the release at which a shot ends, s; infinite: it does not."""
-ends, edge, touches, finite, permitted = map(
-    Truth, ("ends", "edge", "touches", "finite", "permitted")
+ends, edge, touches, in_range, permitted = map(
+    Truth, ("ends", "edge", "touches", "in_range", "permitted")
 )
 
 _bounded = every(Less(position_error, sp.oo), Less(velocity_error, sp.oo), AtMost(excess, 0))
@@ -79,14 +80,14 @@ def _of_scene(faces: Sequence[int], outcomes: Mapping[str, int], gates: int) -> 
     bodies = max(faces, default=-1) + 1
     timed = Equal(which, index)
     capped = Choose(AtMost(most_contacts, contacts + 1), outcomes["capped"], IN_FLIGHT)
-    startable = Choose(every(permitted, finite, Less(0, valid)), IN_FLIGHT, outcomes["invalid"])
+    startable = Choose(every(permitted, in_range, Less(0, valid)), IN_FLIGHT, outcomes["invalid"])
     return (
         decision("body_of", {"body": body_of(faces, gates)}, "The body that the event is on."),
         decision(
             "admitted",
             {
                 "outcome": startable,
-                "uncertain": Choose(every(permitted, finite, Less(0, doubt)), 1, 0),
+                "uncertain": Choose(every(permitted, in_range, Less(0, doubt)), 1, 0),
             },
             "Whether a shot can start, and whether that is in doubt.",
         ),
@@ -176,9 +177,9 @@ KERNELS = {
     kernel.name: kernel
     for kernel in (
         decision(
-            "finite_state",
-            {"finite": every(*(Less(size(s), sp.oo) for s in STATE))},
-            "Where every number of a state is finite.",
+            "state_in_range",
+            {"in_range": every(*(AtMost(size(s), MAX_SIZE) for s in STATE))},
+            "Where no number of a release is so large that arithmetic with it could overflow.",
         ),
         decision(
             "opening",

@@ -121,12 +121,12 @@ def event_loop(
         tuple(parameters),
         {
             "permit": (
-                *(Do(common["allowed"]), Do(common["finite_parameters"])),
+                *(Do(common["allowed"]), Do(common["parameters_in_range"])),
                 *([Do(common["measure"])] if "measure" in common else []),
             ),
             "admit": (
                 *([Do(common["begun_with"])] if "begun_with" in common else []),
-                *(Do(common["finite_state"]), *_valid(common)),
+                *(Do(common["state_in_range"]), *_valid(common)),
                 *(node for kind in of_one_kind(contacts) for node in _starting(kind)),
                 Do(common["admitted"]),
                 *([Do(common["passing_start"])] if "passing" in common else []),

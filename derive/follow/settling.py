@@ -230,6 +230,17 @@ def tolerance(ball_radius: sp.Expr) -> sp.Expr:
     return sp.Rational(1, 2**38) * ball_radius
 
 
+def small_hop(strength: sp.Expr, ball_radius: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Return two numbers; the first is less where half a hop's height is less than `tolerance`.
+
+    They are the square of the speed at which a ball leaves a surface, and twice the tolerance times
+    what can press the ball onto it, per unit mass.
+    """
+    off = hold(velocity.dot(normal))
+    quick = hold(velocity.dot(velocity)) / ball_radius
+    return hold(off**2), hold(2 * tolerance(ball_radius) * hold(strength + quick))
+
+
 def kernels(
     flight: Parabola,
     ball_radius: sp.Expr,
@@ -295,8 +306,7 @@ def _starting(strength: sp.Expr, ball_radius: sp.Expr) -> tuple[Kernel, ...]:
     off = hold(velocity.dot(normal))
     # A ball settles when half a hop's height is tolerated, under whatever presses it. Errors ask
     # from much earlier on whether its bounces end there.
-    quick = hold(velocity.dot(velocity)) / ball_radius
-    closely = Less(hold(off**2), hold(2 * tolerance(ball_radius) * hold(strength + quick)))
+    closely = Less(*small_hop(strength, ball_radius))
     hardly = Less(hold(off**2), sp.Rational(1, 2**23) * ball_radius)
     across = hold_each(velocity - off * normal)
     sliding = hold_each(sp.Matrix(across) - ball_radius * spin.cross(normal))
@@ -742,6 +752,12 @@ def _events(faces: Sequence[int], codes: Codes, outcomes: Mapping[str, int]) -> 
     )
 
 
+def keeps_ball(surface: Surface, flight: Parabola) -> bool:
+    """Return whether a ball can stay in contact with the surface: else it bounces on."""
+    tube = surface.tube
+    return tube is not None and (tube.ring == 0 or flight.upright)
+
+
 def of_surface(surface: Surface, flight: Parabola) -> dict[str, Kernel]:
     """Return what a surface needs where balls stay in contact: beside it, and on it if they can."""
     along = dict(zip(POSITION, VELOCITY, strict=True))
@@ -775,7 +791,7 @@ def of_surface(surface: Surface, flight: Parabola) -> dict[str, Kernel]:
         "derivatives of Table 2's distance",
     )
     tube = surface.tube
-    if tube is None or (tube.ring != 0 and not flight.upright):
+    if tube is None or not keeps_ball(surface, flight):
         return found  # of a ring the motion is known where gravity is down its axis
     derivatives = [_held(surface.distance)]
     for _ in range(4):

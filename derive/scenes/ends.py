@@ -10,7 +10,7 @@ from ..surfaces import Gate, Plane
 OTHERS = {
     "capped": "Had max_contacts contacts before it ended.",
     "short": "Can never reach an end.",
-    "invalid": "Not finite, a parameter not allowed, or a ball that starts inside a surface.",
+    "invalid": "Not finite, not allowed, a size out of range, or a start inside a surface.",
     "lodged": "At rest, or wedged between bodies.",
     "endless": "Still moving at the time limit.",
 }

@@ -6,10 +6,23 @@ from collections.abc import Sequence, Set
 
 import sympy as sp
 
-from ..ground.choice import AtMost, IfAtMost, IfLess, Less, Not, every, hold, largest, size, some
+from ..ground.choice import (
+    AtMost,
+    IfAtMost,
+    IfLess,
+    Less,
+    Not,
+    every,
+    hold,
+    largest,
+    release,
+    size,
+    some,
+)
+from ..ground.number_range import MAX_COEFFICIENT, MAX_SIZE, MIN_SIZE
 from ..ground.symbols import POSITION, UNIT_ROUNDOFF
-from ..surfaces import Surface
-from .scene import Scene
+from ..surfaces import Free, Surface
+from .scene import Parameter, Scene
 
 last = sp.Symbol("last", real=True)
 """Index of the surface that the ball touched last, -1 for none."""
@@ -24,6 +37,9 @@ blur, leeway = sp.symbols("blur leeway", real=True)
 
 measured, lengths = sp.symbols("measured lengths", nonnegative=True)
 """The sum of the sizes of a scene's lengths, and the same of a shot that has begun."""
+
+_UNITS = ("m", "m/s", "m/s²")
+"""Of what is added to coordinates, speeds and accelerations."""
 
 ROOM = 8
 """A ball so many times further from the box of a surface than is rounded is not inside it, nor is
@@ -118,9 +134,37 @@ def allowed(scene: Scene) -> dict[str, sp.Expr]:
     return {"allowed": verdict}
 
 
-def finite(scene: Scene) -> dict[str, sp.Expr]:
-    """Return where every parameter is a number, finite if it must be, and all are allowed."""
-    finite = (
-        (AtMost if p.infinite else Less)(size(plain(p.symbol)), sp.oo) for p in scene.parameters
-    )
-    return {"permitted": every(Less(0, permission), *finite)}
+def size_limits(scene: Scene, parameter: Parameter) -> tuple[sp.Expr, sp.Expr]:
+    """Return the least and the largest size of a parameter (`ground/number_range.py`)."""
+    scales = parameter.symbol in (scene.ball_radius, scene.gravity)
+    if parameter.infinite:
+        return sp.Integer(0), sp.oo
+    largest_size = MAX_SIZE if parameter.unit in _UNITS else MAX_COEFFICIENT
+    return MIN_SIZE if scales else sp.Integer(0), largest_size
+
+
+def parameters_in_range(scene: Scene) -> dict[str, sp.Expr]:
+    """Return where all parameters are allowed, and of sizes that no arithmetic overflows with.
+
+    One that is not a number has no size that is at most any other.
+    """
+    asked: list[sp.Basic] = []
+    for parameter in scene.parameters:
+        least, most = size_limits(scene, parameter)
+        asked.append(AtMost(size(plain(parameter.symbol)), most))
+        if least != 0:
+            asked.append(AtMost(least, size(plain(parameter.symbol))))
+    asked += (AtMost(1 / MAX_COEFFICIENT, scale) for scale in condition_scales(scene))
+    return {"permitted": every(Less(0, permission), *asked)}
+
+
+def condition_scales(scene: Scene) -> list[sp.Expr]:
+    """Return the size of the largest coefficient of each polynomial of one's own."""
+    found = []
+    for surface in scene.surfaces:
+        if isinstance(surface, Free):
+            terms = sp.Poly(release(surface.formula), *POSITION).terms()
+            factors = [plain(factor) for powers, factor in terms if any(powers)]
+            if not any(factor.is_Rational for factor in factors):  # which is some whole number
+                found.append(largest(*map(size, factors)))
+    return found

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.choice import hold
+from ..ground.choice import IfLess, hold
 from ..ground.symbols import POSITION
 from .bounds import length
 from .surface import Surface, overlap
@@ -59,9 +59,13 @@ class Free(Surface):
 
     @property
     def curvature(self) -> sp.Expr:
-        """The size of the second derivatives over that of the gradient, at the place itself."""
+        """The size of the second derivatives over that of the gradient, at the place itself.
+
+        Infinite where the gradient's size overflows, so that no normal of it is believed.
+        """
         bends = (sp.diff(self.formula, a, b) for a in POSITION for b in POSITION)
-        return hold(sp.sqrt(sp.Add(*(bend**2 for bend in bends)))) / self._steepness
+        bent = hold(sp.sqrt(sp.Add(*(bend**2 for bend in bends)))) / self._steepness
+        return IfLess(self._steepness, sp.oo, bent, sp.oo)
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

@@ -1,6 +1,6 @@
 /* court: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene court, derivation 394a0d8707aa8072,
+   Generated from templates/c/scene.h.j2, scene court, derivation 12a6213eeca56983,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile court.c, next to which this and the other files
@@ -78,7 +78,7 @@ enum {
     COURT_OUTCOME_MISSED = 1, /* Crossed the end plane otherwise. */
     COURT_OUTCOME_CAPPED = 2, /* Had max_contacts contacts before it ended. */
     COURT_OUTCOME_SHORT = 3, /* Can never reach an end. */
-    COURT_OUTCOME_INVALID = 4, /* Not finite, a parameter not allowed, or a ball that starts inside a surface. */
+    COURT_OUTCOME_INVALID = 4, /* Not finite, not allowed, a size out of range, or a start inside a surface. */
     COURT_OUTCOME_LODGED = 5, /* At rest, or wedged between bodies. */
     COURT_OUTCOME_ENDLESS = 6 /* Still moving at the time limit. */
 };

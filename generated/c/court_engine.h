@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 394a0d8707aa8072,
+   Generated from templates/c/engine.h.j2, scene court, derivation 12a6213eeca56983,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -70,8 +70,8 @@ LANES_INLINE M LANES(court_permit)(V p_ball_radius, V p_ring_radius, V p_wire_ra
     const LANES(court_allowed_out) _o1 =
         LANES(court_allowed)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth, p_ring_restitution, p_backboard_restitution, p_bridge_restitution, p_ring_friction, p_backboard_friction, p_bridge_friction, p_tangential_restitution, p_restitution_speed);
     V allowed = _o1.allowed;
-    const LANES(court_finite_parameters_out) _o2 =
-        LANES(court_finite_parameters)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth, p_ring_restitution, p_backboard_restitution, p_bridge_restitution, p_ring_friction, p_backboard_friction, p_bridge_friction, p_tangential_restitution, p_restitution_speed, allowed);
+    const LANES(court_parameters_in_range_out) _o2 =
+        LANES(court_parameters_in_range)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth, p_ring_restitution, p_backboard_restitution, p_bridge_restitution, p_ring_friction, p_backboard_friction, p_bridge_friction, p_tangential_restitution, p_restitution_speed, allowed);
     M permitted = _o2.permitted;
     return permitted;
 }
@@ -4072,9 +4072,9 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
             M permitted = lanes_less(K(0.0), lanes_load(lists->permitted + (i & varying)));
-            const LANES(court_finite_state_out) _o2 =
-                LANES(court_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
-            M finite = _o2.finite;
+            const LANES(court_state_in_range_out) _o2 =
+                LANES(court_state_in_range)(vx, vy, vz, wx, wy, wz, x, y, z);
+            M in_range = _o2.in_range;
             const LANES(court_aside_out) _o3 =
                 LANES(court_aside)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]));
             M close = _o3.close;
@@ -4086,7 +4086,7 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                 valid = lanes_select(_m4, _o5.valid, valid);
             }
             const LANES(court_admitted_out) _o6 =
-                LANES(court_admitted)(K(INFINITY), finite, permitted, valid);
+                LANES(court_admitted)(K(INFINITY), in_range, permitted, valid);
             V outcome = _o6.outcome;
             const LANES(court_passing_start_out) _o7 =
                 LANES(court_passing_start)(last, outcome, K(0.0), x, y, z, lanes_load(lists->fixed[18]), lanes_load(lists->fixed[19]));
@@ -11571,9 +11571,9 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
             M permitted = lanes_less(K(0.0), lanes_load(lists->permitted + (i & varying)));
-            const LANES(court_finite_state_out) _o2 =
-                LANES(court_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
-            M finite = _o2.finite;
+            const LANES(court_state_in_range_out) _o2 =
+                LANES(court_state_in_range)(vx, vy, vz, wx, wy, wz, x, y, z);
+            M in_range = _o2.in_range;
             const LANES(court_aside_out) _o3 =
                 LANES(court_aside)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]), lanes_load(lists->fixed[5]));
             M close = _o3.close;
@@ -11587,7 +11587,7 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                 doubt = lanes_select(_m4, _o5.doubt, doubt);
             }
             const LANES(court_admitted_out) _o6 =
-                LANES(court_admitted)(doubt, finite, permitted, valid);
+                LANES(court_admitted)(doubt, in_range, permitted, valid);
             V outcome = _o6.outcome;
             V uncertain = _o6.uncertain;
             const LANES(court_passing_start_out) _o7 =

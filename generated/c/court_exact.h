@@ -1,6 +1,6 @@
 /* Whether doubles are computed here as IEEE 754 says, and as hoopgen's results need.
 
-   Generated from templates/c/exact.h.j2, scene court, derivation 394a0d8707aa8072,
+   Generated from templates/c/exact.h.j2, scene court, derivation 12a6213eeca56983,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width: compilers choose instructions by function. What

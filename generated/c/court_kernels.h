@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 394a0d8707aa8072,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 12a6213eeca56983,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -75,8 +75,8 @@ LANES(court_horizon)(V t, V speed, V _c0)
     return (LANES(court_horizon_out)){ lanes_add(t, _s0), _s0 };
 }
 
-/* Sums of the sizes of the coordinates and of the velocities; excess over the largest.
-   what rounding errors are measured by. 23 operations: 4 additions, 1 subtraction, 6 absolute values, 6 comparisons, 6 selections. */
+/* Sums of the sizes of place and velocity; by how much a flight exceeds the largest.
+   what rounding errors are measured by. 17 operations: 4 additions, 1 subtraction, 2 multiplications, 6 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
     V extent;
     V speed;
@@ -86,18 +86,11 @@ typedef struct {
 LANES_INLINE LANES(court_scale_out)
 LANES(court_scale)(V x, V y, V z, V vx, V vy, V vz, V _c0)
 {
-    const V _s0 = lanes_abs(x);
-    const V _s1 = lanes_abs(y);
-    const V _s2 = lanes_abs(z);
-    const V _s3 = lanes_abs(vx);
-    const V _s4 = lanes_abs(vy);
-    const V _s5 = lanes_abs(vz);
-    const V _s6 = lanes_max(_c0, _s0);
-    const V _s7 = lanes_max(_s6, _s1);
-    const V _s8 = lanes_max(_s7, _s2);
-    const V _s9 = lanes_max(_s8, _s3);
-    const V _s10 = lanes_max(_s9, _s4);
-    return (LANES(court_scale_out)){ lanes_add(lanes_add(_s0, _s1), _s2), lanes_add(lanes_add(_s3, _s4), _s5), lanes_sub(lanes_max(_s10, _s5), K(2.9073548971824276e+135)) };
+    const V _s0 = lanes_add(lanes_add(lanes_abs(x), lanes_abs(y)), lanes_abs(z));
+    const V _s1 = lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz));
+    const V _s2 = lanes_max(_s0, _s1);
+    const V _s3 = lanes_mul(_c0, lanes_mul(_s1, _s1));
+    return (LANES(court_scale_out)){ _s0, _s1, lanes_sub(lanes_max(_s2, _s3), K(1.152921504606847e+18)) };
 }
 
 /* Bound on the error of a length at a computed arrival.
@@ -300,21 +293,23 @@ LANES(court_allowed)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_boar
     return (LANES(court_allowed_out)){ lanes_select(lanes_less(K(0.0), p_restitution_speed), lanes_select(lanes_at_most(p_tangential_restitution, K(1.0)), lanes_select(lanes_at_most(K(-1.0), p_tangential_restitution), lanes_select(lanes_at_most(K(0.0), p_bridge_friction), _s4, K(0.0)), K(0.0)), K(0.0)), K(0.0)) };
 }
 
-/* Where the parameters are finite and allowed.
-   IEEE 754. 61 operations: 20 absolute values, 21 comparisons, 20 conjunctions. */
+/* Where the parameters are allowed, and no arithmetic with them over- or underflows.
+   the range of numbers. 65 operations: 20 absolute values, 23 comparisons, 22 conjunctions. */
 typedef struct {
     M permitted;
-} LANES(court_finite_parameters_out);
+} LANES(court_parameters_in_range_out);
 
-LANES_INLINE LANES(court_finite_parameters_out)
-LANES(court_finite_parameters)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_gravity, V p_end_depth, V p_ring_restitution, V p_backboard_restitution, V p_bridge_restitution, V p_ring_friction, V p_backboard_friction, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed, V allowed)
+LANES_INLINE LANES(court_parameters_in_range_out)
+LANES(court_parameters_in_range)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_gravity, V p_end_depth, V p_ring_restitution, V p_backboard_restitution, V p_bridge_restitution, V p_ring_friction, V p_backboard_friction, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed, V allowed)
 {
-    const M _s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), allowed), lanes_less(lanes_abs(p_ball_radius), K(INFINITY))), lanes_less(lanes_abs(p_ring_radius), K(INFINITY))), lanes_less(lanes_abs(p_wire_radius), K(INFINITY))), lanes_less(lanes_abs(p_board_distance), K(INFINITY)));
-    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, lanes_less(lanes_abs(p_board_half_width), K(INFINITY))), lanes_less(lanes_abs(p_board_bottom), K(INFINITY))), lanes_less(lanes_abs(p_board_top), K(INFINITY))), lanes_less(lanes_abs(p_board_thickness), K(INFINITY)));
-    const M _s2 = lanes_both(lanes_both(lanes_both(lanes_both(_s1, lanes_less(lanes_abs(p_bridge_half_width), K(INFINITY))), lanes_less(lanes_abs(p_bridge_depth), K(INFINITY))), lanes_less(lanes_abs(p_gravity), K(INFINITY))), lanes_less(lanes_abs(p_end_depth), K(INFINITY)));
-    const M _s3 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_less(lanes_abs(p_ring_restitution), K(INFINITY))), lanes_less(lanes_abs(p_backboard_restitution), K(INFINITY))), lanes_less(lanes_abs(p_bridge_restitution), K(INFINITY))), lanes_at_most(lanes_abs(p_ring_friction), K(INFINITY)));
-    const M _s4 = lanes_both(lanes_both(lanes_both(lanes_both(_s3, lanes_at_most(lanes_abs(p_backboard_friction), K(INFINITY))), lanes_at_most(lanes_abs(p_bridge_friction), K(INFINITY))), lanes_less(lanes_abs(p_tangential_restitution), K(INFINITY))), lanes_at_most(lanes_abs(p_restitution_speed), K(INFINITY)));
-    return (LANES(court_finite_parameters_out)){ _s4 };
+    const V _s0 = lanes_abs(p_ball_radius);
+    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), allowed), lanes_at_most(_s0, K(1073741824.0))), lanes_at_most(K(9.313225746154785e-10), _s0)), lanes_at_most(lanes_abs(p_ring_radius), K(1073741824.0))), lanes_at_most(lanes_abs(p_wire_radius), K(1073741824.0))), lanes_at_most(lanes_abs(p_board_distance), K(1073741824.0)));
+    const M _s2 = lanes_both(lanes_both(lanes_both(lanes_both(_s1, lanes_at_most(lanes_abs(p_board_half_width), K(1073741824.0))), lanes_at_most(lanes_abs(p_board_bottom), K(1073741824.0))), lanes_at_most(lanes_abs(p_board_top), K(1073741824.0))), lanes_at_most(lanes_abs(p_board_thickness), K(1073741824.0)));
+    const V _s3 = lanes_abs(p_gravity);
+    const M _s4 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_at_most(lanes_abs(p_bridge_half_width), K(1073741824.0))), lanes_at_most(lanes_abs(p_bridge_depth), K(1073741824.0))), lanes_at_most(_s3, K(1073741824.0))), lanes_at_most(K(9.313225746154785e-10), _s3));
+    const M _s5 = lanes_both(lanes_both(lanes_both(lanes_both(_s4, lanes_at_most(lanes_abs(p_end_depth), K(1073741824.0))), lanes_at_most(lanes_abs(p_ring_restitution), K(1.2676506002282294e+30))), lanes_at_most(lanes_abs(p_backboard_restitution), K(1.2676506002282294e+30))), lanes_at_most(lanes_abs(p_bridge_restitution), K(1.2676506002282294e+30)));
+    const M _s6 = lanes_both(lanes_both(lanes_both(lanes_both(_s5, lanes_at_most(lanes_abs(p_ring_friction), K(INFINITY))), lanes_at_most(lanes_abs(p_backboard_friction), K(INFINITY))), lanes_at_most(lanes_abs(p_bridge_friction), K(INFINITY))), lanes_at_most(lanes_abs(p_tangential_restitution), K(1.2676506002282294e+30)));
+    return (LANES(court_parameters_in_range_out)){ lanes_both(_s6, lanes_at_most(lanes_abs(p_restitution_speed), K(INFINITY))) };
 }
 
 /* 1 where no surface is overlapped; 1 where that is in doubt.
@@ -903,18 +898,18 @@ LANES(court_outside)(void)
     return (LANES(court_outside_out)){ K(1.0) };
 }
 
-/* Where every number of a state is finite.
+/* Where no number of a release is so large that arithmetic with it could overflow.
    Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions. */
 typedef struct {
-    M finite;
-} LANES(court_finite_state_out);
+    M in_range;
+} LANES(court_state_in_range_out);
 
-LANES_INLINE LANES(court_finite_state_out)
-LANES(court_finite_state)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
+LANES_INLINE LANES(court_state_in_range_out)
+LANES(court_state_in_range)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
 {
-    const M _s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(lanes_abs(x), K(INFINITY)), lanes_less(lanes_abs(y), K(INFINITY))), lanes_less(lanes_abs(z), K(INFINITY))), lanes_less(lanes_abs(vx), K(INFINITY))), lanes_less(lanes_abs(vy), K(INFINITY)));
-    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, lanes_less(lanes_abs(vz), K(INFINITY))), lanes_less(lanes_abs(wx), K(INFINITY))), lanes_less(lanes_abs(wy), K(INFINITY))), lanes_less(lanes_abs(wz), K(INFINITY)));
-    return (LANES(court_finite_state_out)){ _s1 };
+    const M _s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(lanes_abs(x), K(1073741824.0)), lanes_at_most(lanes_abs(y), K(1073741824.0))), lanes_at_most(lanes_abs(z), K(1073741824.0))), lanes_at_most(lanes_abs(vx), K(1073741824.0))), lanes_at_most(lanes_abs(vy), K(1073741824.0)));
+    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, lanes_at_most(lanes_abs(vz), K(1073741824.0))), lanes_at_most(lanes_abs(wx), K(1073741824.0))), lanes_at_most(lanes_abs(wy), K(1073741824.0))), lanes_at_most(lanes_abs(wz), K(1073741824.0)));
+    return (LANES(court_state_in_range_out)){ _s1 };
 }
 
 /* No arrival yet; nothing is certain where the errors are not bounded.
@@ -1073,9 +1068,9 @@ typedef struct {
 } LANES(court_admitted_out);
 
 LANES_INLINE LANES(court_admitted_out)
-LANES(court_admitted)(V doubt, M finite, M permitted, V valid)
+LANES(court_admitted)(V doubt, M in_range, M permitted, V valid)
 {
-    const M _s0 = lanes_both(permitted, finite);
+    const M _s0 = lanes_both(permitted, in_range);
     return (LANES(court_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), doubt)), K(1.0), K(0.0)) };
 }
 

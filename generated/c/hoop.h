@@ -1,6 +1,6 @@
 /* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene hoop, derivation 968d841b0ede7c17,
+   Generated from templates/c/scene.h.j2, scene hoop, derivation 8b478a501bbb95cb,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this and the other files
@@ -69,7 +69,7 @@ enum {
     HOOP_OUTCOME_MISSED = 1, /* Crossed it outside. */
     HOOP_OUTCOME_CAPPED = 2, /* Had max_contacts contacts before it ended. */
     HOOP_OUTCOME_SHORT = 3, /* Can never reach an end. */
-    HOOP_OUTCOME_INVALID = 4, /* Not finite, a parameter not allowed, or a ball that starts inside a surface. */
+    HOOP_OUTCOME_INVALID = 4, /* Not finite, not allowed, a size out of range, or a start inside a surface. */
     HOOP_OUTCOME_LODGED = 5, /* At rest, or wedged between bodies. */
     HOOP_OUTCOME_ENDLESS = 6 /* Still moving at the time limit. */
 };

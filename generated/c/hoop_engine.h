@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 968d841b0ede7c17,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 8b478a501bbb95cb,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -61,8 +61,8 @@ LANES_INLINE M LANES(hoop_permit)(V p_ball_radius, V p_ring_radius, V p_wire_rad
     const LANES(hoop_allowed_out) _o1 =
         LANES(hoop_allowed)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_bridge_half_width, p_restitution, p_gravity, p_end_depth);
     V allowed = _o1.allowed;
-    const LANES(hoop_finite_parameters_out) _o2 =
-        LANES(hoop_finite_parameters)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth, allowed);
+    const LANES(hoop_parameters_in_range_out) _o2 =
+        LANES(hoop_parameters_in_range)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth, allowed);
     M permitted = _o2.permitted;
     return permitted;
 }
@@ -972,9 +972,9 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
             M permitted = lanes_less(K(0.0), lanes_load(lists->permitted + (i & varying)));
-            const LANES(hoop_finite_state_out) _o2 =
-                LANES(hoop_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
-            M finite = _o2.finite;
+            const LANES(hoop_state_in_range_out) _o2 =
+                LANES(hoop_state_in_range)(vx, vy, vz, wx, wy, wz, x, y, z);
+            M in_range = _o2.in_range;
             const LANES(hoop_aside_out) _o3 =
                 LANES(hoop_aside)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]));
             M close = _o3.close;
@@ -986,7 +986,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 valid = lanes_select(_m4, _o5.valid, valid);
             }
             const LANES(hoop_admitted_out) _o6 =
-                LANES(hoop_admitted)(K(INFINITY), finite, permitted, valid);
+                LANES(hoop_admitted)(K(INFINITY), in_range, permitted, valid);
             V outcome = _o6.outcome;
             lanes_store(lists->outcome + i, outcome);
         }
@@ -3205,9 +3205,9 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
             M permitted = lanes_less(K(0.0), lanes_load(lists->permitted + (i & varying)));
-            const LANES(hoop_finite_state_out) _o2 =
-                LANES(hoop_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
-            M finite = _o2.finite;
+            const LANES(hoop_state_in_range_out) _o2 =
+                LANES(hoop_state_in_range)(vx, vy, vz, wx, wy, wz, x, y, z);
+            M in_range = _o2.in_range;
             const LANES(hoop_aside_out) _o3 =
                 LANES(hoop_aside)(x, y, z, lanes_load(lists->fixed[0]), lanes_load(lists->fixed[1]), lanes_load(lists->fixed[2]), lanes_load(lists->fixed[3]), lanes_load(lists->fixed[4]));
             M close = _o3.close;
@@ -3221,7 +3221,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 doubt = lanes_select(_m4, _o5.doubt, doubt);
             }
             const LANES(hoop_admitted_out) _o6 =
-                LANES(hoop_admitted)(doubt, finite, permitted, valid);
+                LANES(hoop_admitted)(doubt, in_range, permitted, valid);
             V outcome = _o6.outcome;
             V uncertain = _o6.uncertain;
             lanes_store(lists->outcome + i, outcome);

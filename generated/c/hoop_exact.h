@@ -1,6 +1,6 @@
 /* Whether doubles are computed here as IEEE 754 says, and as hoopgen's results need.
 
-   Generated from templates/c/exact.h.j2, scene hoop, derivation 968d841b0ede7c17,
+   Generated from templates/c/exact.h.j2, scene hoop, derivation 8b478a501bbb95cb,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width: compilers choose instructions by function. What

@@ -1,6 +1,6 @@
 /* Values of LANES_WIDTH shots abreast, and what is done to them.
 
-   Generated from templates/c/lanes.h.j2, scene hoop, derivation 968d841b0ede7c17,
+   Generated from templates/c/lanes.h.j2, scene hoop, derivation 8b478a501bbb95cb,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. Above one lane a value is a struct of two native

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 394a0d8707aa8072,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 12a6213eeca56983,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -76,6 +76,36 @@ LIMITS: dict[str, tuple[float, float]] = {
 }
 """Of parameters with a largest value: between which they are."""
 
+SIZE_LIMITS: dict[str, tuple[float, float]] = {
+    "ball_radius": (9.313225746154785e-10, 1073741824.0),
+    "ring_radius": (0.0, 1073741824.0),
+    "wire_radius": (0.0, 1073741824.0),
+    "board_distance": (0.0, 1073741824.0),
+    "board_half_width": (0.0, 1073741824.0),
+    "board_bottom": (0.0, 1073741824.0),
+    "board_top": (0.0, 1073741824.0),
+    "board_thickness": (0.0, 1073741824.0),
+    "bridge_half_width": (0.0, 1073741824.0),
+    "bridge_depth": (0.0, 1073741824.0),
+    "gravity": (9.313225746154785e-10, 1073741824.0),
+    "end_depth": (0.0, 1073741824.0),
+    "ring_restitution": (0.0, 1.2676506002282294e+30),
+    "backboard_restitution": (0.0, 1.2676506002282294e+30),
+    "bridge_restitution": (0.0, 1.2676506002282294e+30),
+    "ring_friction": (0.0, _inf),
+    "backboard_friction": (0.0, _inf),
+    "bridge_friction": (0.0, _inf),
+    "tangential_restitution": (0.0, 1.2676506002282294e+30),
+    "restitution_speed": (0.0, _inf),
+}
+"""The least and the largest size of each parameter with which no arithmetic over- or underflows."""
+
+MAX_SIZE = 1073741824.0
+"""The largest size of a component of a release."""
+
+MAX_TIME = 1099511627776.0
+"""The largest finite time limit, s."""
+
 VARIABLES: dict[str, str] = {
     "ball_radius": "p_ball_radius",
     "ring_radius": "p_ring_radius",
@@ -126,7 +156,7 @@ class Outcome(IntEnum):
     SHORT = 3
     """Can never reach an end."""
     INVALID = 4
-    """Not finite, a parameter not allowed, or a ball that starts inside a surface."""
+    """Not finite, not allowed, a size out of range, or a start inside a surface."""
     LODGED = 5
     """At rest, or wedged between bodies."""
     ENDLESS = 6
@@ -249,7 +279,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "error_bounds": ("clock_error", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "claimed_errors": ("clock_error", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "allowed": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_bridge_half_width", "p_bridge_depth", "p_gravity", "p_end_depth", "p_ring_restitution", "p_backboard_restitution", "p_bridge_restitution", "p_ring_friction", "p_backboard_friction", "p_bridge_friction", "p_tangential_restitution", "p_restitution_speed",),
-    "finite_parameters": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_bridge_half_width", "p_bridge_depth", "p_gravity", "p_end_depth", "p_ring_restitution", "p_backboard_restitution", "p_bridge_restitution", "p_ring_friction", "p_backboard_friction", "p_bridge_friction", "p_tangential_restitution", "p_restitution_speed", "allowed",),
+    "parameters_in_range": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_bridge_half_width", "p_bridge_depth", "p_gravity", "p_end_depth", "p_ring_restitution", "p_backboard_restitution", "p_bridge_restitution", "p_ring_friction", "p_backboard_friction", "p_bridge_friction", "p_tangential_restitution", "p_restitution_speed", "allowed",),
     "valid": ("last", "x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_bridge_half_width", "p_bridge_depth", "p_end_depth",),
     "aside": ("x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_bridge_half_width", "p_bridge_depth", "p_end_depth",),
     "passing_start": ("last", "outcome", "uncertain", "x", "y", "z", "p_ring_radius", "p_end_depth",),
@@ -285,7 +315,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "landed": ("arrival",),
     "landed_surely": ("arrives", "certain", "clearance", "delay", "doubt", "time",),
     "outside": (),
-    "finite_state": ("vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
+    "state_in_range": ("vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
     "opening": ("excess", "position_error", "velocity_error",),
     "limited": ("time_limit",),
     "ticked": ("clock", "when",),
@@ -298,7 +328,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "timed": ("claims", "index", "which",),
     "undecided": ("uncertain", "unsure",),
     "body_of": ("which",),
-    "admitted": ("doubt", "finite", "permitted", "valid",),
+    "admitted": ("doubt", "in_range", "permitted", "valid",),
     "expiry": ("clock", "doubt", "late", "time_error", "time_limit", "when", "which",),
     "departed": ("index", "which",),
     "expired": ("body", "clock", "ends", "index", "reached", "time_limit", "which",),
@@ -499,7 +529,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "error_bounds": ("position_error", "velocity_error", "spin_error", "time_error",),
     "claimed_errors": ("position_error", "velocity_error", "spin_error", "time_error",),
     "allowed": ("allowed",),
-    "finite_parameters": ("permitted",),
+    "parameters_in_range": ("permitted",),
     "valid": ("valid", "doubt",),
     "aside": ("close", "valid", "doubt",),
     "passing_start": ("through", "uncertain",),
@@ -535,7 +565,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "landed": ("time",),
     "landed_surely": ("delay", "doubt",),
     "outside": ("side",),
-    "finite_state": ("finite",),
+    "state_in_range": ("in_range",),
     "opening": ("when", "which", "late", "doubt",),
     "limited": ("limited",),
     "ticked": ("clock",),
@@ -767,8 +797,8 @@ _k8 = _scalar(_inf)
 _k9 = _float64(6.0)
 _k10 = _float64(_inf)
 _k11 = _float64(9.5367431640625e-07)
-_k12 = _scalar(2.9073548971824276e+135)
-_k13 = _float64(2.9073548971824276e+135)
+_k12 = _scalar(1.152921504606847e+18)
+_k13 = _float64(1.152921504606847e+18)
 _k14 = _scalar(4.445228907190568e-16)
 _k15 = _scalar(1.0009765625)
 _k16 = _scalar(3.0029296875)
@@ -799,205 +829,208 @@ _k40 = _float64(16.0)
 _k41 = _scalar(64.0)
 _k42 = _float64(64.0)
 _k43 = _float64(-1.0)
-_k44 = _scalar(0.5)
-_k45 = _scalar(1.7763568394002505e-15)
-_k46 = _float64(4.0)
-_k47 = _float64(1.7763568394002505e-15)
-_k48 = _scalar(8.881784197001252e-16)
-_k49 = _float64(8.881784197001252e-16)
-_k50 = _scalar(-1.0)
-_k51 = _scalar(9.313225746154785e-10)
-_k52 = _scalar(1.0000000009313226)
-_k53 = _float64(1.0000000009313226)
-_k54 = _float64(9.313225746154785e-10)
-_k55 = _float64(2.9802322387695312e-08)
-_k56 = _float64(2.842170943040401e-14)
-_k57 = _float64(0.03125)
-_k58 = _float64(5.960464477539063e-08)
-_k59 = _float64(3.0)
-_k60 = _scalar(0.4)
-_k61 = _scalar(0.3333333333333333)
-_k62 = _float64(0.3333333333333333)
-_k63 = _scalar(3.0)
-_k64 = _scalar(4.0)
-_k65 = _scalar(0.2)
-_k66 = _float64(0.2)
-_k67 = _scalar(5.0)
-_k68 = _scalar(0.16666666666666666)
-_k69 = _float64(5.0)
-_k70 = _float64(0.16666666666666666)
-_k71 = _scalar(0.14285714285714285)
-_k72 = _float64(0.14285714285714285)
-_k73 = _scalar(7.0)
-_k74 = _float64(7.0)
-_k75 = _scalar(0.1111111111111111)
-_k76 = _float64(0.1111111111111111)
-_k77 = _scalar(1.4210854715202004e-14)
-_k78 = _scalar(12.0)
-_k79 = _scalar(20.0)
-_k80 = _scalar(30.0)
-_k81 = _scalar(42.0)
-_k82 = _scalar(0.8)
-_k83 = _float64(1.4210854715202004e-14)
-_k84 = _float64(0.015625)
-_k85 = _float64(12.0)
-_k86 = _float64(20.0)
-_k87 = _float64(30.0)
-_k88 = _float64(42.0)
-_k89 = _float64(0.8)
-_k90 = _float64(7.275957614183426e-12)
-_k91 = _float64(1.1920928955078125e-07)
-_k92 = _scalar(9.5367431640625e-07)
-_k93 = _scalar(9.094947017729282e-13)
-_k94 = _scalar(0.9999990463256836)
-_k95 = _float64(9.094947017729282e-13)
-_k96 = _float64(0.9999990463256836)
-_k97 = _float64(3.637978807091713e-12)
-_k98 = _float64(1.4551915228366852e-11)
-_k99 = _scalar(5.684341886080802e-14)
-_k100 = _float64(5.684341886080802e-14)
-_k101 = _scalar(7.105427357601002e-15)
-_k102 = _float64(7.105427357601002e-15)
-_k103 = _float64(0.0078125)
-_k104 = _scalar(128.0)
-_k105 = _scalar(0.0078125)
-_k106 = _float64(128.0)
-_k107 = _float64(2.384185791015625e-07)
-_k108 = _scalar(5.960464477539063e-08)
-_k109 = _float64(-_inf)
-_k110 = _scalar(1.6)
-_k111 = _scalar(1.4551915228366852e-11)
-_k112 = _float64(1.6)
-_k113 = _float64(3.725290298461914e-09)
-_k114 = _scalar(1.5)
-_k115 = _float64(1.5)
-_k116 = _float64(0.000244140625)
-_k117 = _float64(1.52587890625e-05)
-_k118 = _float64(5.820766091346741e-11)
-_k119 = _float64(1.00006103515625)
-_k120 = _float64(65536.0)
-_k121 = _float64(6.0003662109375)
-_k122 = _float64(0.0001220703125)
-_k123 = _scalar(2.409919865102884e-181)
-_k124 = _scalar(-_inf)
-_k125 = _float64(2.409919865102884e-181)
-_k126 = _scalar(3.552713678800501e-15)
-_k127 = _float64(1.3323489447131243e-15)
-_k128 = _float64(5.00030517578125)
-_k129 = _float64(3.552713678800501e-15)
-_k130 = _float32(1.00006103515625)
-_k131 = _float32(2.0)
-_k132 = _scalar(_float32(4.76837158203125e-07))
-_k133 = _float32(1.0)
-_k134 = _scalar(_float32(9.5367431640625e-07))
-_k135 = _scalar(_float32(0.0))
-_k136 = _scalar(_float32(_inf))
-_k137 = _scalar(_float32(1.0))
-_k138 = _scalar(_float32(8.673617379884035e-19))
-_k139 = _scalar(_float32(-_inf))
-_k140 = _float32(0.0001220703125)
-_k141 = _scalar(_float32(1.000000238418579))
-_k142 = _float32(32.0)
-_k143 = _float32(4096.0)
-_k144 = _float32(0.000244140625)
-_k145 = _scalar(_float32(4096.0))
-_k146 = _float32(0.0)
-_k147 = _float32(4.76837158203125e-07)
-_k148 = _float32(9.5367431640625e-07)
-_k149 = _float32(_inf)
-_k150 = _float32(8.673617379884035e-19)
-_k151 = _float32(-_inf)
-_k152 = _float32(1.000000238418579)
-_k153 = _scalar(_float32(5.0))
-_k154 = _scalar(_float32(0.00390625))
-_k155 = _scalar(_float32(2.9802322387695312e-08))
-_k156 = _scalar(_float32(2.842170943040401e-14))
-_k157 = _scalar(_float32(2.0))
-_k158 = _float32(4.0)
-_k159 = _float32(6.0003662109375)
-_k160 = _scalar(_float32(0.5))
-_k161 = _scalar(_float32(1.0009765625))
-_k162 = _float32(5.0048828125)
-_k163 = _scalar(_float32(5.684341886080802e-14))
-_k164 = _float32(7.62939453125e-06)
-_k165 = _scalar(_float32(2.384185791015625e-07))
-_k166 = _float32(128.0)
-_k167 = _float32(2.842170943040401e-14)
-_k168 = _float32(0.00390625)
-_k169 = _float32(5.0)
-_k170 = _float32(2.9802322387695312e-08)
-_k171 = _float32(1.0009765625)
-_k172 = _float32(5.684341886080802e-14)
-_k173 = _float32(0.5)
-_k174 = _float32(2.384185791015625e-07)
-_k175 = _float32(6.0)
-_k176 = _scalar(_float32(8.0))
-_k177 = _scalar(_float32(4.0))
-_k178 = _scalar(_float32(0.0001220703125))
-_k179 = _scalar(_float32(3.814697265625e-06))
-_k180 = _scalar(_float32(3.0))
-_k181 = _scalar(_float32(0.000244140625))
-_k182 = _float32(8.0)
-_k183 = _float32(3.814697265625e-06)
-_k184 = _float32(3.0)
-_k185 = _scalar(0.1)
-_k186 = _scalar(0.09090909090909091)
-_k187 = _scalar(0.08333333333333333)
-_k188 = _scalar(2.48015873015873e-05)
-_k189 = _scalar(2.08767569878681e-09)
-_k190 = _scalar(2.755731922398589e-07)
-_k191 = _scalar(0.001388888888888889)
-_k192 = _scalar(0.041666666666666664)
-_k193 = _scalar(0.008333333333333333)
-_k194 = _scalar(2.7557319223985893e-06)
-_k195 = _scalar(2.505210838544172e-08)
-_k196 = _scalar(0.0001984126984126984)
-_k197 = _float64(0.041666666666666664)
-_k198 = _float64(2.48015873015873e-05)
-_k199 = _float64(2.08767569878681e-09)
-_k200 = _float64(0.1)
-_k201 = _float64(0.09090909090909091)
-_k202 = _float64(0.08333333333333333)
-_k203 = _float64(2.755731922398589e-07)
-_k204 = _float64(0.001388888888888889)
-_k205 = _float64(0.008333333333333333)
-_k206 = _float64(2.7557319223985893e-06)
-_k207 = _float64(2.505210838544172e-08)
-_k208 = _float64(0.0001984126984126984)
-_k209 = _scalar(4.547473508864641e-13)
-_k210 = _scalar(0.75)
-_k211 = _scalar(11.0)
-_k212 = _scalar(10.0)
-_k213 = _scalar(9.0)
-_k214 = _float64(0.75)
-_k215 = _float64(4.547473508864641e-13)
-_k216 = _float64(11.0)
-_k217 = _float64(10.0)
-_k218 = _float64(9.0)
-_k219 = _float64(2.2)
-_k220 = _scalar(512.0)
-_k221 = _float64(0.00390625)
-_k222 = _float64(512.0)
-_k223 = _scalar(0.6)
-_k224 = _float64(6.103515625e-05)
-_k225 = _float64(1.25)
-_k226 = _scalar(3.3306690738754696e-16)
-_k227 = _scalar(1.3335686721571705e-15)
-_k228 = _scalar(4.00390625)
-_k229 = _scalar(2.001953125)
-_k230 = _float64(5.55653613398821e-16)
-_k231 = _float64(2.001953125)
-_k232 = _float64(3.3306690738754696e-16)
-_k233 = _float64(1.3335686721571705e-15)
-_k234 = _float64(12.01171875)
-_k235 = _float64(6.667843360785852e-15)
-_k236 = _float64(4.00390625)
-_k237 = _float64(6.005859375)
-_k238 = _float64(2.667137344314341e-15)
-_k239 = _float64(5.551115123125783e-16)
-_k240 = _scalar(2.222614453595284e-16)
-_k241 = _float64(6.667843360785852e-16)
-_k242 = _float64(2.222614453595284e-16)
+_k44 = _float64(1073741824.0)
+_k45 = _float64(9.313225746154785e-10)
+_k46 = _float64(1.2676506002282294e+30)
+_k47 = _scalar(0.5)
+_k48 = _scalar(1.7763568394002505e-15)
+_k49 = _float64(4.0)
+_k50 = _float64(1.7763568394002505e-15)
+_k51 = _scalar(8.881784197001252e-16)
+_k52 = _float64(8.881784197001252e-16)
+_k53 = _scalar(-1.0)
+_k54 = _scalar(9.313225746154785e-10)
+_k55 = _scalar(1.0000000009313226)
+_k56 = _float64(1.0000000009313226)
+_k57 = _float64(2.9802322387695312e-08)
+_k58 = _float64(2.842170943040401e-14)
+_k59 = _float64(0.03125)
+_k60 = _float64(5.960464477539063e-08)
+_k61 = _scalar(1073741824.0)
+_k62 = _float64(3.0)
+_k63 = _scalar(0.4)
+_k64 = _scalar(0.3333333333333333)
+_k65 = _float64(0.3333333333333333)
+_k66 = _scalar(3.0)
+_k67 = _scalar(4.0)
+_k68 = _scalar(0.2)
+_k69 = _float64(0.2)
+_k70 = _scalar(5.0)
+_k71 = _scalar(0.16666666666666666)
+_k72 = _float64(5.0)
+_k73 = _float64(0.16666666666666666)
+_k74 = _scalar(0.14285714285714285)
+_k75 = _float64(0.14285714285714285)
+_k76 = _scalar(7.0)
+_k77 = _float64(7.0)
+_k78 = _scalar(0.1111111111111111)
+_k79 = _float64(0.1111111111111111)
+_k80 = _scalar(1.4210854715202004e-14)
+_k81 = _scalar(12.0)
+_k82 = _scalar(20.0)
+_k83 = _scalar(30.0)
+_k84 = _scalar(42.0)
+_k85 = _scalar(0.8)
+_k86 = _float64(1.4210854715202004e-14)
+_k87 = _float64(0.015625)
+_k88 = _float64(12.0)
+_k89 = _float64(20.0)
+_k90 = _float64(30.0)
+_k91 = _float64(42.0)
+_k92 = _float64(0.8)
+_k93 = _float64(7.275957614183426e-12)
+_k94 = _float64(1.1920928955078125e-07)
+_k95 = _scalar(9.5367431640625e-07)
+_k96 = _scalar(9.094947017729282e-13)
+_k97 = _scalar(0.9999990463256836)
+_k98 = _float64(9.094947017729282e-13)
+_k99 = _float64(0.9999990463256836)
+_k100 = _float64(3.637978807091713e-12)
+_k101 = _float64(1.4551915228366852e-11)
+_k102 = _scalar(5.684341886080802e-14)
+_k103 = _float64(5.684341886080802e-14)
+_k104 = _scalar(7.105427357601002e-15)
+_k105 = _float64(7.105427357601002e-15)
+_k106 = _float64(0.0078125)
+_k107 = _scalar(128.0)
+_k108 = _scalar(0.0078125)
+_k109 = _float64(128.0)
+_k110 = _float64(2.384185791015625e-07)
+_k111 = _scalar(5.960464477539063e-08)
+_k112 = _float64(-_inf)
+_k113 = _scalar(1.6)
+_k114 = _scalar(1.4551915228366852e-11)
+_k115 = _float64(1.6)
+_k116 = _float64(3.725290298461914e-09)
+_k117 = _scalar(1.5)
+_k118 = _float64(1.5)
+_k119 = _float64(0.000244140625)
+_k120 = _float64(1.52587890625e-05)
+_k121 = _float64(5.820766091346741e-11)
+_k122 = _float64(1.00006103515625)
+_k123 = _float64(65536.0)
+_k124 = _float64(6.0003662109375)
+_k125 = _float64(0.0001220703125)
+_k126 = _scalar(2.409919865102884e-181)
+_k127 = _scalar(-_inf)
+_k128 = _float64(2.409919865102884e-181)
+_k129 = _scalar(3.552713678800501e-15)
+_k130 = _float64(1.3323489447131243e-15)
+_k131 = _float64(5.00030517578125)
+_k132 = _float64(3.552713678800501e-15)
+_k133 = _float32(1.00006103515625)
+_k134 = _float32(2.0)
+_k135 = _scalar(_float32(4.76837158203125e-07))
+_k136 = _float32(1.0)
+_k137 = _scalar(_float32(9.5367431640625e-07))
+_k138 = _scalar(_float32(0.0))
+_k139 = _scalar(_float32(_inf))
+_k140 = _scalar(_float32(1.0))
+_k141 = _scalar(_float32(8.673617379884035e-19))
+_k142 = _scalar(_float32(-_inf))
+_k143 = _float32(0.0001220703125)
+_k144 = _scalar(_float32(1.000000238418579))
+_k145 = _float32(32.0)
+_k146 = _float32(4096.0)
+_k147 = _float32(0.000244140625)
+_k148 = _scalar(_float32(4096.0))
+_k149 = _float32(0.0)
+_k150 = _float32(4.76837158203125e-07)
+_k151 = _float32(9.5367431640625e-07)
+_k152 = _float32(_inf)
+_k153 = _float32(8.673617379884035e-19)
+_k154 = _float32(-_inf)
+_k155 = _float32(1.000000238418579)
+_k156 = _scalar(_float32(5.0))
+_k157 = _scalar(_float32(0.00390625))
+_k158 = _scalar(_float32(2.9802322387695312e-08))
+_k159 = _scalar(_float32(2.842170943040401e-14))
+_k160 = _scalar(_float32(2.0))
+_k161 = _float32(4.0)
+_k162 = _float32(6.0003662109375)
+_k163 = _scalar(_float32(0.5))
+_k164 = _scalar(_float32(1.0009765625))
+_k165 = _float32(5.0048828125)
+_k166 = _scalar(_float32(5.684341886080802e-14))
+_k167 = _float32(7.62939453125e-06)
+_k168 = _scalar(_float32(2.384185791015625e-07))
+_k169 = _float32(128.0)
+_k170 = _float32(2.842170943040401e-14)
+_k171 = _float32(0.00390625)
+_k172 = _float32(5.0)
+_k173 = _float32(2.9802322387695312e-08)
+_k174 = _float32(1.0009765625)
+_k175 = _float32(5.684341886080802e-14)
+_k176 = _float32(0.5)
+_k177 = _float32(2.384185791015625e-07)
+_k178 = _float32(6.0)
+_k179 = _scalar(_float32(8.0))
+_k180 = _scalar(_float32(4.0))
+_k181 = _scalar(_float32(0.0001220703125))
+_k182 = _scalar(_float32(3.814697265625e-06))
+_k183 = _scalar(_float32(3.0))
+_k184 = _scalar(_float32(0.000244140625))
+_k185 = _float32(8.0)
+_k186 = _float32(3.814697265625e-06)
+_k187 = _float32(3.0)
+_k188 = _scalar(0.1)
+_k189 = _scalar(0.09090909090909091)
+_k190 = _scalar(0.08333333333333333)
+_k191 = _scalar(2.48015873015873e-05)
+_k192 = _scalar(2.08767569878681e-09)
+_k193 = _scalar(2.755731922398589e-07)
+_k194 = _scalar(0.001388888888888889)
+_k195 = _scalar(0.041666666666666664)
+_k196 = _scalar(0.008333333333333333)
+_k197 = _scalar(2.7557319223985893e-06)
+_k198 = _scalar(2.505210838544172e-08)
+_k199 = _scalar(0.0001984126984126984)
+_k200 = _float64(0.041666666666666664)
+_k201 = _float64(2.48015873015873e-05)
+_k202 = _float64(2.08767569878681e-09)
+_k203 = _float64(0.1)
+_k204 = _float64(0.09090909090909091)
+_k205 = _float64(0.08333333333333333)
+_k206 = _float64(2.755731922398589e-07)
+_k207 = _float64(0.001388888888888889)
+_k208 = _float64(0.008333333333333333)
+_k209 = _float64(2.7557319223985893e-06)
+_k210 = _float64(2.505210838544172e-08)
+_k211 = _float64(0.0001984126984126984)
+_k212 = _scalar(4.547473508864641e-13)
+_k213 = _scalar(0.75)
+_k214 = _scalar(11.0)
+_k215 = _scalar(10.0)
+_k216 = _scalar(9.0)
+_k217 = _float64(0.75)
+_k218 = _float64(4.547473508864641e-13)
+_k219 = _float64(11.0)
+_k220 = _float64(10.0)
+_k221 = _float64(9.0)
+_k222 = _float64(2.2)
+_k223 = _scalar(512.0)
+_k224 = _float64(0.00390625)
+_k225 = _float64(512.0)
+_k226 = _scalar(0.6)
+_k227 = _float64(6.103515625e-05)
+_k228 = _float64(1.25)
+_k229 = _scalar(3.3306690738754696e-16)
+_k230 = _scalar(1.3335686721571705e-15)
+_k231 = _scalar(4.00390625)
+_k232 = _scalar(2.001953125)
+_k233 = _float64(5.55653613398821e-16)
+_k234 = _float64(2.001953125)
+_k235 = _float64(3.3306690738754696e-16)
+_k236 = _float64(1.3335686721571705e-15)
+_k237 = _float64(12.01171875)
+_k238 = _float64(6.667843360785852e-15)
+_k239 = _float64(4.00390625)
+_k240 = _float64(6.005859375)
+_k241 = _float64(2.667137344314341e-15)
+_k242 = _float64(5.551115123125783e-16)
+_k243 = _scalar(2.222614453595284e-16)
+_k244 = _float64(6.667843360785852e-16)
+_k245 = _float64(2.222614453595284e-16)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1158,25 +1191,17 @@ def horizon(t: Any, speed: Any, p_gravity: Any) -> tuple[Any, ...]:
 
 
 def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Sums of the sizes of the coordinates and of the velocities; excess over the largest.
+    """Sums of the sizes of place and velocity; by how much a flight exceeds the largest.
 
-    what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections.
+    what rounding errors are measured by. 18 operations: 4 additions, 1 subtraction, 2 multiplications, 1 division, 6 absolute values, 2 comparisons, 2 selections.
     Returns extent, speed, excess.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
-    _s0 = _absolute(x, _r0)
-    _s1 = _absolute(y, _r1)
-    _s2 = _absolute(z, _r2)
-    _s3 = _absolute(vx, _r3)
-    _s4 = _absolute(vy, _r4)
-    _s5 = _absolute(vz, _r5)
-    _s6 = 1.0 / p_gravity
-    _s7 = _select(_s6 < _s0, _s0, _s6, _r6)
-    _s8 = _select(_s7 < _s1, _s1, _s7, _r7)
-    _s9 = _select(_s8 < _s2, _s2, _s8, _r8)
-    _s10 = _select(_s9 < _s3, _s3, _s9, _r9)
-    _s11 = _select(_s10 < _s4, _s4, _s10, _r10)
-    return _add(_s0, _s1, _r11) + _s2, _add(_s3, _s4, _r11) + _s5, _select(_s11 < _s5, _s5, _s11, _r11) - _k12
+    _r0, _r1, _r2 = _room[:3]
+    _s0 = _add(_absolute(x, _r0), _absolute(y, _r1), _r1) + _absolute(z, _r0)
+    _s1 = _add(_absolute(vx, _r0), _absolute(vy, _r1), _r1) + _absolute(vz, _r0)
+    _s2 = _select(_s0 < _s1, _s1, _s0, _r0)
+    _s3 = _multiply(1.0 / p_gravity, _multiply(_s1, _s1, _r1), _r1)
+    return _s0, _s1, _select(_s2 < _s3, _s3, _s2, _r2) - _k12
 
 
 def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1349,18 +1374,20 @@ def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_
     return _where((0.0 < p_restitution_speed), _where((p_tangential_restitution <= 1.0), _where((-1.0 <= p_tangential_restitution), _where((0.0 <= p_bridge_friction), _s4, 0.0), 0.0), 0.0), 0.0),
 
 
-def finite_parameters(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, p_end_depth: Any, p_ring_restitution: Any, p_backboard_restitution: Any, p_bridge_restitution: Any, p_ring_friction: Any, p_backboard_friction: Any, p_bridge_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, allowed: Any) -> tuple[Any, ...]:
-    """Where the parameters are finite and allowed.
+def parameters_in_range(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, p_end_depth: Any, p_ring_restitution: Any, p_backboard_restitution: Any, p_bridge_restitution: Any, p_ring_friction: Any, p_backboard_friction: Any, p_bridge_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, allowed: Any) -> tuple[Any, ...]:
+    """Where the parameters are allowed, and no arithmetic with them over- or underflows.
 
-    IEEE 754. 61 operations: 20 absolute values, 21 comparisons, 20 conjunctions.
+    the range of numbers. 65 operations: 20 absolute values, 23 comparisons, 22 conjunctions.
     Returns permitted.
     """
-    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((0.0 < allowed), (_absolute(p_ball_radius) < _inf)), (_absolute(p_ring_radius) < _inf)), (_absolute(p_wire_radius) < _inf)), (_absolute(p_board_distance) < _inf))
-    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(p_board_half_width) < _inf)), (_absolute(p_board_bottom) < _inf)), (_absolute(p_board_top) < _inf)), (_absolute(p_board_thickness) < _inf))
-    _s2 = _logical_and(_logical_and(_logical_and(_logical_and(_s1, (_absolute(p_bridge_half_width) < _inf)), (_absolute(p_bridge_depth) < _inf)), (_absolute(p_gravity) < _inf)), (_absolute(p_end_depth) < _inf))
-    _s3 = _logical_and(_logical_and(_logical_and(_logical_and(_s2, (_absolute(p_ring_restitution) < _inf)), (_absolute(p_backboard_restitution) < _inf)), (_absolute(p_bridge_restitution) < _inf)), (_absolute(p_ring_friction) <= _inf))
-    _s4 = _logical_and(_logical_and(_logical_and(_logical_and(_s3, (_absolute(p_backboard_friction) <= _inf)), (_absolute(p_bridge_friction) <= _inf)), (_absolute(p_tangential_restitution) < _inf)), (_absolute(p_restitution_speed) <= _inf))
-    return _s4,
+    _s0 = _absolute(p_ball_radius)
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_logical_and((0.0 < allowed), (_s0 <= 1073741824.0)), (9.313225746154785e-10 <= _s0)), (_absolute(p_ring_radius) <= 1073741824.0)), (_absolute(p_wire_radius) <= 1073741824.0)), (_absolute(p_board_distance) <= 1073741824.0))
+    _s2 = _logical_and(_logical_and(_logical_and(_logical_and(_s1, (_absolute(p_board_half_width) <= 1073741824.0)), (_absolute(p_board_bottom) <= 1073741824.0)), (_absolute(p_board_top) <= 1073741824.0)), (_absolute(p_board_thickness) <= 1073741824.0))
+    _s3 = _absolute(p_gravity)
+    _s4 = _logical_and(_logical_and(_logical_and(_logical_and(_s2, (_absolute(p_bridge_half_width) <= 1073741824.0)), (_absolute(p_bridge_depth) <= 1073741824.0)), (_s3 <= 1073741824.0)), (9.313225746154785e-10 <= _s3))
+    _s5 = _logical_and(_logical_and(_logical_and(_logical_and(_s4, (_absolute(p_end_depth) <= 1073741824.0)), (_absolute(p_ring_restitution) <= 1.2676506002282294e+30)), (_absolute(p_backboard_restitution) <= 1.2676506002282294e+30)), (_absolute(p_bridge_restitution) <= 1.2676506002282294e+30))
+    _s6 = _logical_and(_logical_and(_logical_and(_logical_and(_s5, (_absolute(p_ring_friction) <= _inf)), (_absolute(p_backboard_friction) <= _inf)), (_absolute(p_bridge_friction) <= _inf)), (_absolute(p_tangential_restitution) <= 1.2676506002282294e+30))
+    return _logical_and(_s6, (_absolute(p_restitution_speed) <= _inf)),
 
 
 def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1373,7 +1400,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s0 = _subtract(_sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), p_ring_radius, _r1)
     _s1 = p_ball_radius + p_wire_radius
     _s2 = _subtract(_add(_multiply(z, z, _r0), _multiply(_s0, _s0, _r1), _r1), _s1 * _s1, _r1)
-    _s3 = _absolute(last, _r0) < _k44
+    _s3 = _absolute(last, _r0) < _k47
     _s4 = _select(_s3, _k22, _select(_k6 <= _s2, _k22, _k6, _r0), _r2)
     _s5 = _subtract(z, p_board_top, _r3)
     _s6 = _subtract(p_board_bottom, z, _r4)
@@ -1385,7 +1412,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s12 = _negative(_add(p_board_half_width, y, _r3), _r3)
     _s13 = _subtract(_select(_s11 < _k6, _k6, _s11, _r8), _select(_s12 < _k6, _k6, _s12, _r9), _r9)
     _s14 = _subtract(_sqrt(_add(_add(_multiply(_s7, _s7, _r6), _multiply(_s10, _s10, _r7), _r7), _multiply(_s13, _s13, _r9), _r9), _r9), p_ball_radius, _r9)
-    _s15 = _absolute(_subtract(last, _k22, _r7), _r7) < _k44
+    _s15 = _absolute(_subtract(last, _k22, _r7), _r7) < _k47
     _s16 = _select(_s15, _s4, _select(_k6 <= _s14, _s4, _k6, _r7), _r6)
     _s17 = _add(p_ring_radius, x, _r3)
     _s18 = _negative(_s8, _r4)
@@ -1397,10 +1424,10 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s24 = _subtract(p_wire_radius - p_bridge_depth, z, _r3)
     _s25 = _subtract(_select(_s23 < _k6, _k6, _s23, _r4), _select(_s24 < _k6, _k6, _s24, _r11), _r11)
     _s26 = _subtract(_sqrt(_add(_add(_multiply(_s19, _s19, _r5), _multiply(_s22, _s22, _r10), _r10), _multiply(_s25, _s25, _r11), _r11), _r11), p_ball_radius, _r11)
-    _s27 = _absolute(_subtract(last, _k23, _r10), _r10) < _k44
+    _s27 = _absolute(_subtract(last, _k23, _r10), _r10) < _k47
     _s28 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_thickness)) + _absolute(p_board_top)
     _s29 = ((((_s28 + _absolute(p_bridge_depth)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)
-    _s30 = _multiply(_k45, _add(_add(_add(_s29, _absolute(x, _r10), _r10), _absolute(y, _r5), _r5), _absolute(z, _r10), _r10), _r10)
+    _s30 = _multiply(_k48, _add(_add(_add(_s29, _absolute(x, _r10), _r10), _absolute(y, _r5), _r5), _absolute(z, _r10), _r10), _r10)
     _s31 = _select(_s3, _k6, _select(_absolute(_s2, _r1) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s30, _r5), _k22, _k6, _r5), _r1)
     _s32 = _select(_s15, _s31, _select(_absolute(_s14, _r9) <= _s30, _k22, _s31, _r9), _r3)
     return _result(_s27, _s16, _select(_k6 <= _s26, _s16, _k6, _r4), _r0), _result(_s27, _s32, _select(_absolute(_s26, _r11) <= _s30, _k22, _s32, _r11), _r0)
@@ -1416,7 +1443,7 @@ def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire
     _s0 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_thickness)) + _absolute(p_board_top)
     _s1 = ((((_s0 + _absolute(p_bridge_depth)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)
     _s2 = _absolute(x, _r0)
-    _s3 = _multiply(_k26, _multiply(_k45, _add(_add(_add(_s1, _s2, _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k26, _multiply(_k48, _add(_add(_add(_s1, _s2, _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1), _r1)
     _s4 = 0.5 * p_board_thickness
     _s5 = _s3 < _subtract(_absolute(_subtract(x, -(p_board_distance + _s4), _r2), _r2), p_ball_radius + _s4, _r2)
     _s6 = 0.5 * p_board_distance
@@ -1436,7 +1463,7 @@ def passing_start(last: Any, outcome: Any, uncertain: Any, x: Any, y: Any, z: An
     _s0 = _logical_and(_logical_and((_k6 <= last), (z < _k6)), ((-p_end_depth) <= z))
     _s1 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
     _s2 = p_ring_radius * p_ring_radius
-    _s3 = _result(_logical_and(_logical_and(_s0, (_absolute(_subtract(_s1, _s2, _r0), _r0) <= _multiply(_k48, _add(_s2, _s1, _r2), _r2))), (outcome < _k6)), _k22, uncertain, _r0)
+    _s3 = _result(_logical_and(_logical_and(_s0, (_absolute(_subtract(_s1, _s2, _r0), _r0) <= _multiply(_k51, _add(_s2, _s1, _r2), _r2))), (outcome < _k6)), _k22, uncertain, _r0)
     return _result(_logical_and(_s0, (_s1 < _s2)), _k22, _k6, _r0), _s3
 
 
@@ -1465,7 +1492,7 @@ def passing(through: Any, t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: 
     _s15 = _select(_s14 < t, _s14, t, _r2)
     _s16 = _add(x, _multiply(vx, _s15, _r6), _r6)
     _s17 = _add(y, _multiply(vy, _s15, _r2), _r2)
-    _s18 = _select(_logical_and(_logical_or(_s4, _logical_and(_s0, (_k6 <= _s1))), (_add(_multiply(_s16, _s16, _r6), _multiply(_s17, _s17, _r2), _r2) < _s12)), _select(through == _k22, _k6, _k50, _r2), through, _r6)
+    _s18 = _select(_logical_and(_logical_or(_s4, _logical_and(_s0, (_k6 <= _s1))), (_add(_multiply(_s16, _s16, _r6), _multiply(_s17, _s17, _r2), _r2) < _s12)), _select(through == _k22, _k6, _k53, _r2), through, _r6)
     _s19 = _result(_logical_and(_logical_and(_logical_or(_s4, _logical_and(_s2, (_k6 <= z))), (_add(_multiply(_s10, _s10, _r5), _multiply(_s11, _s11, _r4), _r4) < _s12)), (_s18 == _k6)), _k22, _s18, _r0)
     return _s19,
 
@@ -1483,7 +1510,7 @@ def passing_doubt(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ext
     _s3 = _multiply(p_gravity, t, _r2)
     _s4 = _add(speed, _s3, _r3)
     _s5 = _multiply(_k15, _add(_add(position_error, _multiply(t, velocity_error, _r4), _r4), _multiply(_k17, _add(extent, _multiply(t, _s4, _r5), _r5), _r5), _r5), _r5)
-    _s6 = _add(_multiply(_k48, _multiply(_s1, _s2, _r4), _r4), _s5, _r4)
+    _s6 = _add(_multiply(_k51, _multiply(_s1, _s2, _r4), _r4), _s5, _r4)
     _s7 = z < _k6
     _s8 = _s0 < _k6
     _s9 = _logical_and(_logical_and(_s7, _s8), (_k6 < vz))
@@ -1501,7 +1528,7 @@ def passing_doubt(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ext
     _s21 = _add(x, _multiply(vx, _s20, _r7), _r7)
     _s22 = _add(y, _multiply(vy, _s20, _r8), _r8)
     _s23 = _sqrt(_add(_multiply(_s21, _s21, _r7), _multiply(_s22, _s22, _r8), _r8), _r8)
-    _s24 = _multiply(_multiply(_k15, _s4, _r3), _add(_sqrt(_multiply(8.0 * _s2, _s6, _r7), _r7), _multiply(_k48, _add(t, _multiply(_absolute(vz, _r10), _s2, _r10), _r10), _r10), _r10), _r3)
+    _s24 = _multiply(_multiply(_k15, _s4, _r3), _add(_sqrt(_multiply(8.0 * _s2, _s6, _r7), _r7), _multiply(_k51, _add(t, _multiply(_absolute(vz, _r10), _s2, _r10), _r10), _r10), _r10), _r3)
     _s25 = _add(_s24, _s5, _r3)
     _s26 = _logical_and(_logical_or(_logical_or(_logical_and((_k6 < position_error), (_absolute(z, _r5) <= position_error)), (_absolute(_s0, _r5) <= _s6)), _logical_and(_s9, (_absolute(_s10, _r5) <= _multiply(4.0 * p_gravity, _s6, _r4)))), (_select(_s17 < _s23, _s17, _s23, _r4) <= _add(p_ring_radius, _s25, _r5)))
     _s27 = _logical_and(_logical_and(_s9, (_k6 < _s10)), (vz < _s3))
@@ -1536,22 +1563,22 @@ def halved(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, exte
     Returns middle_x, reach_x, later_middle_x, later_reach_x, middle_y, reach_y, later_middle_y, later_reach_y, middle_z, reach_z, later_middle_z, later_reach_z.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
-    _s0 = _multiply(_k44, horizon, _r0)
+    _s0 = _multiply(_k47, horizon, _r0)
     _s1 = _multiply(vx, _s0, _r1)
-    _s2 = _multiply(_k44, _s1, _r2)
+    _s2 = _multiply(_k47, _s1, _r2)
     _s3 = _absolute(0.0)
-    _s4 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k51, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s4 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k54, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r4), _r4), _r4), _r4), _r4), _r4)
     _s5 = _select(pad < late, _k8, _s4, _r3)
-    _s6 = _k52 * _add(_add(_s3, _multiply(_k44, _absolute(_s1, _r5), _r5), _r5), _s5, _r5)
+    _s6 = _k55 * _add(_add(_s3, _multiply(_k47, _absolute(_s1, _r5), _r5), _r5), _s5, _r5)
     _s7 = _multiply(vy, _s0, _r5)
-    _s8 = _multiply(_k44, _s7, _r6)
-    _s9 = _k52 * _add(_add(_s3, _multiply(_k44, _absolute(_s7, _r7), _r7), _r7), _s5, _r7)
+    _s8 = _multiply(_k47, _s7, _r6)
+    _s9 = _k55 * _add(_add(_s3, _multiply(_k47, _absolute(_s7, _r7), _r7), _r7), _s5, _r7)
     _s10 = _multiply(0.5 * p_gravity, _s0, _r7)
     _s11 = _multiply(_s0, _subtract(vz, _s10, _r8), _r8)
     _s12 = _negative(_multiply(0.0625 * p_gravity, _multiply(_s0, _s0, _r9), _r9), _r9)
     _s13 = _absolute(_s12, _r10)
     _s14 = _multiply(_s0, _subtract(_subtract(vz, _multiply(p_gravity, _s0, _r11), _r11), _s10, _r11), _r11)
-    return x + _s2, _s6, _s2 + _add(x, _s1, _r1), _s6, y + _s8, _s9, _s8 + _add(y, _s7, _r5), _s9, _add(z, _multiply(_k44, _s11, _r5), _r5) - _s12, _k52 * _add(_add(_s13, _multiply(_k44, _absolute(_s11, _r5), _r5), _r5), _s5, _r5), _add(_multiply(_k44, _s14, _r5), _add(z, _s11, _r8), _r8) - _s12, _k52 * _add(_add(_s13, _multiply(_k44, _absolute(_s14, _r11), _r11), _r11), _s5, _r11)
+    return x + _s2, _s6, _s2 + _add(x, _s1, _r1), _s6, y + _s8, _s9, _s8 + _add(y, _s7, _r5), _s9, _add(z, _multiply(_k47, _s11, _r5), _r5) - _s12, _k55 * _add(_add(_s13, _multiply(_k47, _absolute(_s11, _r5), _r5), _r5), _s5, _r5), _add(_multiply(_k47, _s14, _r5), _add(z, _s11, _r8), _r8) - _s12, _k55 * _add(_add(_s13, _multiply(_k47, _absolute(_s14, _r11), _r11), _r11), _s5, _r11)
 
 
 def untaken() -> tuple[Any, ...]:
@@ -1822,15 +1849,15 @@ def outside() -> tuple[Any, ...]:
     return 1.0,
 
 
-def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Where every number of a state is finite.
+def state_in_range(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where no number of a release is so large that arithmetic with it could overflow.
 
     Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions.
-    Returns finite.
+    Returns in_range.
     """
     _r0, = _room[:1]
-    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) < _k8), (_absolute(y, _r0) < _k8)), (_absolute(z, _r0) < _k8)), (_absolute(vx, _r0) < _k8)), (_absolute(vy, _r0) < _k8))
-    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) < _k8)), (_absolute(wx, _r0) < _k8)), (_absolute(wy, _r0) < _k8)), (_absolute(wz, _r0) < _k8))
+    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) <= _k61), (_absolute(y, _r0) <= _k61)), (_absolute(z, _r0) <= _k61)), (_absolute(vx, _r0) <= _k61)), (_absolute(vy, _r0) <= _k61))
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) <= _k61)), (_absolute(wx, _r0) <= _k61)), (_absolute(wy, _r0) <= _k61)), (_absolute(wz, _r0) <= _k61))
     return _s1,
 
 
@@ -1942,13 +1969,13 @@ def body_of(which: Any) -> tuple[Any, ...]:
     return which,
 
 
-def admitted(doubt: Any, finite: Any, permitted: Any, valid: Any) -> tuple[Any, ...]:
+def admitted(doubt: Any, in_range: Any, permitted: Any, valid: Any) -> tuple[Any, ...]:
     """Whether a shot can start, and whether that is in doubt.
 
     Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections.
     Returns outcome, uncertain.
     """
-    _s0 = _logical_and(permitted, finite)
+    _s0 = _logical_and(permitted, in_range)
     return _where(_logical_and(_s0, (0.0 < valid)), -1.0, 4.0), _where(_logical_and(_s0, (0.0 < doubt)), 1.0, 0.0)
 
 
@@ -2093,7 +2120,7 @@ def roll_0(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, nx_0: Any, ny_
     _s5 = _multiply(ny_0, _s3, _r1) - _multiply(nz_0, _s2, _r0)
     _s6 = _multiply(nz_0, _s1, _r0) - _multiply(nx_0, _s3, _r1)
     _s7 = _multiply(nx_0, _s2, _r1) - _multiply(ny_0, _s1, _r0)
-    return _s4, _s5, _s6, _s7, _multiply(nx_0, _s4, _r0) + _multiply(_k60, _multiply(turn_rate_0, _s5, _r1), _r1), _multiply(ny_0, _s4, _r1) + _multiply(_k60, _multiply(turn_rate_0, _s6, _r0), _r0), _add(_multiply(nz_0, _s4, _r0), _multiply(_k60, _multiply(turn_rate_0, _s7, _r1), _r1), _r1) - _s0, _s1, _s2, _s3, -_add(_add(_multiply(vx_0, _s5, _r1), _multiply(vy_0, _s6, _r0), _r0), _multiply(vz_0, _s7, _r1), _r1)
+    return _s4, _s5, _s6, _s7, _multiply(nx_0, _s4, _r0) + _multiply(_k63, _multiply(turn_rate_0, _s5, _r1), _r1), _multiply(ny_0, _s4, _r1) + _multiply(_k63, _multiply(turn_rate_0, _s6, _r0), _r0), _add(_multiply(nz_0, _s4, _r0), _multiply(_k63, _multiply(turn_rate_0, _s7, _r1), _r1), _r1) - _s0, _s1, _s2, _s3, -_add(_add(_multiply(vx_0, _s5, _r1), _multiply(vy_0, _s6, _r0), _r0), _multiply(vz_0, _s7, _r1), _r1)
 
 
 def roll_1(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, ty_0: Any, tz_0: Any, vx_0: Any, vx_1: Any, vy_0: Any, vy_1: Any, vz_0: Any, vz_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2113,8 +2140,8 @@ def roll_1(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, n
     _s7 = _add(_s6, _multiply(nz_0, _s0, _r3), _r3) - _add(_multiply(nx_0, _s2, _r4), _s6, _r4)
     _s8 = _multiply(nx_1, ny_1, _r4)
     _s9 = _add(_multiply(nx_0, _s1, _r3), _s8, _r3) - _add(_s8, _multiply(ny_0, _s0, _r6), _r6)
-    _s10 = -_multiply(_k44, _add(_add(_add(_multiply(tx_0, vx_1, _r6), _multiply(vx_0, _s5, _r3), _r3), _add(_multiply(ty_0, vy_1, _r6), _multiply(vy_0, _s7, _r4), _r4), _r4), _add(_multiply(tz_0, vz_1, _r3), _multiply(vz_0, _s9, _r6), _r6), _r6), _r6)
-    return _s3, _s5, _s7, _s9, _k44 * _add(_add(_multiply(lift_0, nx_1, _r6), _multiply(nx_0, _s3, _r4), _r4), _multiply(_k60, _add(_multiply(turn_rate_0, _s5, _r6), _multiply(turn_rate_1, tx_0, _r3), _r3), _r3), _r3), _k44 * _add(_add(_multiply(lift_0, ny_1, _r3), _multiply(ny_0, _s3, _r4), _r4), _multiply(_k60, _add(_multiply(turn_rate_0, _s7, _r3), _multiply(turn_rate_1, ty_0, _r6), _r6), _r6), _r6), _k44 * _add(_add(_multiply(lift_0, nz_1, _r6), _multiply(nz_0, _s3, _r4), _r4), _multiply(_k60, _add(_multiply(turn_rate_0, _s9, _r6), _multiply(turn_rate_1, tz_0, _r3), _r3), _r3), _r3), _k44 * _s0, _k44 * _s1, _k44 * _s2, _s10
+    _s10 = -_multiply(_k47, _add(_add(_add(_multiply(tx_0, vx_1, _r6), _multiply(vx_0, _s5, _r3), _r3), _add(_multiply(ty_0, vy_1, _r6), _multiply(vy_0, _s7, _r4), _r4), _r4), _add(_multiply(tz_0, vz_1, _r3), _multiply(vz_0, _s9, _r6), _r6), _r6), _r6)
+    return _s3, _s5, _s7, _s9, _k47 * _add(_add(_multiply(lift_0, nx_1, _r6), _multiply(nx_0, _s3, _r4), _r4), _multiply(_k63, _add(_multiply(turn_rate_0, _s5, _r6), _multiply(turn_rate_1, tx_0, _r3), _r3), _r3), _r3), _k47 * _add(_add(_multiply(lift_0, ny_1, _r3), _multiply(ny_0, _s3, _r4), _r4), _multiply(_k63, _add(_multiply(turn_rate_0, _s7, _r3), _multiply(turn_rate_1, ty_0, _r6), _r6), _r6), _r6), _k47 * _add(_add(_multiply(lift_0, nz_1, _r6), _multiply(nz_0, _s3, _r4), _r4), _multiply(_k63, _add(_multiply(turn_rate_0, _s9, _r6), _multiply(turn_rate_1, tz_0, _r3), _r3), _r3), _r3), _k47 * _s0, _k47 * _s1, _k47 * _s2, _s10
 
 
 def roll_2(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, nx_0: Any, nx_1: Any, nx_2: Any, ny_0: Any, ny_1: Any, ny_2: Any, nz_0: Any, nz_1: Any, nz_2: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, vx_0: Any, vx_1: Any, vx_2: Any, vy_0: Any, vy_1: Any, vy_2: Any, vz_0: Any, vz_1: Any, vz_2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2134,11 +2161,11 @@ def roll_2(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s7 = _multiply(_k23, nx_1, _r5)
     _s8 = _add(_add(_multiply(nx_1, nz_2, _r6), _multiply(_s0, nz_1, _r2), _r2), _multiply(nz_0, _s1, _r6), _r6) - _add(_add(_multiply(nx_0, _s4, _r2), _multiply(_s7, nz_2, _r7), _r7), _multiply(nx_2, nz_1, _r2), _r2)
     _s9 = _add(_add(_multiply(nx_0, _s3, _r2), _multiply(_s7, ny_2, _r5), _r5), _multiply(nx_2, ny_1, _r2), _r2) - _add(_add(_multiply(nx_1, ny_2, _r5), _multiply(_s0, ny_1, _r0), _r0), _multiply(ny_0, _s1, _r5), _r5)
-    _s10 = _k61 * _add(_add(_add(_multiply(lift_0, nx_2, _r5), _multiply(lift_1, nx_1, _r2), _r2), _multiply(nx_0, _s5, _r5), _r5), _multiply(_k60, _add(_add(_multiply(turn_rate_0, _s6, _r2), _multiply(turn_rate_1, tx_1, _r0), _r0), _multiply(turn_rate_2, tx_0, _r2), _r2), _r2), _r2)
-    _s11 = _k61 * _add(_add(_add(_multiply(lift_0, ny_2, _r2), _multiply(lift_1, ny_1, _r5), _r5), _multiply(ny_0, _s5, _r2), _r2), _multiply(_k60, _add(_add(_multiply(turn_rate_0, _s8, _r5), _multiply(turn_rate_1, ty_1, _r0), _r0), _multiply(turn_rate_2, ty_0, _r5), _r5), _r5), _r5)
-    _s12 = _k61 * _add(_add(_add(_multiply(lift_0, nz_2, _r5), _multiply(lift_1, nz_1, _r2), _r2), _multiply(nz_0, _s5, _r5), _r5), _multiply(_k60, _add(_add(_multiply(turn_rate_0, _s9, _r2), _multiply(turn_rate_1, tz_1, _r0), _r0), _multiply(turn_rate_2, tz_0, _r2), _r2), _r2), _r2)
-    _s13 = _multiply(_k61, _add(_add(_add(_add(_multiply(tx_0, vx_2, _r2), _multiply(tx_1, vx_1, _r5), _r5), _multiply(vx_0, _s6, _r2), _r2), _add(_add(_multiply(ty_0, vy_2, _r5), _multiply(ty_1, vy_1, _r0), _r0), _multiply(vy_0, _s8, _r5), _r5), _r5), _add(_add(_multiply(tz_0, vz_2, _r2), _multiply(tz_1, vz_1, _r0), _r0), _multiply(vz_0, _s9, _r2), _r2), _r2), _r2)
-    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k61 * _s1, _k61 * _s3, _k61 * _s4, -_s13
+    _s10 = _k64 * _add(_add(_add(_multiply(lift_0, nx_2, _r5), _multiply(lift_1, nx_1, _r2), _r2), _multiply(nx_0, _s5, _r5), _r5), _multiply(_k63, _add(_add(_multiply(turn_rate_0, _s6, _r2), _multiply(turn_rate_1, tx_1, _r0), _r0), _multiply(turn_rate_2, tx_0, _r2), _r2), _r2), _r2)
+    _s11 = _k64 * _add(_add(_add(_multiply(lift_0, ny_2, _r2), _multiply(lift_1, ny_1, _r5), _r5), _multiply(ny_0, _s5, _r2), _r2), _multiply(_k63, _add(_add(_multiply(turn_rate_0, _s8, _r5), _multiply(turn_rate_1, ty_1, _r0), _r0), _multiply(turn_rate_2, ty_0, _r5), _r5), _r5), _r5)
+    _s12 = _k64 * _add(_add(_add(_multiply(lift_0, nz_2, _r5), _multiply(lift_1, nz_1, _r2), _r2), _multiply(nz_0, _s5, _r5), _r5), _multiply(_k63, _add(_add(_multiply(turn_rate_0, _s9, _r2), _multiply(turn_rate_1, tz_1, _r0), _r0), _multiply(turn_rate_2, tz_0, _r2), _r2), _r2), _r2)
+    _s13 = _multiply(_k64, _add(_add(_add(_add(_multiply(tx_0, vx_2, _r2), _multiply(tx_1, vx_1, _r5), _r5), _multiply(vx_0, _s6, _r2), _r2), _add(_add(_multiply(ty_0, vy_2, _r5), _multiply(ty_1, vy_1, _r0), _r0), _multiply(vy_0, _s8, _r5), _r5), _r5), _add(_add(_multiply(tz_0, vz_2, _r2), _multiply(tz_1, vz_1, _r0), _r0), _multiply(vz_0, _s9, _r2), _r2), _r2), _r2)
+    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k64 * _s1, _k64 * _s3, _k64 * _s4, -_s13
 
 
 def roll_3(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2149,24 +2176,24 @@ def roll_3(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k63, nx_3, _r1)
+    _s1 = _multiply(_k66, nx_3, _r1)
     _s2 = _multiply(_multiply(bent_x, per_reach, _r2), vx_3, _r2)
     _s3 = _multiply(_k23, ny_2, _r3)
-    _s4 = _multiply(_k63, ny_3, _r4)
+    _s4 = _multiply(_k66, ny_3, _r4)
     _s5 = _multiply(_multiply(bent_y, per_reach, _r5), vy_3, _r5)
     _s6 = _multiply(_multiply(bent_z, per_reach, _r6), vz_3, _r6)
-    _s7 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r7), _multiply(_s0, vx_2, _r8), _r8), _multiply(_s1, vx_1, _r7), _r7), _multiply(vx_0, _s2, _r8), _r8), _add(_add(_add(_multiply(ny_1, vy_3, _r7), _multiply(_s3, vy_2, _r9), _r9), _multiply(_s4, vy_1, _r7), _r7), _multiply(vy_0, _s5, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_1, vz_3, _r8), _multiply(_multiply(_k23, nz_2, _r7), vz_2, _r7), _r7), _multiply(_multiply(_k63, nz_3, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s6, _r7), _r7), _r7)
+    _s7 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r7), _multiply(_s0, vx_2, _r8), _r8), _multiply(_s1, vx_1, _r7), _r7), _multiply(vx_0, _s2, _r8), _r8), _add(_add(_add(_multiply(ny_1, vy_3, _r7), _multiply(_s3, vy_2, _r9), _r9), _multiply(_s4, vy_1, _r7), _r7), _multiply(vy_0, _s5, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_1, vz_3, _r8), _multiply(_multiply(_k23, nz_2, _r7), vz_2, _r7), _r7), _multiply(_multiply(_k66, nz_3, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s6, _r7), _r7), _r7)
     _s8 = _multiply(0.6 * p_gravity, nz_3, _r9) - _s7
     _s9 = _multiply(_s3, nz_2, _r3)
-    _s10 = _add(_add(_add(_multiply(ny_0, _s6, _r7), _multiply(_multiply(_k63, ny_1, _r9), nz_3, _r9), _r9), _s9, _r9), _multiply(ny_3, nz_1, _r7), _r7) - _add(_add(_add(_multiply(ny_1, nz_3, _r9), _s9, _r9), _multiply(_s4, nz_1, _r4), _r4), _multiply(nz_0, _s5, _r9), _r9)
+    _s10 = _add(_add(_add(_multiply(ny_0, _s6, _r7), _multiply(_multiply(_k66, ny_1, _r9), nz_3, _r9), _r9), _s9, _r9), _multiply(ny_3, nz_1, _r7), _r7) - _add(_add(_add(_multiply(ny_1, nz_3, _r9), _s9, _r9), _multiply(_s4, nz_1, _r4), _r4), _multiply(nz_0, _s5, _r9), _r9)
     _s11 = _multiply(_s0, nz_2, _r9)
-    _s12 = _multiply(_k63, nx_1, _r7)
+    _s12 = _multiply(_k66, nx_1, _r7)
     _s13 = _add(_add(_add(_multiply(nx_1, nz_3, _r4), _s11, _r4), _multiply(_s1, nz_1, _r3), _r3), _multiply(nz_0, _s2, _r4), _r4) - _add(_add(_add(_multiply(nx_0, _s6, _r3), _multiply(_s12, nz_3, _r8), _r8), _s11, _r8), _multiply(nx_3, nz_1, _r9), _r9)
     _s14 = _multiply(_s0, ny_2, _r0)
     _s15 = _add(_add(_add(_multiply(nx_0, _s5, _r9), _multiply(_s12, ny_3, _r7), _r7), _s14, _r7), _multiply(nx_3, ny_1, _r9), _r9) - _add(_add(_add(_multiply(nx_1, ny_3, _r7), _s14, _r7), _multiply(_s1, ny_1, _r1), _r1), _multiply(ny_0, _s2, _r7), _r7)
-    _s16 = _add(_add(_add(_add(_multiply(lift_0, nx_3, _r7), _multiply(lift_1, nx_2, _r9), _r9), _multiply(lift_2, nx_1, _r7), _r7), _multiply(nx_0, _s8, _r9), _r9), _multiply(_k60, _add(_add(_add(_multiply(turn_rate_0, _s10, _r7), _multiply(turn_rate_1, tx_2, _r1), _r1), _multiply(turn_rate_2, tx_1, _r7), _r7), _multiply(turn_rate_3, tx_0, _r1), _r1), _r1), _r1)
-    _s17 = _add(_add(_add(_add(_multiply(lift_0, ny_3, _r9), _multiply(lift_1, ny_2, _r7), _r7), _multiply(lift_2, ny_1, _r9), _r9), _multiply(ny_0, _s8, _r7), _r7), _multiply(_k60, _add(_add(_add(_multiply(turn_rate_0, _s13, _r9), _multiply(turn_rate_1, ty_2, _r0), _r0), _multiply(turn_rate_2, ty_1, _r9), _r9), _multiply(turn_rate_3, ty_0, _r0), _r0), _r0), _r0)
-    _s18 = _add(_add(_add(_add(_multiply(lift_0, nz_3, _r7), _multiply(lift_1, nz_2, _r9), _r9), _multiply(lift_2, nz_1, _r7), _r7), _multiply(nz_0, _s8, _r9), _r9), _multiply(_k60, _add(_add(_add(_multiply(turn_rate_0, _s15, _r7), _multiply(turn_rate_1, tz_2, _r4), _r4), _multiply(turn_rate_2, tz_1, _r7), _r7), _multiply(turn_rate_3, tz_0, _r4), _r4), _r4), _r4)
+    _s16 = _add(_add(_add(_add(_multiply(lift_0, nx_3, _r7), _multiply(lift_1, nx_2, _r9), _r9), _multiply(lift_2, nx_1, _r7), _r7), _multiply(nx_0, _s8, _r9), _r9), _multiply(_k63, _add(_add(_add(_multiply(turn_rate_0, _s10, _r7), _multiply(turn_rate_1, tx_2, _r1), _r1), _multiply(turn_rate_2, tx_1, _r7), _r7), _multiply(turn_rate_3, tx_0, _r1), _r1), _r1), _r1)
+    _s17 = _add(_add(_add(_add(_multiply(lift_0, ny_3, _r9), _multiply(lift_1, ny_2, _r7), _r7), _multiply(lift_2, ny_1, _r9), _r9), _multiply(ny_0, _s8, _r7), _r7), _multiply(_k63, _add(_add(_add(_multiply(turn_rate_0, _s13, _r9), _multiply(turn_rate_1, ty_2, _r0), _r0), _multiply(turn_rate_2, ty_1, _r9), _r9), _multiply(turn_rate_3, ty_0, _r0), _r0), _r0), _r0)
+    _s18 = _add(_add(_add(_add(_multiply(lift_0, nz_3, _r7), _multiply(lift_1, nz_2, _r9), _r9), _multiply(lift_2, nz_1, _r7), _r7), _multiply(nz_0, _s8, _r9), _r9), _multiply(_k63, _add(_add(_add(_multiply(turn_rate_0, _s15, _r7), _multiply(turn_rate_1, tz_2, _r4), _r4), _multiply(turn_rate_2, tz_1, _r7), _r7), _multiply(turn_rate_3, tz_0, _r4), _r4), _r4), _r4)
     _s19 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_3, _r9), _multiply(tx_1, vx_2, _r7), _r7), _multiply(tx_2, vx_1, _r9), _r9), _multiply(vx_0, _s10, _r7), _r7), _add(_add(_add(_multiply(ty_0, vy_3, _r9), _multiply(ty_1, vy_2, _r8), _r8), _multiply(ty_2, vy_1, _r9), _r9), _multiply(vy_0, _s13, _r8), _r8), _r8), _add(_add(_add(_multiply(tz_0, vz_3, _r7), _multiply(tz_1, vz_2, _r9), _r9), _multiply(tz_2, vz_1, _r7), _r7), _multiply(vz_0, _s15, _r9), _r9), _r9)
     return _s8, _s10, _s13, _s15, _k27 * _s16, _k27 * _s17, _k27 * _s18, _k27 * _s2, _k27 * _s5, _k27 * _s6, -_multiply(_k27, _s19, _r9)
 
@@ -2179,33 +2206,33 @@ def roll_4(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k63, nx_3, _r1)
-    _s2 = _multiply(_k64, nx_4, _r2)
+    _s1 = _multiply(_k66, nx_3, _r1)
+    _s2 = _multiply(_k67, nx_4, _r2)
     _s3 = _multiply(_multiply(bent_x, per_reach, _r3), vx_4, _r3)
     _s4 = _multiply(_k23, ny_2, _r4)
-    _s5 = _multiply(_k63, ny_3, _r5)
-    _s6 = _multiply(_k64, ny_4, _r6)
+    _s5 = _multiply(_k66, ny_3, _r5)
+    _s6 = _multiply(_k67, ny_4, _r6)
     _s7 = _multiply(_multiply(bent_y, per_reach, _r7), vy_4, _r7)
     _s8 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_4, _r8), _multiply(_s0, vx_3, _r9), _r9), _multiply(_s1, vx_2, _r8), _r8), _multiply(_s2, vx_1, _r9), _r9), _multiply(vx_0, _s3, _r8), _r8), _add(_add(_add(_add(_multiply(ny_1, vy_4, _r9), _multiply(_s4, vy_3, _r10), _r10), _multiply(_s5, vy_2, _r9), _r9), _multiply(_s6, vy_1, _r10), _r10), _multiply(vy_0, _s7, _r9), _r9), _r9)
     _s9 = _multiply(_multiply(bent_z, per_reach, _r8), vz_4, _r8)
-    _s10 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r10), _multiply(_multiply(_k23, nz_2, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k63, nz_3, _r10), vz_2, _r10), _r10), _multiply(_multiply(_k64, nz_4, _r11), vz_1, _r11), _r11), _multiply(vz_0, _s9, _r10), _r10)
+    _s10 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r10), _multiply(_multiply(_k23, nz_2, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k66, nz_3, _r10), vz_2, _r10), _r10), _multiply(_multiply(_k67, nz_4, _r11), vz_1, _r11), _r11), _multiply(vz_0, _s9, _r10), _r10)
     _s11 = _multiply(0.6 * p_gravity, nz_4, _r11) - _add(_s8, _s10, _r10)
-    _s12 = _add(_add(_add(_add(_multiply(ny_0, _s9, _r10), _multiply(_multiply(_k64, ny_1, _r11), nz_4, _r11), _r11), _multiply(_multiply(_k63, ny_2, _r10), nz_3, _r10), _r10), _multiply(_multiply(_k23, ny_3, _r11), nz_2, _r11), _r11), _multiply(ny_4, nz_1, _r10), _r10)
+    _s12 = _add(_add(_add(_add(_multiply(ny_0, _s9, _r10), _multiply(_multiply(_k67, ny_1, _r11), nz_4, _r11), _r11), _multiply(_multiply(_k66, ny_2, _r10), nz_3, _r10), _r10), _multiply(_multiply(_k23, ny_3, _r11), nz_2, _r11), _r11), _multiply(ny_4, nz_1, _r10), _r10)
     _s13 = _s12 - _add(_add(_add(_add(_multiply(ny_1, nz_4, _r11), _multiply(_s4, nz_3, _r4), _r4), _multiply(_s5, nz_2, _r5), _r5), _multiply(_s6, nz_1, _r6), _r6), _multiply(nz_0, _s7, _r5), _r5)
-    _s14 = _multiply(_k64, nx_1, _r5)
-    _s15 = _multiply(_k63, nx_2, _r10)
+    _s14 = _multiply(_k67, nx_1, _r5)
+    _s15 = _multiply(_k66, nx_2, _r10)
     _s16 = _multiply(_k23, nx_3, _r6)
     _s17 = _add(_add(_add(_add(_multiply(nx_1, nz_4, _r4), _multiply(_s0, nz_3, _r11), _r11), _multiply(_s1, nz_2, _r4), _r4), _multiply(_s2, nz_1, _r11), _r11), _multiply(nz_0, _s3, _r4), _r4) - _add(_add(_add(_add(_multiply(nx_0, _s9, _r11), _multiply(_s14, nz_4, _r9), _r9), _multiply(_s15, nz_3, _r11), _r11), _multiply(_s16, nz_2, _r9), _r9), _multiply(nx_4, nz_1, _r11), _r11)
     _s18 = _add(_add(_add(_add(_multiply(nx_0, _s7, _r11), _multiply(_s14, ny_4, _r5), _r5), _multiply(_s15, ny_3, _r10), _r10), _multiply(_s16, ny_2, _r6), _r6), _multiply(nx_4, ny_1, _r10), _r10) - _add(_add(_add(_add(_multiply(nx_1, ny_4, _r6), _multiply(_s0, ny_3, _r0), _r0), _multiply(_s1, ny_2, _r1), _r1), _multiply(_s2, ny_1, _r2), _r2), _multiply(ny_0, _s3, _r1), _r1)
-    _s19 = _multiply(_k60, _add(_add(_add(_add(_multiply(turn_rate_0, _s13, _r1), _multiply(turn_rate_1, tx_3, _r10), _r10), _multiply(turn_rate_2, tx_2, _r1), _r1), _multiply(turn_rate_3, tx_1, _r10), _r10), _multiply(turn_rate_4, tx_0, _r1), _r1), _r1)
+    _s19 = _multiply(_k63, _add(_add(_add(_add(_multiply(turn_rate_0, _s13, _r1), _multiply(turn_rate_1, tx_3, _r10), _r10), _multiply(turn_rate_2, tx_2, _r1), _r1), _multiply(turn_rate_3, tx_1, _r10), _r10), _multiply(turn_rate_4, tx_0, _r1), _r1), _r1)
     _s20 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_4, _r10), _multiply(lift_1, nx_3, _r2), _r2), _multiply(lift_2, nx_2, _r10), _r10), _multiply(lift_3, nx_1, _r2), _r2), _multiply(nx_0, _s11, _r10), _r10), _s19, _r1)
-    _s21 = _multiply(_k60, _add(_add(_add(_add(_multiply(turn_rate_0, _s17, _r10), _multiply(turn_rate_1, ty_3, _r2), _r2), _multiply(turn_rate_2, ty_2, _r10), _r10), _multiply(turn_rate_3, ty_1, _r2), _r2), _multiply(turn_rate_4, ty_0, _r10), _r10), _r10)
+    _s21 = _multiply(_k63, _add(_add(_add(_add(_multiply(turn_rate_0, _s17, _r10), _multiply(turn_rate_1, ty_3, _r2), _r2), _multiply(turn_rate_2, ty_2, _r10), _r10), _multiply(turn_rate_3, ty_1, _r2), _r2), _multiply(turn_rate_4, ty_0, _r10), _r10), _r10)
     _s22 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_4, _r2), _multiply(lift_1, ny_3, _r0), _r0), _multiply(lift_2, ny_2, _r2), _r2), _multiply(lift_3, ny_1, _r0), _r0), _multiply(ny_0, _s11, _r2), _r2), _s21, _r10)
-    _s23 = _multiply(_k60, _add(_add(_add(_add(_multiply(turn_rate_0, _s18, _r2), _multiply(turn_rate_1, tz_3, _r0), _r0), _multiply(turn_rate_2, tz_2, _r2), _r2), _multiply(turn_rate_3, tz_1, _r0), _r0), _multiply(turn_rate_4, tz_0, _r2), _r2), _r2)
+    _s23 = _multiply(_k63, _add(_add(_add(_add(_multiply(turn_rate_0, _s18, _r2), _multiply(turn_rate_1, tz_3, _r0), _r0), _multiply(turn_rate_2, tz_2, _r2), _r2), _multiply(turn_rate_3, tz_1, _r0), _r0), _multiply(turn_rate_4, tz_0, _r2), _r2), _r2)
     _s24 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_4, _r0), _multiply(lift_1, nz_3, _r6), _r6), _multiply(lift_2, nz_2, _r0), _r0), _multiply(lift_3, nz_1, _r6), _r6), _multiply(nz_0, _s11, _r0), _r0), _s23, _r2)
     _s25 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_4, _r0), _multiply(tx_1, vx_3, _r6), _r6), _multiply(tx_2, vx_2, _r0), _r0), _multiply(tx_3, vx_1, _r6), _r6), _multiply(vx_0, _s13, _r0), _r0), _add(_add(_add(_add(_multiply(ty_0, vy_4, _r6), _multiply(ty_1, vy_3, _r5), _r5), _multiply(ty_2, vy_2, _r6), _r6), _multiply(ty_3, vy_1, _r5), _r5), _multiply(vy_0, _s17, _r6), _r6), _r6)
     _s26 = _add(_s25, _add(_add(_add(_add(_multiply(tz_0, vz_4, _r0), _multiply(tz_1, vz_3, _r5), _r5), _multiply(tz_2, vz_2, _r0), _r0), _multiply(tz_3, vz_1, _r5), _r5), _multiply(vz_0, _s18, _r0), _r0), _r0)
-    return _s11, _s13, _s17, _s18, _k65 * _s20, _k65 * _s22, _k65 * _s24, _k65 * _s3, _k65 * _s7, _k65 * _s9, -_multiply(_k65, _s26, _r0)
+    return _s11, _s13, _s17, _s18, _k68 * _s20, _k68 * _s22, _k68 * _s24, _k68 * _s3, _k68 * _s7, _k68 * _s9, -_multiply(_k68, _s26, _r0)
 
 
 def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2216,28 +2243,28 @@ def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14 = _room[:15]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k63, nx_3, _r1)
-    _s2 = _multiply(_k64, nx_4, _r2)
-    _s3 = _multiply(_k67, nx_5, _r3)
+    _s1 = _multiply(_k66, nx_3, _r1)
+    _s2 = _multiply(_k67, nx_4, _r2)
+    _s3 = _multiply(_k70, nx_5, _r3)
     _s4 = _multiply(_multiply(bent_x, per_reach, _r4), vx_5, _r4)
     _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_5, _r5), _multiply(_s0, vx_4, _r6), _r6), _multiply(_s1, vx_3, _r5), _r5), _multiply(_s2, vx_2, _r6), _r6), _multiply(_s3, vx_1, _r5), _r5), _multiply(vx_0, _s4, _r6), _r6)
     _s6 = _multiply(_k23, ny_2, _r5)
-    _s7 = _multiply(_k63, ny_3, _r7)
-    _s8 = _multiply(_k64, ny_4, _r8)
-    _s9 = _multiply(_k67, ny_5, _r9)
+    _s7 = _multiply(_k66, ny_3, _r7)
+    _s8 = _multiply(_k67, ny_4, _r8)
+    _s9 = _multiply(_k70, ny_5, _r9)
     _s10 = _multiply(_multiply(bent_y, per_reach, _r10), vy_5, _r10)
     _s11 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_5, _r11), _multiply(_s6, vy_4, _r12), _r12), _multiply(_s7, vy_3, _r11), _r11), _multiply(_s8, vy_2, _r12), _r12), _multiply(_s9, vy_1, _r11), _r11), _multiply(vy_0, _s10, _r12), _r12)
-    _s12 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(_k23, nz_2, _r13), vz_4, _r13), _r13), _multiply(_multiply(_k63, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k64, nz_4, _r13), vz_2, _r13), _r13), _multiply(_multiply(_k67, nz_5, _r11), vz_1, _r11), _r11)
+    _s12 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(_k23, nz_2, _r13), vz_4, _r13), _r13), _multiply(_multiply(_k66, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k67, nz_4, _r13), vz_2, _r13), _r13), _multiply(_multiply(_k70, nz_5, _r11), vz_1, _r11), _r11)
     _s13 = _multiply(_multiply(bent_z, per_reach, _r13), vz_5, _r13)
     _s14 = _multiply(0.6 * p_gravity, nz_5, _r14) - _add(_add(_s5, _s11, _r12), _add(_s12, _multiply(vz_0, _s13, _r6), _r6), _r6)
     _s15 = _multiply(_s7, nz_3, _r7)
-    _s16 = _add(_add(_add(_add(_multiply(ny_0, _s13, _r6), _multiply(_multiply(_k67, ny_1, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k64, ny_2, _r6), nz_4, _r6), _r6), _s15, _r6), _multiply(_multiply(_k23, ny_4, _r14), nz_2, _r14), _r14)
+    _s16 = _add(_add(_add(_add(_multiply(ny_0, _s13, _r6), _multiply(_multiply(_k70, ny_1, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k67, ny_2, _r6), nz_4, _r6), _r6), _s15, _r6), _multiply(_multiply(_k23, ny_4, _r14), nz_2, _r14), _r14)
     _s17 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_5, _r6), _multiply(_s6, nz_4, _r5), _r5), _s15, _r5), _multiply(_s8, nz_2, _r8), _r8), _multiply(_s9, nz_1, _r9), _r9), _multiply(nz_0, _s10, _r8), _r8)
     _s18 = _add(_s16, _multiply(ny_5, nz_1, _r9), _r9) - _s17
     _s19 = _multiply(_s1, nz_3, _r8)
     _s20 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_5, _r9), _multiply(_s0, nz_4, _r14), _r14), _s19, _r14), _multiply(_s2, nz_2, _r9), _r9), _multiply(_s3, nz_1, _r14), _r14), _multiply(nz_0, _s4, _r9), _r9)
-    _s21 = _multiply(_k67, nx_1, _r14)
-    _s22 = _multiply(_k64, nx_2, _r5)
+    _s21 = _multiply(_k70, nx_1, _r14)
+    _s22 = _multiply(_k67, nx_2, _r5)
     _s23 = _multiply(_k23, nx_4, _r7)
     _s24 = _add(_add(_add(_add(_add(_multiply(nx_0, _s13, _r6), _multiply(_s21, nz_5, _r12), _r12), _multiply(_s22, nz_4, _r6), _r6), _s19, _r6), _multiply(_s23, nz_2, _r8), _r8), _multiply(nx_5, nz_1, _r6), _r6)
     _s25 = _s20 - _s24
@@ -2254,7 +2281,7 @@ def roll_5(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s36 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_5, _r2), _multiply(tx_1, vx_4, _r6), _r6), _multiply(tx_2, vx_3, _r2), _r2), _multiply(tx_3, vx_2, _r6), _r6), _multiply(tx_4, vx_1, _r2), _r2), _multiply(vx_0, _s18, _r6), _r6)
     _s37 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_5, _r2), _multiply(ty_1, vy_4, _r9), _r9), _multiply(ty_2, vy_3, _r2), _r2), _multiply(ty_3, vy_2, _r9), _r9), _multiply(ty_4, vy_1, _r2), _r2), _multiply(vy_0, _s25, _r9), _r9)
     _s38 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_5, _r2), _multiply(tz_1, vz_4, _r8), _r8), _multiply(tz_2, vz_3, _r2), _r2), _multiply(tz_3, vz_2, _r8), _r8), _multiply(tz_4, vz_1, _r2), _r2), _multiply(vz_0, _s29, _r8), _r8)
-    return _s14, _s18, _s25, _s29, _k68 * _add(_s30, _multiply(_k60, _s31, _r3), _r3), _k68 * _add(_s32, _multiply(_k60, _s33, _r1), _r1), _k68 * _add(_s34, _multiply(_k60, _s35, _r14), _r14), _k68 * _s4, _k68 * _s10, _k68 * _s13, -_multiply(_k68, _add(_add(_s36, _s37, _r9), _s38, _r8), _r8)
+    return _s14, _s18, _s25, _s29, _k71 * _add(_s30, _multiply(_k63, _s31, _r3), _r3), _k71 * _add(_s32, _multiply(_k63, _s33, _r1), _r1), _k71 * _add(_s34, _multiply(_k63, _s35, _r14), _r14), _k71 * _s4, _k71 * _s10, _k71 * _s13, -_multiply(_k71, _add(_add(_s36, _s37, _r9), _s38, _r8), _r8)
 
 
 def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2265,30 +2292,30 @@ def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _room[:18]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k63, nx_3, _r1)
-    _s2 = _multiply(_k64, nx_4, _r2)
-    _s3 = _multiply(_k67, nx_5, _r3)
+    _s1 = _multiply(_k66, nx_3, _r1)
+    _s2 = _multiply(_k67, nx_4, _r2)
+    _s3 = _multiply(_k70, nx_5, _r3)
     _s4 = _multiply(_k7, nx_6, _r4)
     _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_6, _r5), _multiply(_s0, vx_5, _r6), _r6), _multiply(_s1, vx_4, _r5), _r5), _multiply(_s2, vx_3, _r6), _r6), _multiply(_s3, vx_2, _r5), _r5), _multiply(_s4, vx_1, _r6), _r6)
     _s6 = _multiply(_multiply(bent_x, per_reach, _r5), vx_6, _r5)
     _s7 = _multiply(_k23, ny_2, _r7)
-    _s8 = _multiply(_k63, ny_3, _r8)
-    _s9 = _multiply(_k64, ny_4, _r9)
-    _s10 = _multiply(_k67, ny_5, _r10)
+    _s8 = _multiply(_k66, ny_3, _r8)
+    _s9 = _multiply(_k67, ny_4, _r9)
+    _s10 = _multiply(_k70, ny_5, _r10)
     _s11 = _multiply(_k7, ny_6, _r11)
     _s12 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_6, _r12), _multiply(_s7, vy_5, _r13), _r13), _multiply(_s8, vy_4, _r12), _r12), _multiply(_s9, vy_3, _r13), _r13), _multiply(_s10, vy_2, _r12), _r12), _multiply(_s11, vy_1, _r13), _r13)
     _s13 = _multiply(_multiply(bent_y, per_reach, _r12), vy_6, _r12)
-    _s14 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r14), _multiply(_multiply(_k23, nz_2, _r15), vz_5, _r15), _r15), _multiply(_multiply(_k63, nz_3, _r14), vz_4, _r14), _r14), _multiply(_multiply(_k64, nz_4, _r15), vz_3, _r15), _r15), _multiply(_multiply(_k67, nz_5, _r14), vz_2, _r14), _r14)
+    _s14 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r14), _multiply(_multiply(_k23, nz_2, _r15), vz_5, _r15), _r15), _multiply(_multiply(_k66, nz_3, _r14), vz_4, _r14), _r14), _multiply(_multiply(_k67, nz_4, _r15), vz_3, _r15), _r15), _multiply(_multiply(_k70, nz_5, _r14), vz_2, _r14), _r14)
     _s15 = _multiply(_multiply(bent_z, per_reach, _r15), vz_6, _r15)
     _s16 = _multiply(0.6 * p_gravity, nz_6, _r16) - _add(_add(_add(_s5, _multiply(vx_0, _s6, _r17), _r17), _add(_s12, _multiply(vy_0, _s13, _r6), _r6), _r6), _add(_add(_s14, _multiply(_multiply(_k7, nz_6, _r17), vz_1, _r17), _r17), _multiply(vz_0, _s15, _r14), _r14), _r14)
-    _s17 = _add(_add(_add(_add(_multiply(ny_0, _s15, _r14), _multiply(_multiply(_k7, ny_1, _r16), nz_6, _r16), _r16), _multiply(_multiply(_k67, ny_2, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k64, ny_3, _r16), nz_4, _r16), _r16), _multiply(_multiply(_k63, ny_4, _r14), nz_3, _r14), _r14)
+    _s17 = _add(_add(_add(_add(_multiply(ny_0, _s15, _r14), _multiply(_multiply(_k7, ny_1, _r16), nz_6, _r16), _r16), _multiply(_multiply(_k70, ny_2, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k67, ny_3, _r16), nz_4, _r16), _r16), _multiply(_multiply(_k66, ny_4, _r14), nz_3, _r14), _r14)
     _s18 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_6, _r16), _multiply(_s7, nz_5, _r7), _r7), _multiply(_s8, nz_4, _r8), _r8), _multiply(_s9, nz_3, _r9), _r9), _multiply(_s10, nz_2, _r10), _r10), _multiply(_s11, nz_1, _r11), _r11)
     _s19 = _add(_add(_s17, _multiply(_multiply(_k23, ny_5, _r10), nz_2, _r10), _r10), _multiply(ny_6, nz_1, _r14), _r14) - _add(_s18, _multiply(nz_0, _s13, _r10), _r10)
     _s20 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_6, _r10), _multiply(_s0, nz_5, _r14), _r14), _multiply(_s1, nz_4, _r10), _r10), _multiply(_s2, nz_3, _r14), _r14), _multiply(_s3, nz_2, _r10), _r10), _multiply(_s4, nz_1, _r14), _r14)
     _s21 = _multiply(_k7, nx_1, _r10)
-    _s22 = _multiply(_k67, nx_2, _r11)
-    _s23 = _multiply(_k64, nx_3, _r9)
-    _s24 = _multiply(_k63, nx_4, _r8)
+    _s22 = _multiply(_k70, nx_2, _r11)
+    _s23 = _multiply(_k67, nx_3, _r9)
+    _s24 = _multiply(_k66, nx_4, _r8)
     _s25 = _multiply(_k23, nx_5, _r7)
     _s26 = _add(_add(_add(_add(_add(_multiply(nx_0, _s15, _r16), _multiply(_s21, nz_6, _r6), _r6), _multiply(_s22, nz_5, _r16), _r16), _multiply(_s23, nz_4, _r6), _r6), _multiply(_s24, nz_3, _r16), _r16), _multiply(_s25, nz_2, _r6), _r6)
     _s27 = _add(_s20, _multiply(nz_0, _s6, _r16), _r16) - _add(_s26, _multiply(nx_6, nz_1, _r14), _r14)
@@ -2304,8 +2331,8 @@ def roll_6(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s37 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_6, _r7), _multiply(tx_1, vx_5, _r9), _r9), _multiply(tx_2, vx_4, _r7), _r7), _multiply(tx_3, vx_3, _r9), _r9), _multiply(tx_4, vx_2, _r7), _r7), _multiply(tx_5, vx_1, _r9), _r9)
     _s38 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_6, _r7), _multiply(ty_1, vy_5, _r11), _r11), _multiply(ty_2, vy_4, _r7), _r7), _multiply(ty_3, vy_3, _r11), _r11), _multiply(ty_4, vy_2, _r7), _r7), _multiply(ty_5, vy_1, _r11), _r11)
     _s39 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_6, _r7), _multiply(tz_1, vz_5, _r10), _r10), _multiply(tz_2, vz_4, _r7), _r7), _multiply(tz_3, vz_3, _r10), _r10), _multiply(tz_4, vz_2, _r7), _r7), _multiply(tz_5, vz_1, _r10), _r10)
-    _s40 = -_multiply(_k71, _add(_add(_add(_s37, _multiply(vx_0, _s19, _r7), _r7), _add(_s38, _multiply(vy_0, _s27, _r9), _r9), _r9), _add(_s39, _multiply(vz_0, _s30, _r7), _r7), _r7), _r7)
-    return _s16, _s19, _s27, _s30, _k71 * _add(_add(_s31, _multiply(nx_0, _s16, _r7), _r7), _multiply(_k60, _add(_s32, _multiply(turn_rate_6, tx_0, _r3), _r3), _r3), _r3), _k71 * _add(_add(_s33, _multiply(ny_0, _s16, _r3), _r3), _multiply(_k60, _add(_s34, _multiply(turn_rate_6, ty_0, _r2), _r2), _r2), _r2), _k71 * _add(_add(_s35, _multiply(nz_0, _s16, _r2), _r2), _multiply(_k60, _add(_s36, _multiply(turn_rate_6, tz_0, _r0), _r0), _r0), _r0), _k71 * _s6, _k71 * _s13, _k71 * _s15, _s40
+    _s40 = -_multiply(_k74, _add(_add(_add(_s37, _multiply(vx_0, _s19, _r7), _r7), _add(_s38, _multiply(vy_0, _s27, _r9), _r9), _r9), _add(_s39, _multiply(vz_0, _s30, _r7), _r7), _r7), _r7)
+    return _s16, _s19, _s27, _s30, _k74 * _add(_add(_s31, _multiply(nx_0, _s16, _r7), _r7), _multiply(_k63, _add(_s32, _multiply(turn_rate_6, tx_0, _r3), _r3), _r3), _r3), _k74 * _add(_add(_s33, _multiply(ny_0, _s16, _r3), _r3), _multiply(_k63, _add(_s34, _multiply(turn_rate_6, ty_0, _r2), _r2), _r2), _r2), _k74 * _add(_add(_s35, _multiply(nz_0, _s16, _r2), _r2), _multiply(_k63, _add(_s36, _multiply(turn_rate_6, tz_0, _r0), _r0), _r0), _r0), _k74 * _s6, _k74 * _s13, _k74 * _s15, _s40
 
 
 def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2316,35 +2343,35 @@ def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
     _s0 = _multiply(_k23, nx_2, _r0)
-    _s1 = _multiply(_k63, nx_3, _r1)
-    _s2 = _multiply(_k64, nx_4, _r2)
-    _s3 = _multiply(_k67, nx_5, _r3)
+    _s1 = _multiply(_k66, nx_3, _r1)
+    _s2 = _multiply(_k67, nx_4, _r2)
+    _s3 = _multiply(_k70, nx_5, _r3)
     _s4 = _multiply(_k7, nx_6, _r4)
     _s5 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_7, _r5), _multiply(_s0, vx_6, _r6), _r6), _multiply(_s1, vx_5, _r5), _r5), _multiply(_s2, vx_4, _r6), _r6), _multiply(_s3, vx_3, _r5), _r5), _multiply(_s4, vx_2, _r6), _r6)
-    _s6 = _multiply(_k73, nx_7, _r5)
+    _s6 = _multiply(_k76, nx_7, _r5)
     _s7 = _multiply(_multiply(bent_x, per_reach, _r7), vx_7, _r7)
     _s8 = _multiply(_k23, ny_2, _r8)
-    _s9 = _multiply(_k63, ny_3, _r9)
-    _s10 = _multiply(_k64, ny_4, _r10)
-    _s11 = _multiply(_k67, ny_5, _r11)
+    _s9 = _multiply(_k66, ny_3, _r9)
+    _s10 = _multiply(_k67, ny_4, _r10)
+    _s11 = _multiply(_k70, ny_5, _r11)
     _s12 = _multiply(_k7, ny_6, _r12)
     _s13 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_7, _r13), _multiply(_s8, vy_6, _r14), _r14), _multiply(_s9, vy_5, _r13), _r13), _multiply(_s10, vy_4, _r14), _r14), _multiply(_s11, vy_3, _r13), _r13), _multiply(_s12, vy_2, _r14), _r14)
-    _s14 = _multiply(_k73, ny_7, _r13)
+    _s14 = _multiply(_k76, ny_7, _r13)
     _s15 = _multiply(_multiply(bent_y, per_reach, _r15), vy_7, _r15)
-    _s16 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(_k23, nz_2, _r17), vz_6, _r17), _r17), _multiply(_multiply(_k63, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(_k64, nz_4, _r17), vz_4, _r17), _r17), _multiply(_multiply(_k67, nz_5, _r16), vz_3, _r16), _r16)
+    _s16 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(_k23, nz_2, _r17), vz_6, _r17), _r17), _multiply(_multiply(_k66, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(_k67, nz_4, _r17), vz_4, _r17), _r17), _multiply(_multiply(_k70, nz_5, _r16), vz_3, _r16), _r16)
     _s17 = _multiply(_multiply(bent_z, per_reach, _r17), vz_7, _r17)
-    _s18 = _add(_add(_add(_add(_s5, _multiply(_s6, vx_1, _r18), _r18), _multiply(vx_0, _s7, _r6), _r6), _add(_add(_s13, _multiply(_s14, vy_1, _r18), _r18), _multiply(vy_0, _s15, _r14), _r14), _r14), _add(_add(_add(_s16, _multiply(_multiply(_k7, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(_k73, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s17, _r6), _r6), _r6)
+    _s18 = _add(_add(_add(_add(_s5, _multiply(_s6, vx_1, _r18), _r18), _multiply(vx_0, _s7, _r6), _r6), _add(_add(_s13, _multiply(_s14, vy_1, _r18), _r18), _multiply(vy_0, _s15, _r14), _r14), _r14), _add(_add(_add(_s16, _multiply(_multiply(_k7, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(_k76, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s17, _r6), _r6), _r6)
     _s19 = _multiply(0.6 * p_gravity, nz_7, _r14) - _s18
     _s20 = _multiply(_s10, nz_4, _r10)
-    _s21 = _add(_add(_add(_add(_multiply(ny_0, _s17, _r6), _multiply(_multiply(_k73, ny_1, _r14), nz_7, _r14), _r14), _multiply(_multiply(_k7, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(_k67, ny_3, _r14), nz_5, _r14), _r14), _s20, _r14)
+    _s21 = _add(_add(_add(_add(_multiply(ny_0, _s17, _r6), _multiply(_multiply(_k76, ny_1, _r14), nz_7, _r14), _r14), _multiply(_multiply(_k7, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(_k70, ny_3, _r14), nz_5, _r14), _r14), _s20, _r14)
     _s22 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_7, _r6), _multiply(_s8, nz_6, _r8), _r8), _multiply(_s9, nz_5, _r9), _r9), _s20, _r9), _multiply(_s11, nz_3, _r11), _r11), _multiply(_s12, nz_2, _r12), _r12)
-    _s23 = _add(_add(_add(_s21, _multiply(_multiply(_k63, ny_5, _r11), nz_3, _r11), _r11), _multiply(_multiply(_k23, ny_6, _r14), nz_2, _r14), _r14), _multiply(ny_7, nz_1, _r11), _r11) - _add(_add(_s22, _multiply(_s14, nz_1, _r13), _r13), _multiply(nz_0, _s15, _r12), _r12)
+    _s23 = _add(_add(_add(_s21, _multiply(_multiply(_k66, ny_5, _r11), nz_3, _r11), _r11), _multiply(_multiply(_k23, ny_6, _r14), nz_2, _r14), _r14), _multiply(ny_7, nz_1, _r11), _r11) - _add(_add(_s22, _multiply(_s14, nz_1, _r13), _r13), _multiply(nz_0, _s15, _r12), _r12)
     _s24 = _multiply(_s2, nz_4, _r12)
     _s25 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_7, _r11), _multiply(_s0, nz_6, _r13), _r13), _multiply(_s1, nz_5, _r11), _r11), _s24, _r11), _multiply(_s3, nz_3, _r13), _r13), _multiply(_s4, nz_2, _r11), _r11)
-    _s26 = _multiply(_k73, nx_1, _r13)
+    _s26 = _multiply(_k76, nx_1, _r13)
     _s27 = _multiply(_k7, nx_2, _r14)
-    _s28 = _multiply(_k67, nx_3, _r9)
-    _s29 = _multiply(_k63, nx_5, _r10)
+    _s28 = _multiply(_k70, nx_3, _r9)
+    _s29 = _multiply(_k66, nx_5, _r10)
     _s30 = _add(_add(_add(_add(_add(_multiply(nx_0, _s17, _r8), _multiply(_s26, nz_7, _r6), _r6), _multiply(_s27, nz_6, _r8), _r8), _multiply(_s28, nz_5, _r6), _r6), _s24, _r6), _multiply(_s29, nz_3, _r12), _r12)
     _s31 = _multiply(_k23, nx_6, _r6)
     _s32 = _add(_add(_s25, _multiply(_s6, nz_1, _r8), _r8), _multiply(nz_0, _s7, _r11), _r11) - _add(_add(_s30, _multiply(_s31, nz_2, _r8), _r8), _multiply(nx_7, nz_1, _r12), _r12)
@@ -2354,13 +2381,13 @@ def roll_7(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, l
     _s36 = _add(_add(_s34, _multiply(_s31, ny_2, _r6), _r6), _multiply(nx_7, ny_1, _r10), _r10) - _add(_add(_s35, _multiply(_s6, ny_1, _r5), _r5), _multiply(ny_0, _s7, _r4), _r4)
     _s37 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_7, _r4), _multiply(lift_1, nx_6, _r10), _r10), _multiply(lift_2, nx_5, _r4), _r4), _multiply(lift_3, nx_4, _r10), _r10), _multiply(lift_4, nx_3, _r4), _r4), _multiply(lift_5, nx_2, _r10), _r10)
     _s38 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s23, _r4), _multiply(turn_rate_1, tx_6, _r5), _r5), _multiply(turn_rate_2, tx_5, _r4), _r4), _multiply(turn_rate_3, tx_4, _r5), _r5), _multiply(turn_rate_4, tx_3, _r4), _r4), _multiply(turn_rate_5, tx_2, _r5), _r5)
-    _s39 = _k29 * _add(_add(_add(_s37, _multiply(lift_6, nx_1, _r4), _r4), _multiply(nx_0, _s19, _r10), _r10), _multiply(_k60, _add(_add(_s38, _multiply(turn_rate_6, tx_1, _r4), _r4), _multiply(turn_rate_7, tx_0, _r5), _r5), _r5), _r5)
+    _s39 = _k29 * _add(_add(_add(_s37, _multiply(lift_6, nx_1, _r4), _r4), _multiply(nx_0, _s19, _r10), _r10), _multiply(_k63, _add(_add(_s38, _multiply(turn_rate_6, tx_1, _r4), _r4), _multiply(turn_rate_7, tx_0, _r5), _r5), _r5), _r5)
     _s40 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_7, _r5), _multiply(lift_1, ny_6, _r10), _r10), _multiply(lift_2, ny_5, _r5), _r5), _multiply(lift_3, ny_4, _r10), _r10), _multiply(lift_4, ny_3, _r5), _r5), _multiply(lift_5, ny_2, _r10), _r10)
     _s41 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s32, _r5), _multiply(turn_rate_1, ty_6, _r4), _r4), _multiply(turn_rate_2, ty_5, _r5), _r5), _multiply(turn_rate_3, ty_4, _r4), _r4), _multiply(turn_rate_4, ty_3, _r5), _r5), _multiply(turn_rate_5, ty_2, _r4), _r4)
-    _s42 = _k29 * _add(_add(_add(_s40, _multiply(lift_6, ny_1, _r5), _r5), _multiply(ny_0, _s19, _r10), _r10), _multiply(_k60, _add(_add(_s41, _multiply(turn_rate_6, ty_1, _r5), _r5), _multiply(turn_rate_7, ty_0, _r4), _r4), _r4), _r4)
+    _s42 = _k29 * _add(_add(_add(_s40, _multiply(lift_6, ny_1, _r5), _r5), _multiply(ny_0, _s19, _r10), _r10), _multiply(_k63, _add(_add(_s41, _multiply(turn_rate_6, ty_1, _r5), _r5), _multiply(turn_rate_7, ty_0, _r4), _r4), _r4), _r4)
     _s43 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_7, _r4), _multiply(lift_1, nz_6, _r10), _r10), _multiply(lift_2, nz_5, _r4), _r4), _multiply(lift_3, nz_4, _r10), _r10), _multiply(lift_4, nz_3, _r4), _r4), _multiply(lift_5, nz_2, _r10), _r10)
     _s44 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s36, _r4), _multiply(turn_rate_1, tz_6, _r5), _r5), _multiply(turn_rate_2, tz_5, _r4), _r4), _multiply(turn_rate_3, tz_4, _r5), _r5), _multiply(turn_rate_4, tz_3, _r4), _r4), _multiply(turn_rate_5, tz_2, _r5), _r5)
-    _s45 = _k29 * _add(_add(_add(_s43, _multiply(lift_6, nz_1, _r4), _r4), _multiply(nz_0, _s19, _r10), _r10), _multiply(_k60, _add(_add(_s44, _multiply(turn_rate_6, tz_1, _r4), _r4), _multiply(turn_rate_7, tz_0, _r5), _r5), _r5), _r5)
+    _s45 = _k29 * _add(_add(_add(_s43, _multiply(lift_6, nz_1, _r4), _r4), _multiply(nz_0, _s19, _r10), _r10), _multiply(_k63, _add(_add(_s44, _multiply(turn_rate_6, tz_1, _r4), _r4), _multiply(turn_rate_7, tz_0, _r5), _r5), _r5), _r5)
     _s46 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_7, _r5), _multiply(tx_1, vx_6, _r10), _r10), _multiply(tx_2, vx_5, _r5), _r5), _multiply(tx_3, vx_4, _r10), _r10), _multiply(tx_4, vx_3, _r5), _r5), _multiply(tx_5, vx_2, _r10), _r10)
     _s47 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_7, _r5), _multiply(ty_1, vy_6, _r4), _r4), _multiply(ty_2, vy_5, _r5), _r5), _multiply(ty_3, vy_4, _r4), _r4), _multiply(ty_4, vy_3, _r5), _r5), _multiply(ty_5, vy_2, _r4), _r4)
     _s48 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_7, _r5), _multiply(tz_1, vz_6, _r6), _r6), _multiply(tz_2, vz_5, _r5), _r5), _multiply(tz_3, vz_4, _r6), _r6), _multiply(tz_4, vz_3, _r5), _r5), _multiply(tz_5, vz_2, _r6), _r6)
@@ -2402,20 +2429,20 @@ def roll_moved(t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tur
     Returns x, vx, y, vy, z, vz, turn_rate.
     """
     _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
-    _s0 = _multiply(_k75, t, _r0)
-    _s1 = _add(_multiply(_k68, vx_5, _r1), _multiply(t, _add(_multiply(_k71, vx_6, _r2), _multiply(t, _add(_multiply(_k29, vx_7, _r3), _multiply(_s0, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s2 = _add(_multiply(_k61, vx_2, _r1), _multiply(t, _add(_multiply(_k27, vx_3, _r2), _multiply(t, _add(_multiply(_k65, vx_4, _r3), _multiply(t, _s1, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s3 = x + _multiply(t, _add(vx_0, _multiply(t, _add(_multiply(_k44, vx_1, _r1), _multiply(t, _s2, _r4), _r4), _r4), _r4), _r4)
+    _s0 = _multiply(_k78, t, _r0)
+    _s1 = _add(_multiply(_k71, vx_5, _r1), _multiply(t, _add(_multiply(_k74, vx_6, _r2), _multiply(t, _add(_multiply(_k29, vx_7, _r3), _multiply(_s0, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s2 = _add(_multiply(_k64, vx_2, _r1), _multiply(t, _add(_multiply(_k27, vx_3, _r2), _multiply(t, _add(_multiply(_k68, vx_4, _r3), _multiply(t, _s1, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s3 = x + _multiply(t, _add(vx_0, _multiply(t, _add(_multiply(_k47, vx_1, _r1), _multiply(t, _s2, _r4), _r4), _r4), _r4), _r4)
     _s4 = _add(vx_5, _multiply(t, _add(vx_6, _multiply(t, _add(vx_7, _multiply(t, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
     _s5 = _add(vx_2, _multiply(t, _add(vx_3, _multiply(t, _add(vx_4, _multiply(t, _s4, _r4), _r4), _r4), _r4), _r4), _r4)
-    _s6 = _add(_multiply(_k68, vy_5, _r1), _multiply(t, _add(_multiply(_k71, vy_6, _r2), _multiply(t, _add(_multiply(_k29, vy_7, _r3), _multiply(_s0, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
-    _s7 = _add(_multiply(_k61, vy_2, _r1), _multiply(t, _add(_multiply(_k27, vy_3, _r2), _multiply(t, _add(_multiply(_k65, vy_4, _r3), _multiply(t, _s6, _r5), _r5), _r5), _r5), _r5), _r5)
-    _s8 = y + _multiply(t, _add(vy_0, _multiply(t, _add(_multiply(_k44, vy_1, _r1), _multiply(t, _s7, _r5), _r5), _r5), _r5), _r5)
+    _s6 = _add(_multiply(_k71, vy_5, _r1), _multiply(t, _add(_multiply(_k74, vy_6, _r2), _multiply(t, _add(_multiply(_k29, vy_7, _r3), _multiply(_s0, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
+    _s7 = _add(_multiply(_k64, vy_2, _r1), _multiply(t, _add(_multiply(_k27, vy_3, _r2), _multiply(t, _add(_multiply(_k68, vy_4, _r3), _multiply(t, _s6, _r5), _r5), _r5), _r5), _r5), _r5)
+    _s8 = y + _multiply(t, _add(vy_0, _multiply(t, _add(_multiply(_k47, vy_1, _r1), _multiply(t, _s7, _r5), _r5), _r5), _r5), _r5)
     _s9 = _add(vy_5, _multiply(t, _add(vy_6, _multiply(t, _add(vy_7, _multiply(t, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
     _s10 = _add(vy_2, _multiply(t, _add(vy_3, _multiply(t, _add(vy_4, _multiply(t, _s9, _r5), _r5), _r5), _r5), _r5), _r5)
-    _s11 = _add(_multiply(_k68, vz_5, _r1), _multiply(t, _add(_multiply(_k71, vz_6, _r2), _multiply(t, _add(_multiply(_k29, vz_7, _r3), _multiply(_s0, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s12 = _add(_multiply(_k61, vz_2, _r1), _multiply(t, _add(_multiply(_k27, vz_3, _r2), _multiply(t, _add(_multiply(_k65, vz_4, _r3), _multiply(t, _s11, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s13 = z + _multiply(t, _add(vz_0, _multiply(t, _add(_multiply(_k44, vz_1, _r1), _multiply(t, _s12, _r0), _r0), _r0), _r0), _r0)
+    _s11 = _add(_multiply(_k71, vz_5, _r1), _multiply(t, _add(_multiply(_k74, vz_6, _r2), _multiply(t, _add(_multiply(_k29, vz_7, _r3), _multiply(_s0, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s12 = _add(_multiply(_k64, vz_2, _r1), _multiply(t, _add(_multiply(_k27, vz_3, _r2), _multiply(t, _add(_multiply(_k68, vz_4, _r3), _multiply(t, _s11, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s13 = z + _multiply(t, _add(vz_0, _multiply(t, _add(_multiply(_k47, vz_1, _r1), _multiply(t, _s12, _r0), _r0), _r0), _r0), _r0)
     _s14 = _add(vz_5, _multiply(t, _add(vz_6, _multiply(t, _add(vz_7, _multiply(t, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
     _s15 = _add(vz_2, _multiply(t, _add(vz_3, _multiply(t, _add(vz_4, _multiply(t, _s14, _r0), _r0), _r0), _r0), _r0), _r0)
     _s16 = _add(turn_rate_5, _multiply(t, _add(turn_rate_6, _multiply(t, _add(turn_rate_7, _multiply(t, turn_rate_8, _r1), _r1), _r1), _r1), _r1), _r1)
@@ -2452,25 +2479,25 @@ def roll_pace(p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any
     _s4 = _add(_add(_add(_absolute(turn_rate_8, _r3), _absolute(vx_8, _r5), _r5), _absolute(vy_8, _r3), _r3), _absolute(vz_8, _r5), _r5)
     _s5 = _add(_multiply(_add(_multiply(_s2, _s0, _r3), _sqrt(_multiply(p_gravity, _s2, _r2), _r2), _r2), _s3, _r2), _s4, _r2)
     _s6 = _multiply(_s1, _add(_add(_absolute(nx_8, _r3), _absolute(ny_8, _r6), _r6), _absolute(nz_8, _r3), _r3), _r3)
-    _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(_k77, _s1, _r6), _select(_s5 < _s6, _s6, _s5, _r7), _r6), _r6), _r6), _r6)
+    _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(_k80, _s1, _r6), _select(_s5 < _s6, _s6, _s5, _r7), _r6), _r6), _r6), _r6)
     _s8 = _result(_s7 < _k22, _s7, _k22, _r0)
     _s9 = _multiply(_multiply(_k23, _add(_add(_add(_absolute(turn_rate_2, _r7), _absolute(vx_2, _r3), _r3), _absolute(vy_2, _r7), _r7), _absolute(vz_2, _r3), _r3), _r3), _s8, _r3)
     _s10 = _multiply(_s8, _s8, _r7)
-    _s11 = _multiply(_multiply(_k63, _add(_add(_add(_absolute(turn_rate_3, _r2), _absolute(vx_3, _r8), _r8), _absolute(vy_3, _r2), _r2), _absolute(vz_3, _r8), _r8), _r8), _s10, _r8)
+    _s11 = _multiply(_multiply(_k66, _add(_add(_add(_absolute(turn_rate_3, _r2), _absolute(vx_3, _r8), _r8), _absolute(vy_3, _r2), _r2), _absolute(vz_3, _r8), _r8), _r8), _s10, _r8)
     _s12 = _multiply(_s8, _s10, _r2)
-    _s13 = _multiply(_multiply(_k64, _add(_add(_add(_absolute(turn_rate_4, _r9), _absolute(vx_4, _r10), _r10), _absolute(vy_4, _r9), _r9), _absolute(vz_4, _r10), _r10), _r10), _s12, _r10)
+    _s13 = _multiply(_multiply(_k67, _add(_add(_add(_absolute(turn_rate_4, _r9), _absolute(vx_4, _r10), _r10), _absolute(vy_4, _r9), _r9), _absolute(vz_4, _r10), _r10), _r10), _s12, _r10)
     _s14 = _multiply(_s10, _s10, _r9)
-    _s15 = _multiply(_multiply(_k67, _add(_add(_add(_absolute(turn_rate_5, _r11), _absolute(vx_5, _r12), _r12), _absolute(vy_5, _r11), _r11), _absolute(vz_5, _r12), _r12), _r12), _s14, _r12)
+    _s15 = _multiply(_multiply(_k70, _add(_add(_add(_absolute(turn_rate_5, _r11), _absolute(vx_5, _r12), _r12), _absolute(vy_5, _r11), _r11), _absolute(vz_5, _r12), _r12), _r12), _s14, _r12)
     _s16 = _multiply(_s8, _s14, _r11)
     _s17 = _multiply(_multiply(_k7, _add(_add(_add(_absolute(turn_rate_6, _r13), _absolute(vx_6, _r14), _r14), _absolute(vy_6, _r13), _r13), _absolute(vz_6, _r14), _r14), _r14), _s16, _r14)
-    _s18 = _add(_add(_add(_add(_add(_add(_s9, _s11, _r8), _s13, _r10), _s15, _r12), _s17, _r14), _multiply(_multiply(_k73, _s3, _r4), _multiply(_s10, _s14, _r12), _r4), _r4), _multiply(_multiply(_k26, _s4, _r5), _multiply(_s12, _s14, _r14), _r5), _r5)
+    _s18 = _add(_add(_add(_add(_add(_add(_s9, _s11, _r8), _s13, _r10), _s15, _r12), _s17, _r14), _multiply(_multiply(_k76, _s3, _r4), _multiply(_s10, _s14, _r12), _r4), _r4), _multiply(_multiply(_k26, _s4, _r5), _multiply(_s12, _s14, _r14), _r5), _r5)
     _s19 = _s18 + _add(_add(_add(_absolute(turn_rate_1, _r4), _absolute(vx_1, _r14), _r14), _absolute(vy_1, _r4), _r4), _absolute(vz_1, _r14), _r14)
     _s20 = 0.4 * p_gravity
-    _s21 = _add(_multiply(_multiply(_k7, _absolute(_add(lift_3, _multiply(_s20, nz_3, _r14), _r14), _r14), _r14), _s8, _r14), _multiply(_multiply(_k78, _absolute(_add(lift_4, _multiply(_s20, nz_4, _r5), _r5), _r5), _r5), _s10, _r5), _r5)
-    _s22 = _add(_s21, _multiply(_multiply(_k79, _absolute(_add(lift_5, _multiply(_s20, nz_5, _r14), _r14), _r14), _r14), _s12, _r14), _r14)
-    _s23 = _add(_s22, _multiply(_multiply(_k80, _absolute(_add(lift_6, _multiply(_s20, nz_6, _r5), _r5), _r5), _r5), _s14, _r5), _r5)
-    _s24 = _add(_s23, _multiply(_multiply(_k81, _absolute(_add(lift_7, _multiply(_s20, nz_7, _r14), _r14), _r14), _r14), _s16, _r14), _r14)
-    return _s8, _k45 * _s1, _s19, _multiply(_s19, _s8, _r6) + _s0, lift_0 + _multiply(_s20, nz_0, _r6), lift_1 + _multiply(_s20, nz_1, _r6), _s24 + _multiply(_k23, _absolute(_add(lift_2, _multiply(_s20, nz_2, _r6), _r6), _r6), _r6), -_multiply(_k82, _negative(_multiply(p_gravity, nz_1, _r6), _r6), _r6)
+    _s21 = _add(_multiply(_multiply(_k7, _absolute(_add(lift_3, _multiply(_s20, nz_3, _r14), _r14), _r14), _r14), _s8, _r14), _multiply(_multiply(_k81, _absolute(_add(lift_4, _multiply(_s20, nz_4, _r5), _r5), _r5), _r5), _s10, _r5), _r5)
+    _s22 = _add(_s21, _multiply(_multiply(_k82, _absolute(_add(lift_5, _multiply(_s20, nz_5, _r14), _r14), _r14), _r14), _s12, _r14), _r14)
+    _s23 = _add(_s22, _multiply(_multiply(_k83, _absolute(_add(lift_6, _multiply(_s20, nz_6, _r5), _r5), _r5), _r5), _s14, _r5), _r5)
+    _s24 = _add(_s23, _multiply(_multiply(_k84, _absolute(_add(lift_7, _multiply(_s20, nz_7, _r14), _r14), _r14), _r14), _s16, _r14), _r14)
+    return _s8, _k48 * _s1, _s19, _multiply(_s19, _s8, _r6) + _s0, lift_0 + _multiply(_s20, nz_0, _r6), lift_1 + _multiply(_s20, nz_1, _r6), _s24 + _multiply(_k23, _absolute(_add(lift_2, _multiply(_s20, nz_2, _r6), _r6), _r6), _r6), -_multiply(_k85, _negative(_multiply(p_gravity, nz_1, _r6), _r6), _r6)
 
 
 def roll_turn_rate(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -2493,9 +2520,9 @@ def pressed_on(p_ball_radius: Any, p_gravity: Any, nx: Any, ny: Any, nz: Any, ro
     _s1 = _negative(_s0, _r0) - _add(_add(_multiply(rolled_x, turning_x, _r1), _multiply(rolled_y, turning_y, _r2), _r2), _multiply(rolled_z, turning_z, _r1), _r1)
     _s2 = _add(_add(_multiply(nx, wx, _r1), _multiply(ny, wy, _r0), _r0), _multiply(nz, wz, _r1), _r1)
     _s3 = 0.4 * p_ball_radius
-    _s4 = _add(_multiply(_multiply(_k60, ny, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(nz, turning_x, _r2), _multiply(nx, turning_z, _r3), _r3), _r3), _s2, _r3), _r3)
-    _s5 = _add(_multiply(_multiply(_k60, nx, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(ny, turning_z, _r2), _multiply(nz, turning_y, _r4), _r4), _r4), _s2, _r4), _r4)
-    _s6 = _add(_add(0.4 * p_gravity, _multiply(_multiply(_k60, nz, _r0), _s0, _r0), _r0), _multiply(_multiply(_s3, _subtract(_multiply(nx, turning_y, _r2), _multiply(ny, turning_x, _r5), _r5), _r5), _s2, _r5), _r5)
+    _s4 = _add(_multiply(_multiply(_k63, ny, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(nz, turning_x, _r2), _multiply(nx, turning_z, _r3), _r3), _r3), _s2, _r3), _r3)
+    _s5 = _add(_multiply(_multiply(_k63, nx, _r0), _s0, _r0), _multiply(_multiply(_s3, _subtract(_multiply(ny, turning_z, _r2), _multiply(nz, turning_y, _r4), _r4), _r4), _s2, _r4), _r4)
+    _s6 = _add(_add(0.4 * p_gravity, _multiply(_multiply(_k63, nz, _r0), _s0, _r0), _r0), _multiply(_multiply(_s3, _subtract(_multiply(nx, turning_y, _r2), _multiply(ny, turning_x, _r5), _r5), _r5), _s2, _r5), _r5)
     return _s1, _s0, _sqrt(_add(_add(_multiply(_s4, _s4, _r0), _multiply(_s5, _s5, _r1), _r1), _multiply(_s6, _s6, _r0), _r0)), _multiply(nx, _s1, _r0) + _s5, _multiply(ny, _s1, _r0) + _s4, _add(_multiply(nz, _s1, _r0), _s6, _r0) - p_gravity
 
 
@@ -2547,7 +2574,7 @@ def gripped(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz:
     _s4 = _subtract(_s3, _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r4), _multiply(nz, wx, _r5), _r5), _r5), _r5)
     _s5 = _subtract(vz, _multiply(nz, _s0, _r4), _r4)
     _s6 = _subtract(_s5, _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r6), _multiply(nx, wy, _r7), _r7), _r7), _r7)
-    return _s1 - _multiply(_k60, _s2, _r6), _s3 - _multiply(_k60, _s4, _r6), _s5 - _multiply(_k60, _s6, _r6), _sqrt(_add(_add(_multiply(_s6, _s6, _r7), _multiply(_s4, _s4, _r5), _r5), _multiply(_s2, _s2, _r3), _r3)), _result(_k6 < _s0, _s0, _k6, _r0)
+    return _s1 - _multiply(_k63, _s2, _r6), _s3 - _multiply(_k63, _s4, _r6), _s5 - _multiply(_k63, _s6, _r6), _sqrt(_add(_add(_multiply(_s6, _s6, _r7), _multiply(_s4, _s4, _r5), _r5), _multiply(_s2, _s2, _r3), _r3)), _result(_k6 < _s0, _s0, _k6, _r0)
 
 
 def alone() -> tuple[Any, ...]:
@@ -2568,8 +2595,8 @@ def neared_body(facing: Any, gap: Any, nearest: Any, nearing: Any, press: Any, s
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = _absolute(gap, _r0)
     _s1 = _absolute(swerve, _r1)
-    _s2 = _multiply(_k92, press, _r2)
-    _s3 = _select(_logical_and((swerve < _multiply(_k93, press, _r3)), (facing < _k94)), _add(_divide(_multiply(_k44, _multiply(nearing, nearing, _r3), _r3), _select(_s1 < _s2, _s2, _s1, _r4), _r3), _s0, _r3), _k8, _r4)
+    _s2 = _multiply(_k95, press, _r2)
+    _s3 = _select(_logical_and((swerve < _multiply(_k96, press, _r3)), (facing < _k97)), _add(_divide(_multiply(_k47, _multiply(nearing, nearing, _r3), _r3), _select(_s1 < _s2, _s2, _s1, _r4), _r3), _s0, _r3), _k8, _r4)
     return _result(_s0 < nearest, _s0, nearest, _r0), _result(_s3 < wedge, _s3, wedge, _r0)
 
 
@@ -2608,7 +2635,7 @@ def leaving_force(p_ball_radius: Any, brace: Any, doubt: Any, fastest: Any, forc
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _absolute(per_reach, _r0)
     _s1 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), _s0, _r1), _r1)
-    _s2 = _multiply(_k99, _s1, _r2)
+    _s2 = _multiply(_k102, _s1, _r2)
     _s3 = force_rate < _k6
     _s4 = _logical_or((force < _negative(_s2, _r3)), _logical_and((force <= _s2), _s3))
     _s5 = _negative(_add(brace, force_rate, _r3), _r3)
@@ -2617,14 +2644,14 @@ def leaving_force(p_ball_radius: Any, brace: Any, doubt: Any, fastest: Any, forc
     _s8 = _logical_and(_s4, _logical_not(_s7))
     _s9 = _logical_and((_add(_add(_absolute(vx, _r3), _absolute(vy, _r5), _r5), _absolute(vz, _r3), _r3) <= (5.684341886080802e-14 * _sqrt((p_ball_radius * p_gravity)))), (_add(_add(_absolute(vx_1, _r3), _absolute(vy_1, _r5), _r5), _absolute(vz_1, _r3), _r3) <= (5.684341886080802e-14 * p_gravity)))
     _s10 = _multiply(force_rate, force_rate, _r3)
-    _s11 = _add(force_bend, _multiply(_k93, _s1, _r5), _r5)
+    _s11 = _add(force_bend, _multiply(_k96, _s1, _r5), _r5)
     _s12 = _select(_s7, _s6, _select(force < _k6, _k6, force, _r6), _r7)
     _s13 = _add(_s10, _multiply(_multiply(_k23, _s11, _r8), _s12, _r8), _r8)
     _s14 = _sqrt(_s13, _r9)
     _s15 = _select(_k6 <= _s13, _divide(_select(_s3, _multiply(_k23, _s12, _r7), _add(force_rate, _s14, _r6), _r4), _select(_s3, _subtract(_s14, force_rate, _r9), _select(_k6 < _s11, _s11, _k6, _r8), _r10), _r4), _k8, _r6)
     _s16 = _add(_multiply(_multiply(_k26, _s0, _r0), _add(_multiply(fastest, velocity_error, _r7), _multiply(position_error, _s1, _r1), _r1), _r0), _s2, _r0)
     _s17 = _logical_or(_s7, _logical_and((_absolute(force, _r2) <= _s16), _logical_not((_multiply(_multiply(_k26, _s11, _r5), _s16, _r5) < _s10))))
-    return _result(_logical_or(_s8, _s9), _k6, _select(_s15 < stride, _s15, stride, _r5), _r0), _result(_logical_and(_s8, (which == _k50)), _k7, which, _r0), _logical_and(_s9, _logical_not(_s8)), _result(_s17, _k6, doubt, _r0)
+    return _result(_logical_or(_s8, _s9), _k6, _select(_s15 < stride, _s15, stride, _r5), _r0), _result(_logical_and(_s8, (which == _k53)), _k7, which, _r0), _logical_and(_s9, _logical_not(_s8)), _result(_s17, _k6, doubt, _r0)
 
 
 def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2634,7 +2661,7 @@ def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     Returns stride, which, doubt, late.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _multiply(_k101, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s0 = _multiply(_k104, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = gap <= _s0
     _s2 = nearing < _k6
     _s3 = _logical_and(_s1, _s2)
@@ -2644,7 +2671,7 @@ def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     _s7 = _add(_s4, _multiply(_multiply(_k23, _s5, _r4), _s6, _r4), _r4)
     _s8 = _sqrt(_s7, _r5)
     _s9 = _select(_k6 <= _s7, _divide(_select(_s2, _multiply(_k23, _s6, _r3), _add(nearing, _s8, _r4), _r6), _select(_s2, _subtract(_s8, nearing, _r5), _select(_k6 < _s5, _s5, _k6, _r7), _r8), _r6), _k8, _r4)
-    _s10 = which == _k50
+    _s10 = which == _k53
     _s11 = _logical_and(_s3, _s10)
     _s12 = _add(_multiply(_k23, position_error, _r3), _s0, _r3)
     _s13 = _logical_or(_logical_and(_logical_and((gap <= _s12), (_negative(_s12, _r0) <= gap)), _logical_not((_multiply(_multiply(_k26, _s12, _r0), _s5, _r0) < _s4))), _logical_and(_s3, _logical_not(_s10)))
@@ -2658,7 +2685,7 @@ def beside_gate(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     Returns stride, which, doubt, late.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _multiply(_k101, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s0 = _multiply(_k104, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = nearing < _k6
     _s2 = _logical_and(_logical_and((gap <= _s0), _s1), (_negative(_s0, _r1) <= gap))
     _s3 = _multiply(nearing, nearing, _r1)
@@ -2667,7 +2694,7 @@ def beside_gate(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
     _s6 = _add(_s3, _multiply(_multiply(_k23, _s4, _r4), _s5, _r4), _r4)
     _s7 = _sqrt(_s6, _r5)
     _s8 = _select(_k6 < gap, _select(_k6 <= _s6, _divide(_select(_s1, _multiply(_k23, _s5, _r3), _add(nearing, _s7, _r4), _r6), _select(_s1, _subtract(_s7, nearing, _r5), _select(_k6 < _s4, _s4, _k6, _r7), _r8), _r6), _k8, _r4), _k8, _r3)
-    _s9 = which == _k50
+    _s9 = which == _k53
     _s10 = _logical_and(_s2, _s9)
     _s11 = _add(_multiply(_k23, position_error, _r8), _s0, _r8)
     _s12 = _logical_or(_logical_and(_logical_and((gap <= _s11), (_negative(_s11, _r0) <= gap)), _logical_not((_multiply(_multiply(_k26, _s11, _r0), _s4, _r0) < _s3))), _logical_and(_s2, _logical_not(_s9)))
@@ -2684,7 +2711,7 @@ def beside_seam(fastest: Any, gap: Any, near: Any, nearing: Any, stride: Any, st
     _s0 = _absolute(gap, _r0)
     _s1 = _s0 <= near
     _s2 = _select(_s1, _k6, _s0, _r1)
-    _s3 = _select(_s1, _add(_multiply(_k92, fastest, _r2), _absolute(nearing, _r3), _r3), _select(_k6 < gap, nearing, _negative(nearing, _r2), _r4), _r5)
+    _s3 = _select(_s1, _add(_multiply(_k95, fastest, _r2), _absolute(nearing, _r3), _r3), _select(_k6 < gap, nearing, _negative(nearing, _r2), _r4), _r5)
     _s4 = _add(_multiply(_multiply(_k23, strongest, _r6), _s2, _r6), _multiply(_s3, _s3, _r7), _r7)
     _s5 = _sqrt(_s4, _r6)
     _s6 = _s3 < _k6
@@ -2767,18 +2794,18 @@ def parted(doubt: Any, p_gravity: Any, lift: Any, per_reach: Any, position_error
     _s3 = _add(p_gravity, _multiply(_multiply(_s1, _s1, _r3), _s2, _r3), _r3)
     _s4 = _add(_add(_k22, _multiply(_s1, _s2, _r4), _r4), _sqrt(_multiply(p_gravity, _s2, _r5), _r5), _r5)
     _s5 = _multiply(_multiply(_k41, _s3, _r4), _multiply(_s4, _multiply(_s4, _s4, _r6), _r6), _r4)
-    _s6 = _multiply(_k44, surge, _r6)
+    _s6 = _multiply(_k47, surge, _r6)
     _s7 = _sqrt(_divide(_s6, _s5, _r7), _r7)
-    _s8 = _multiply(_k51, _s5, _r8)
+    _s8 = _multiply(_k54, _s5, _r8)
     _s9 = _add(_absolute(snap, _r9), _s8, _r9)
     _s10 = _divide(_s6, _s9, _r6)
     _s11 = _select(_k6 < lift, lift, _k6, _r10)
-    _s12 = _sqrt(_divide(_multiply(_k104, _s11, _r11), _s5, _r11), _r11)
-    _s13 = _sqrt(_divide(_multiply(_k44, _s11, _r4), _s9, _r4), _r4)
-    _s14 = _divide(_s11, _add(_multiply(_k64, _absolute(surge, _r9), _r9), _s8, _r9), _r9)
+    _s12 = _sqrt(_divide(_multiply(_k107, _s11, _r11), _s5, _r11), _r11)
+    _s13 = _sqrt(_divide(_multiply(_k47, _s11, _r4), _s9, _r4), _r4)
+    _s14 = _divide(_s11, _add(_multiply(_k67, _absolute(surge, _r9), _r9), _s8, _r9), _r9)
     _s15 = _select(_s13 < _s14, _s13, _s14, _r10)
     _s16 = _select(_k6 < surge, _select(_s7 < _s10, _s7, _s10, _r8), _select(_s12 < _s15, _s12, _s15, _r12), _r13)
-    _s17 = _select(_s16 < _k105, _s16, _k105, _r14)
+    _s17 = _select(_s16 < _k108, _s16, _k108, _r14)
     _s18 = _select(_s0 < _s17, _s0, _s17, _r15)
     _s19 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(_k39, _add(_multiply(position_error, _s3, _r3), _multiply(velocity_error, _s1, _r1), _r1), _r1), _s2, _r1), _r1)
     return _result(_k6 < _s18, _s18, _k6, _r0), _result(_logical_or((_multiply(_s19, _s4, _r5) < surge), (_s19 < lift)), doubt, _k6, _r0)
@@ -2959,14 +2986,14 @@ def kept_on(began: Any, body: Any, clock: Any, doubt: Any, ends: Any, held: Any,
     Returns body, reached, doubt, ends, hopped, last, mode, held, rolls.
     """
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
-    _s0 = which == _k67
-    _s1 = _multiply(_k23, _select(held == _k23, _k23, _select(held == _k22, _k22, _select(held == _k6, _k6, _k50, _r0), _r1), _r2), _r2)
+    _s0 = which == _k70
+    _s1 = _multiply(_k23, _select(held == _k23, _k23, _select(held == _k22, _k22, _select(held == _k6, _k6, _k53, _r0), _r1), _r2), _r2)
     _s2 = which == _k7
-    _s3 = which == _k73
+    _s3 = which == _k76
     _s4 = which == _k26
-    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k108))
-    _s6 = _k64 < which
-    return _result(_s0, _add(_k64, _s1, _r1), _select(_s2, _add(_k67, _s1, _r2), _select(_s3, _k50, _select(_s4, _k63, body, _r0), _r3), _r4), _r0), _result(_s5, _k23, _select(_s4, _k7, _select(rests, _k67, _select(_logical_or(_s6, rolling), _k50, reached, _r4), _r3), _r0), _r0), _result(_s5, _k6, doubt, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k50, last, _r0), _result(_logical_or(_s0, rolling), _k23, _select(_s2, _k63, _k6, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k50, _r0), _result(_s0, _add(_k22, rolls, _r0), rolls, _r0)
+    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k111))
+    _s6 = _k67 < which
+    return _result(_s0, _add(_k67, _s1, _r1), _select(_s2, _add(_k70, _s1, _r2), _select(_s3, _k53, _select(_s4, _k66, body, _r0), _r3), _r4), _r0), _result(_s5, _k23, _select(_s4, _k7, _select(rests, _k70, _select(_logical_or(_s6, rolling), _k53, reached, _r4), _r3), _r0), _r0), _result(_s5, _k6, doubt, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k53, last, _r0), _result(_logical_or(_s0, rolling), _k23, _select(_s2, _k66, _k6, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k53, _r0), _result(_s0, _add(_k22, rolls, _r0), rolls, _r0)
 
 
 def settled(index: Any, lodges: Any, nearly: Any, outcome: Any, parts: Any, settles: Any, slides: Any, uncertain: Any, unsure: Any) -> tuple[Any, ...]:
@@ -2986,18 +3013,18 @@ def pulled(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = _negative(_multiply(p_gravity, nz_0, _r0), _r0)
-    _s1 = _multiply(_k60, nx_0, _r1)
-    _s2 = _multiply(_k60, turn_rate_0, _r2)
+    _s1 = _multiply(_k63, nx_0, _r1)
+    _s2 = _multiply(_k63, turn_rate_0, _r2)
     _s3 = _add(_multiply(_s1, _s0, _r3), _multiply(_s2, tx_0, _r4), _r4)
-    _s4 = _multiply(_k60, ny_0, _r3)
+    _s4 = _multiply(_k63, ny_0, _r3)
     _s5 = _add(_multiply(_s4, _s0, _r5), _multiply(_s2, ty_0, _r6), _r6)
-    _s6 = _multiply(_k60, nz_0, _r5)
+    _s6 = _multiply(_k63, nz_0, _r5)
     _s7 = _add(_add(0.4 * p_gravity, _multiply(_s6, _s0, _r7), _r7), _multiply(_s2, tz_0, _r8), _r8)
     _s8 = _negative(_multiply(p_gravity, nz_1, _r7), _r7)
-    _s9 = _multiply(_k60, turn_rate_1, _r9)
-    _s10 = _multiply(_multiply(_k23, _s3, _r10), _add(_add(_add(_multiply(_s1, _s8, _r1), _multiply(_multiply(_k60, nx_1, _r11), _s0, _r11), _r11), _multiply(_s2, tx_1, _r1), _r1), _multiply(_s9, tx_0, _r11), _r11), _r10)
-    _s11 = _multiply(_multiply(_k23, _s5, _r11), _add(_add(_add(_multiply(_s4, _s8, _r3), _multiply(_multiply(_k60, ny_1, _r1), _s0, _r1), _r1), _multiply(_s2, ty_1, _r3), _r3), _multiply(_s9, ty_0, _r1), _r1), _r11)
-    _s12 = _multiply(_multiply(_k23, _s7, _r1), _add(_add(_add(_multiply(_s6, _s8, _r7), _multiply(_multiply(_k60, nz_1, _r5), _s0, _r5), _r5), _multiply(_s2, tz_1, _r2), _r2), _multiply(_s9, tz_0, _r9), _r9), _r1)
+    _s9 = _multiply(_k63, turn_rate_1, _r9)
+    _s10 = _multiply(_multiply(_k23, _s3, _r10), _add(_add(_add(_multiply(_s1, _s8, _r1), _multiply(_multiply(_k63, nx_1, _r11), _s0, _r11), _r11), _multiply(_s2, tx_1, _r1), _r1), _multiply(_s9, tx_0, _r11), _r11), _r10)
+    _s11 = _multiply(_multiply(_k23, _s5, _r11), _add(_add(_add(_multiply(_s4, _s8, _r3), _multiply(_multiply(_k63, ny_1, _r1), _s0, _r1), _r1), _multiply(_s2, ty_1, _r3), _r3), _multiply(_s9, ty_0, _r1), _r1), _r11)
+    _s12 = _multiply(_multiply(_k23, _s7, _r1), _add(_add(_add(_multiply(_s6, _s8, _r7), _multiply(_multiply(_k63, nz_1, _r5), _s0, _r5), _r5), _multiply(_s2, tz_1, _r2), _r2), _multiply(_s9, tz_0, _r9), _r9), _r1)
     return _add(_multiply(_s3, _s3, _r4), _multiply(_s5, _s5, _r6), _r6) + _multiply(_s7, _s7, _r8), _add(_s10, _s11, _r11) + _s12, -_inf, 0.0
 
 
@@ -3034,8 +3061,8 @@ def lost_grip(clock: Any, strain: Any, strain_rate: Any, taut: Any, taut_clock: 
     _s5 = _multiply(strain_rate, _s0, _r5)
     _s6 = _multiply(taut_rate, _s0, _r6)
     _s7 = _subtract(_add(_s5, _s6, _r7), _multiply(_k23, _s1, _r8), _r8)
-    _s8 = _multiply(_k63, _s7, _r7)
-    _s9 = _subtract(_subtract(_multiply(_k63, _s1, _r9), _s5, _r9), _multiply(_k23, _s6, _r5), _r5)
+    _s8 = _multiply(_k66, _s7, _r7)
+    _s9 = _subtract(_subtract(_multiply(_k66, _s1, _r9), _s5, _r9), _multiply(_k23, _s6, _r5), _r5)
     _s10 = _multiply(_k23, _s9, _r9)
     _s11 = _add(_multiply(_add(_multiply(_s8, _s4, _r10), _s10, _r10), _s4, _r10), _s6, _r10)
     _s12 = _add(taut, _multiply(_add(_multiply(_add(_multiply(_s7, _s4, _r11), _s9, _r11), _s4, _r11), _s6, _r11), _s4, _r11), _r11)
@@ -3123,16 +3150,16 @@ def ring_impact_settling(p_ball_radius: Any, bounce: Any, drag: Any, lift: Any, 
     _s7 = _multiply(_multiply(_k26, _add(_multiply(_s3, _s5, _r4), _s6, _r4), _r4), _s3, _r4)
     _s8 = _s0 * _s0
     _s9 = _add(_sqrt(_multiply(p_ball_radius, _s6, _r2), _r2), _s5, _r2)
-    _s10 = _multiply(_k77, _s9, _r5)
+    _s10 = _multiply(_k80, _s9, _r5)
     _s11 = _multiply(_k23, drag, _r6)
     _s12 = 1.0 + p_ring_restitution
     _s13 = p_ring_friction * _s12
     _s14 = _multiply(press, _s13, _r7)
-    _s15 = _logical_and(_logical_and(_logical_and(_logical_and((_k6 < press), _s1), (_multiply(_multiply(_k63, _s2, _r8), _s7, _r8) < _multiply(press, _s8, _r9))), (slip <= _add(_multiply(_multiply(_k26, drag, _r9), _s2, _r9), _s10, _r9))), (_s11 <= _s14))
-    _s16 = _multiply(_k44, bounce, _r9)
+    _s15 = _logical_and(_logical_and(_logical_and(_logical_and((_k6 < press), _s1), (_multiply(_multiply(_k66, _s2, _r8), _s7, _r8) < _multiply(press, _s8, _r9))), (slip <= _add(_multiply(_multiply(_k26, drag, _r9), _s2, _r9), _s10, _r9))), (_s11 <= _s14))
+    _s16 = _multiply(_k47, bounce, _r9)
     _s17 = _s12 * _s0
-    _s18 = _multiply(_k64, drag, _r8)
-    _s19 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(_k110, slip, _r10), _s2, _r10), _s0, _r10), _r10)
+    _s18 = _multiply(_k67, drag, _r8)
+    _s19 = _add(_add(_multiply(_s16, _s2, _r10), _divide(_multiply(_s18, _multiply(_s2, _s2, _r11), _r11), _s17, _r11), _r11), _divide(_multiply(_multiply(_k113, slip, _r10), _s2, _r10), _s0, _r10), _r10)
     _s20 = 3.637978807091713e-12 * p_ball_radius
     _s21 = _logical_and(_s15, (_s19 <= _s20))
     _s22 = 3.725290298461914e-09 * p_ball_radius
@@ -3143,11 +3170,11 @@ def ring_impact_settling(p_ball_radius: Any, bounce: Any, drag: Any, lift: Any, 
     _s27 = _negative(lift, _r0)
     _s28 = _select(_s27 < press, _s27, press, _r11)
     _s29 = _divide(bounce, _s28, _r12)
-    _s30 = _logical_and(_logical_and(_logical_and((_k6 < _s28), _s1), (_multiply(_multiply(_k63, _s29, _r13), _s7, _r13) < _multiply(_s8, _s28, _r11))), (_add(_s22, _divide(_multiply(_multiply(_k39, _s29, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
+    _s30 = _logical_and(_logical_and(_logical_and((_k6 < _s28), _s1), (_multiply(_multiply(_k66, _s29, _r13), _s7, _r13) < _multiply(_s8, _s28, _r11))), (_add(_s22, _divide(_multiply(_multiply(_k39, _s29, _r11), _s5, _r11), _s0, _r11), _r11) < nearest))
     _s31 = _logical_and(_s30, (_add(_multiply(_s16, _s29, _r9), _divide(_multiply(_s18, _multiply(_s29, _s29, _r11), _r11), _s17, _r11), _r11) <= _s20))
     _s32 = _k6 < bounce
-    _s33 = _add(_divide(_multiply(_k67, _add(_multiply(_s11, _s29, _r12), _select(_s32, _multiply(bounce, _s13, _r11), _k6, _r9), _r9), _r9), _s0, _r9), _multiply(_k111, _s9, _r2), _r2)
-    _s34 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k64, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s19, _s20, _r10), _r10), _r10) <= _multiply(_multiply(_k23, velocity_error, _r11), _s20, _r11)), _s32))
+    _s33 = _add(_divide(_multiply(_k70, _add(_multiply(_s11, _s29, _r12), _select(_s32, _multiply(bounce, _s13, _r11), _k6, _r9), _r9), _r9), _s0, _r9), _multiply(_k114, _s9, _r2), _r2)
+    _s34 = _logical_or((_absolute(press, _r9) <= _multiply(_multiply(_k67, velocity_error, _r11), _s3, _r11)), _logical_and((_multiply(bounce, _absolute(_subtract(_s19, _s20, _r10), _r10), _r10) <= _multiply(_multiply(_k23, velocity_error, _r11), _s20, _r11)), _s32))
     _s35 = _multiply(_k39, velocity_error, _r11)
     _s36 = _logical_and(_s31, _logical_or((_absolute(_subtract(slip, _s33, _r10), _r10) < _s35), (_absolute(_subtract(_s11, _s14, _r10), _r10) < _multiply(_s35, _add(_multiply(_s13, _s3, _r9), _s3, _r9), _r9))))
     return _logical_and(_logical_and(_s21, _logical_not(_s23)), _logical_or(_s25, _s26)), _logical_and(_s21, _s23), _logical_and(_s31, _logical_or((_s33 < slip), (_s14 < _s11))), _logical_and((bounce <= _s10), (_k6 <= lift)), _result(_logical_or(_logical_and(_s15, _s25), _s30), _k22, _k6, _r0), _logical_or(_logical_or(_s34, _s36), _logical_and(_logical_and(_s21, _s26), _logical_not(_s25)))
@@ -3182,7 +3209,7 @@ def ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, n
     _s9 = _divide(p_ring_restitution, _subtract(_k22, _divide(_s0, p_restitution_speed, _r8), _r8), _r8)
     _s10 = _negative(_multiply(p_ring_friction, _multiply(_add(_k22, _s9, _r9), _s0, _r9), _r9), _r9)
     _s11 = _select(0.0 < p_ring_friction, _select(p_ring_friction < _inf, _select(_multiply(_s7, _s8 * _s8, _r10) <= _multiply(_s10, _s10, _r11), _s8, _divide(_s10, _sqrt(_s7, _r6), _r6), _r9), _s8, _r11), _k6, _r10)
-    _s12 = _divide(_multiply(_k114, _s11, _r12), p_ball_radius, _r12)
+    _s12 = _divide(_multiply(_k117, _s11, _r12), p_ball_radius, _r12)
     return _subtract(_s1, _multiply(_s2, _s11, _r13), _r13) - _multiply(_multiply(nx, _s9, _r1), _s0, _r1), _subtract(_s5, _multiply(_s6, _s11, _r1), _r1) - _multiply(_multiply(ny, _s9, _r4), _s0, _r4), _subtract(_s3, _multiply(_s4, _s11, _r10), _r10) - _multiply(_multiply(nz, _s9, _r8), _s0, _r8), wx + _multiply(_s12, _subtract(_multiply(ny, _s4, _r8), _multiply(nz, _s6, _r10), _r10), _r10), wy + _multiply(_s12, _subtract(_multiply(nz, _s2, _r10), _multiply(nx, _s4, _r5), _r5), _r5), wz + _multiply(_s12, _subtract(_multiply(nx, _s6, _r7), _multiply(ny, _s2, _r3), _r3), _r3)
 
 
@@ -3212,7 +3239,7 @@ def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     _s16 = _subtract(dvy, _add(_multiply(dny, _s0, _r14), _multiply(ny, _s1, _r12), _r12), _r12)
     _s17 = _subtract(_s16, _multiply(p_ball_radius, _subtract(_add(_multiply(dnx, wz, _r14), _multiply(dwz, nx, _r16), _r16), _add(_multiply(dnz, wx, _r14), _multiply(dwx, nz, _r17), _r17), _r17), _r17), _r17)
     _s18 = _subtract(_s2, _multiply(p_ball_radius, _subtract(_add(_multiply(dnz, wy, _r16), _multiply(dwy, nz, _r14), _r14), _add(_multiply(dny, wz, _r16), _multiply(dwz, ny, _r18), _r18), _r18), _r18), _r18)
-    _s19 = _divide(_multiply(_multiply(_k44, _s11, _r14), _add(_add(_multiply(_multiply(_k23, _s4, _r16), _s15, _r16), _multiply(_multiply(_k23, _s5, _r19), _s17, _r19), _r19), _multiply(_multiply(_k23, _s3, _r16), _s18, _r16), _r16), _r14), _multiply(_s13, _s6, _r16), _r14)
+    _s19 = _divide(_multiply(_multiply(_k47, _s11, _r14), _add(_add(_multiply(_multiply(_k23, _s4, _r16), _s15, _r16), _multiply(_multiply(_k23, _s5, _r19), _s17, _r19), _r19), _multiply(_multiply(_k23, _s3, _r16), _s18, _r16), _r16), _r14), _multiply(_s13, _s6, _r16), _r14)
     _s20 = _subtract(_divide(_negative(_multiply(p_ring_friction, _add(_multiply(_s10, _s1, _r9), _multiply(_s12, _s0, _r16), _r16), _r16), _r16), _s13, _r16), _s19, _r14)
     _s21 = _multiply(_s6, _s7 * _s7, _r3) <= _multiply(_s11, _s11, _r16)
     _s22 = p_ring_friction < _inf
@@ -3247,8 +3274,8 @@ def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     _s51 = _subtract(_s50, _s49, _r0)
     _s52 = _s48 < _k6
     _s53 = _add(_add(_multiply(nx, _select(_s41, _negative(_s42, _r11), _s42, _r13), _r13), _multiply(ny, _select(_s47, _negative(_s46, _r11), _s46, _r2), _r2), _r2), _multiply(nz, _select(_s52, _negative(_s51, _r13), _s51, _r11), _r11), _r11)
-    _s54 = _divide(_multiply(_k114, _s24, _r9), p_ball_radius, _r9)
-    _s55 = _divide(_multiply(_k114, _s25, _r20), p_ball_radius, _r20)
+    _s54 = _divide(_multiply(_k117, _s24, _r9), p_ball_radius, _r9)
+    _s55 = _divide(_multiply(_k117, _s25, _r20), p_ball_radius, _r20)
     _s56 = _add(dwx, _add(_multiply(_s54, _subtract(_multiply(ny, _s4, _r19), _multiply(nz, _s5, _r10), _r10), _r10), _multiply(_s55, _subtract(_add(_multiply(dny, _s4, _r19), _multiply(ny, _s15, _r4), _r4), _add(_multiply(dnz, _s5, _r19), _multiply(nz, _s17, _r3), _r3), _r3), _r3), _r3), _r3)
     _s57 = 1.0 / p_ball_radius
     _s58 = _multiply(_s57, _s29, _r22)
@@ -3395,8 +3422,8 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s32 = _add(x, _multiply(horizon, vx, _r7), _r7)
     _s33 = _add(y, _multiply(horizon, vy, _r8), _r8)
     _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k6, _k22, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k6, _k22, _k6, _r8), _r15)
-    _s35 = _select(_subtract(_multiply(_multiply(_k64, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k23, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k6, _s34, _k6, _r7)
-    _s36 = _select(horizon < _subtract(_s11, _multiply(_k51, horizon, _r10), _r10), _k22, _select(_k6 < _s20, _select(_k6 < _s30, _s35, _k6, _r12), _k6, _r13), _r10)
+    _s35 = _select(_subtract(_multiply(_multiply(_k67, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k23, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k6, _s34, _k6, _r7)
+    _s36 = _select(horizon < _subtract(_s11, _multiply(_k54, horizon, _r10), _r10), _k22, _select(_k6 < _s20, _select(_k6 < _s30, _s35, _k6, _r12), _k6, _r13), _r10)
     _s37 = _add(_multiply(vx, x, _r4), _multiply(vy, y, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
     _s39 = _select(_s38 < _k6, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, _k6, _r4), _k6, _r14)
@@ -3421,36 +3448,36 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = _multiply(_k48, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s10 = _multiply(_k51, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
     _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
-    _s14 = _multiply(_k45, _add(_absolute(vz, _r8), _s13, _r8), _r8)
+    _s14 = _multiply(_k48, _add(_absolute(vz, _r8), _s13, _r8), _r8)
     _s15 = _k6 <= _s11
     _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _k8, _r9)
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = _multiply(_multiply(_k45, _s1, _r10), _add(_s18, _s6, _r11), _r10)
+    _s19 = _multiply(_multiply(_k48, _s1, _r10), _add(_s18, _s6, _r11), _r10)
     _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
     _s21 = _add(_multiply(vx, x, _r12), _multiply(vy, y, _r13), _r13)
     _s22 = _sqrt(_s20, _r12)
-    _s23 = _multiply(_k45, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
+    _s23 = _multiply(_k48, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
     _s24 = _divide(_k22, _s1, _r14)
     _s25 = _k6 <= _s20
-    _s26 = _k123 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k124, _r16)
+    _s26 = _k126 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k127, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k6, _k6, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k124, _r10), _k8, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k127, _r10), _k8, _r18)
     _s35 = _k6 < _select(_s26, _s32, _k6, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k6, _k6, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k124, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k127, _r0)
     _s40 = _k6 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -3494,9 +3521,9 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(_k67, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k37, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k15 * _add(_add(_multiply(_multiply(_k126, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
-    return _k15 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k15 * _add(_multiply(_k126, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k70, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k37, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k15 * _add(_add(_multiply(_multiply(_k129, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
+    return _k15 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k15 * _add(_multiply(_k129, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3554,7 +3581,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s23 = _subtract(_add(_s16, _s17, _r8), steady, _r8)
     _s24 = _s20 < _k6
     _s25 = _multiply(_k23, _s22, _r10)
-    _s26 = _select(_k6 < _select(_k6 <= _s20, _s22, _k6, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k64, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k6 < _s23, _s23, _k6, _r14), _r15), _r12), _r11)
+    _s26 = _select(_k6 < _select(_k6 <= _s20, _s22, _k6, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k67, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k6 < _s23, _s23, _k6, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
     _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k6, _k6, _s13, _r8), _r8), _s8, _r8), _r8)
@@ -3565,7 +3592,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s34 = _where(_s32 < _s33, _s33, _s32)
     _s35 = _divide(_k22, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k93, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k96, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
     _s38 = _add(_multiply(_multiply(_k23, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
     _s40 = _select(_k6 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k6 < _s37, _s37, _k6, _r5), _r1), _r7), _k8, _r9)
@@ -3595,73 +3622,73 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k130 * (p_ball_radius + p_wire_radius)
-    _s2 = _k131 * p_gravity
-    _s3 = _multiply(_k132, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s1 = _k133 * (p_ball_radius + p_wire_radius)
+    _s2 = _k134 * p_gravity
+    _s3 = _multiply(_k135, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = _k133 / p_gravity
+    _s5 = _k136 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k134, _add(_absolute(vz, _r4), _s6, _r4), _r4)
-    _s8 = _k135 <= _s4
-    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k136, _r5)
+    _s7 = _multiply(_k137, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s8 = _k138 <= _s4
+    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k139, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k134, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k137, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k134, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_k137, _s10, _r13)
-    _s21 = _k135 <= _s16
-    _s22 = _k138 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k136, _r14), _k139, _r15)
+    _s19 = _multiply(_k137, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k140, _s10, _r13)
+    _s21 = _k138 <= _s16
+    _s22 = _k141 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k139, _r14), _k142, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
-    _s25 = _select(_k135 < _s24, _s24, _k135, _r17)
-    _s26 = _select(_k135 < _s25, _s25, _k135, _r18)
+    _s25 = _select(_k138 < _s24, _s24, _k138, _r17)
+    _s26 = _select(_k138 < _s25, _s25, _k138, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k140 * p_ring_radius
+    _s28 = _k143 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
-    _s31 = _sqrt(_select(_s30 < _k135, _k135, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k139, _r6), _k136, _r19)
-    _s33 = _k135 < _select(_s22, _s30, _k135, _r20)
+    _s31 = _sqrt(_select(_s30 < _k138, _k138, _s30, _r9), _r9)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k142, _r6), _k139, _r19)
+    _s33 = _k138 < _select(_s22, _s30, _k138, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
-    _s36 = _sqrt(_select(_s35 < _k135, _k135, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k139, _r0)
-    _s38 = _k135 < _s35
+    _s36 = _sqrt(_select(_s35 < _k138, _k138, _s35, _r1), _r1)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k142, _r0)
+    _s38 = _k138 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k141, horizon, _r24)
+    _s41 = _multiply(_k144, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
-    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k136, _r13)
+    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k139, _r13)
     _s45 = _select(_s44 < _s34, _s34, _s44, _r8)
     _s46 = _select(_s9 < _s45, _s45, _s9, _r12)
     _s47 = _select(_s32 < _s39, _s32, _s39, _r26)
-    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k136, _r4)
+    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k139, _r4)
     _s49 = _select(_s48 < _s39, _s39, _s48, _r27)
     _s50 = _s46 <= _s47
     _s51 = _select(_s50, _s46, _select(_s49 < _s23, _s23, _s49, _r28), _r29)
-    _s52 = _result(_k135 < _s51, _s51, _k135, _r0)
-    _s53 = _select(_k135 < _s52, _s52, _k135, _r30)
+    _s52 = _result(_k138 < _s51, _s51, _k138, _r0)
+    _s53 = _select(_k138 < _s52, _s52, _k138, _r30)
     _s54 = _select(_s50, _s47, _select(_s34 < _s37, _s34, _s37, _r31), _r32)
     _s55 = _result(_s54 < _s41, _s54, _s41, _r0)
     _s56 = _s53 < _s55
     _s57 = _select(_s49 < _s45, _s45, _s49, _r33)
-    _s58 = _result(_k135 < _s57, _s57, _k135, _r0)
-    _s59 = _select(_k135 < _s58, _s58, _k135, _r34)
+    _s58 = _result(_k138 < _s57, _s57, _k138, _r0)
+    _s59 = _select(_k138 < _s58, _s58, _k138, _r34)
     _s60 = _select(_s32 < _s37, _s32, _s37, _r35)
     _s61 = _result(_s60 < _s41, _s60, _s41, _r0)
     _s62 = _s59 < _s61
-    _s63 = _select(_k135 < _s40, _s40, _k135, _r36)
+    _s63 = _select(_k138 < _s40, _s40, _k138, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k142 * _s29)), (_s11 <= ((_k142 * p_ball_radius) + (_k142 * p_wire_radius)))), (_s11 <= _k143)), (_k144 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k135, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k135, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k143)), (_k144 <= p_gravity)), (extent <= _k145)), (speed <= _k145))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k145 * _s29)), (_s11 <= ((_k145 * p_ball_radius) + (_k145 * p_wire_radius)))), (_s11 <= _k146)), (_k147 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k138, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k138, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k146)), (_k147 <= p_gravity)), (extent <= _k148)), (speed <= _k148))
 
 
 def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3693,33 +3720,33 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     p_wire_radius = _single(p_wire_radius)
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
-    _s0 = _k135 < leaving
+    _s0 = _k138 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k130 * _s2
+    _s3 = _k133 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k140 * p_ring_radius
+    _s5 = _k143 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(_k133 < _s7, _s7, _k133)
+    _s8 = _where(_k136 < _s7, _s7, _k136)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k153, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k154, parting, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k155, _s12, _k155, _r5)
-    _s14 = _result(_s0, _select(_k156 < _s13, _s13, _k156, _r6), _k155, _r0)
-    _s15 = _add(_multiply(_k157, _multiply(vz, vz, _r7), _r7), _multiply(_k158 * p_gravity, z, _r8), _r8) + _multiply(_k157, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k156, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k157, parting, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k158, _s12, _k158, _r5)
+    _s14 = _result(_s0, _select(_k159 < _s13, _s13, _k159, _r6), _k158, _r0)
+    _s15 = _add(_multiply(_k160, _multiply(vz, vz, _r7), _r7), _multiply(_k161 * p_gravity, z, _r8), _r8) + _multiply(_k160, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
-    _s17 = (_k131 * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = _k133 / _s6
+    _s17 = (_k134 * p_ring_radius) * _multiply(_s16, _s16, _r8)
+    _s18 = _k136 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k159 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k162 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k134, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k160, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k146, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k161 * _s20, (_k162 * _s2) * _s24, _result(_s0, _multiply(_k161, _add(_multiply(_k132, _absolute(parting, _r12), _r12), _multiply(_add(_k163, _s14, _r2), _s11, _r2), _r2), _r2), _k136, _r0), _k161 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k164 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k153 * _add(_multiply(_multiply(_k161, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k165, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k166 * p_ball_radius) + (_k166 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k135))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k137, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k163, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k149, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k164 * _s20, (_k165 * _s2) * _s24, _result(_s0, _multiply(_k164, _add(_multiply(_k135, _absolute(parting, _r12), _r12), _multiply(_add(_k166, _s14, _r2), _s11, _r2), _r2), _r2), _k139, _r0), _k164 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k167 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k156 * _add(_multiply(_multiply(_k164, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k168, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k169 * p_ball_radius) + (_k169 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k138))
 
 
 def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3766,66 +3793,66 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s7 = _add(y, _multiply(t, vy, _r5), _r5)
     _s8 = _sqrt(_add(_multiply(_s6, _s6, _r6), _multiply(_s7, _s7, _r7), _r7), _r7)
     _s9 = _add(rho_start, _s8, _r6)
-    _s10 = _divide(_k137, _multiply(_s9, _s8, _r8), _r8)
+    _s10 = _divide(_k140, _multiply(_s9, _s8, _r8), _r8)
     _s11 = _multiply(_s8, _s10, _r9)
-    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_k157, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
-    _s13 = _subtract(vz, _multiply(_k173 * p_gravity, t, _r10), _r10)
-    _s14 = _add(_add(_multiply(_multiply(_multiply(_k157, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
+    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_k160, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
+    _s13 = _subtract(vz, _multiply(_k176 * p_gravity, t, _r10), _r10)
+    _s14 = _add(_add(_multiply(_multiply(_multiply(_k160, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
     _s15 = _add(parting, _multiply(t, _subtract(_s14, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
     _s16 = _multiply(_s9, _s10, _r8)
     _s17 = _multiply(_s16, _add(_multiply(vx, _s6, _r3), _multiply(vy, _s7, _r5), _r5), _r5)
     _s18 = _subtract(_s8, p_ring_radius, _r3)
     _s19 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
     _s20 = _add(z, _multiply(t, _s13, _r10), _r10)
-    _s21 = _select(_s4, _subtract(_multiply(_k157, _s15, _r11), parting, _r11), _multiply(_k157, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
-    _s22 = _select(_s4, _add(_s3, _multiply(_k157, _s0, _r0), _r0), rate_margin, _r2)
+    _s21 = _select(_s4, _subtract(_multiply(_k160, _s15, _r11), parting, _r11), _multiply(_k160, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
+    _s22 = _select(_s4, _add(_s3, _multiply(_k160, _s0, _r0), _r0), rate_margin, _r2)
     _s23 = _negative(_add(_s21, _s22, _r4), _r4)
     _s24 = _select(_s2, _s1, flat, _r14)
     _s25 = p_ball_radius + p_wire_radius
     _s26 = _subtract(_select(_s2, _multiply(t, _s15, _r12), _subtract(_add(_multiply(_s18, _s18, _r3), _multiply(_s20, _s20, _r15), _r15), _s25 * _s25, _r15), _r3), _s24, _r3)
-    _s27 = _select(_s26 < _k135, _k135, _s26, _r15)
-    _s28 = _multiply(_k157, _add(_multiply(_k157, _s24, _r12), _s27, _r12), _r12)
+    _s27 = _select(_s26 < _k138, _k138, _s26, _r15)
+    _s28 = _multiply(_k160, _add(_multiply(_k160, _s24, _r12), _s27, _r12), _r12)
     _s29 = _subtract(_s21, _s22, _r2)
-    _s30 = _k175 * p_gravity
+    _s30 = _k178 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(swing, _multiply(_s16, _multiply(_s16, _s16, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), steady, _r17)
-    _s34 = _s29 < _k135
-    _s35 = _multiply(_k157, _s27, _r18)
-    _s36 = _select(_k135 < _select(_k135 <= _s29, _s27, _k135, _r19), _k136, _divide(_select(_s34, _add(_multiply(_k176, _s24, _r19), _s35, _r19), _multiply(_k177, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k135 < _s33, _s33, _k135, _r23), _r24), _r21), _r20)
+    _s34 = _s29 < _k138
+    _s35 = _multiply(_k160, _s27, _r18)
+    _s36 = _select(_k138 < _select(_k138 <= _s29, _s27, _k138, _r19), _k139, _divide(_select(_s34, _add(_multiply(_k179, _s24, _r19), _s35, _r19), _multiply(_k180, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k138 < _s33, _s33, _k138, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k130 * _s25
-    _s40 = _add((_k140 * p_ball_radius) + (_k140 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k135, _k135, _s19, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k133 * _s25
+    _s40 = _add((_k143 * p_ball_radius) + (_k143 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k138, _k138, _s19, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k135 < _s17, _k135, _s17, _r23), _r23), _s8, _r23), _multiply(_k178, _s42, _r7), _r7), _k148 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k138 < _s17, _k138, _s17, _r23), _r23), _s8, _r23), _multiply(_k181, _s42, _r7), _r7), _k151 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k140 * p_ring_radius
+    _s45 = _k143 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_k137, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k140, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(swing, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(steady, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k179, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k182, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
     _s51 = _negative(_s19, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k144 * p_ball_radius) + (_k144 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k135, _k135, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k180, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(steady, _add(_s52, _multiply(_k181, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k147 * p_ball_radius) + (_k147 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k138, _k138, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k183, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(steady, _add(_s52, _multiply(_k184, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k176, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
-    _s56 = _k135 < _select(_k135 < _s23, _s55, _s23, _r16)
-    _s57 = _add(_multiply(_multiply(_k157, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
+    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k179, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
+    _s56 = _k138 < _select(_k138 < _s23, _s55, _s23, _r16)
+    _s57 = _add(_multiply(_multiply(_k160, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
-    _s59 = _select(_k135 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k135 < _s50, _s50, _k135, _r2), _r4), _r8), _k136, _r15)
+    _s59 = _select(_k138 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k138 < _s50, _s50, _k138, _r2), _r4), _r8), _k139, _r15)
     _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
     _s61 = _add(t, _s60, _r2)
-    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _k135), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
+    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _k138), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
     _s63 = _logical_not(_logical_or(_s56, _s62))
     _s64 = _logical_and(_s63, (_s37 <= _s60))
     _s65 = _select(end < low1, low1, end, _r4)
     _s66 = _s65 < high1
     _s67 = _select(end < low2, low2, end, _r15)
     _s68 = _s67 < high2
-    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k136, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k139, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3866,9 +3893,9 @@ def ring_beside(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: An
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _r0)
     _s3 = 2.0 * p_ring_radius
-    _s4 = _add(_multiply(_multiply(_k23, vz, _r2), z, _r2), _divide(_multiply(_multiply(_k44, _subtract(_multiply(_k23, _s0, _r3), _s3, _r3), _r3), _add(_multiply(_multiply(_k23, vx, _r4), x, _r4), _multiply(_multiply(_k23, vy, _r5), y, _r5), _r5), _r3), _s0, _r3), _r3)
+    _s4 = _add(_multiply(_multiply(_k23, vz, _r2), z, _r2), _divide(_multiply(_multiply(_k47, _subtract(_multiply(_k23, _s0, _r3), _s3, _r3), _r3), _add(_multiply(_multiply(_k23, vx, _r4), x, _r4), _multiply(_multiply(_k23, vy, _r5), y, _r5), _r5), _r3), _s0, _r3), _r3)
     _s5 = _subtract(_divide(_s3, _s0, _r1), _k22, _r1)
-    return _subtract(_s2, p_ball_radius, _r2) - p_wire_radius, _multiply(_k44, _s4, _r3) / _s2, _select(_k6 < _s5, _s5, _k6, _r3) / (p_ball_radius + p_wire_radius)
+    return _subtract(_s2, p_ball_radius, _r2) - p_wire_radius, _multiply(_k47, _s4, _r3) / _s2, _select(_k6 < _s5, _s5, _k6, _r3) / (p_ball_radius + p_wire_radius)
 
 
 def ring_closing(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3883,15 +3910,15 @@ def ring_closing(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: A
     _s2 = _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _add(_multiply(_multiply(_k23, rolled_x, _r2), x, _r2), _multiply(_multiply(_k23, rolled_y, _r4), y, _r4), _r4)
     _s4 = _divide(_k22, _s0, _r1)
-    _s5 = _multiply(_multiply(_k44, _s3, _r2), _s4, _r2)
+    _s5 = _multiply(_multiply(_k47, _s3, _r2), _s4, _r2)
     _s6 = _add(_multiply(_multiply(_k23, rolled_z, _r5), z, _r5), _multiply(_multiply(_k23, _s5, _r6), _s1, _r6), _r6)
     _s7 = _divide(_k22, _s2, _r5)
-    _s8 = _multiply(_k44, _s6, _r7) * _s7
+    _s8 = _multiply(_k47, _s6, _r7) * _s7
     _s9 = _add(_multiply(_negative(_multiply(_s5, _multiply(_s4, _s4, _r7), _r7), _r7), _s3, _r7), _multiply(_add(_multiply(_k23, _add(_multiply(rolled_x, rolled_x, _r4), _multiply(thrust_x, x, _r8), _r8), _r8), _multiply(_k23, _add(_multiply(rolled_y, rolled_y, _r4), _multiply(thrust_y, y, _r9), _r9), _r9), _r9), _s4, _r9), _r9)
-    _s10 = _multiply(_add(_multiply(_k23, _add(_multiply(rolled_z, rolled_z, _r7), _multiply(thrust_z, z, _r8), _r8), _r8), _multiply(_k23, _add(_multiply(_s1, _multiply(_k44, _s9, _r9), _r9), _multiply(_s5, _s5, _r2), _r2), _r2), _r2), _s7, _r2)
-    _s11 = _k44 * _add(_multiply(_negative(_multiply(_s8, _multiply(_s7, _s7, _r8), _r8), _r8), _s6, _r8), _s10, _r2)
-    _s12 = _multiply(_k23, _multiply(_multiply(_k44, _add(_multiply(_multiply(_k23, nx, _r2), x, _r2), _multiply(_multiply(_k23, ny, _r8), y, _r8), _r8), _r8), _s4, _r8), _r8)
-    return _subtract(_s2, p_ball_radius, _r3) - p_wire_radius, _s8, _s11, _multiply(_k44, _add(_multiply(_multiply(_k23, nz, _r3), z, _r3), _multiply(_s12, _s1, _r8), _r8), _r8) * _s7
+    _s10 = _multiply(_add(_multiply(_k23, _add(_multiply(rolled_z, rolled_z, _r7), _multiply(thrust_z, z, _r8), _r8), _r8), _multiply(_k23, _add(_multiply(_s1, _multiply(_k47, _s9, _r9), _r9), _multiply(_s5, _s5, _r2), _r2), _r2), _r2), _s7, _r2)
+    _s11 = _k47 * _add(_multiply(_negative(_multiply(_s8, _multiply(_s7, _s7, _r8), _r8), _r8), _s6, _r8), _s10, _r2)
+    _s12 = _multiply(_k23, _multiply(_multiply(_k47, _add(_multiply(_multiply(_k23, nx, _r2), x, _r2), _multiply(_multiply(_k23, ny, _r8), y, _r8), _r8), _r8), _s4, _r8), _r8)
+    return _subtract(_s2, p_ball_radius, _r3) - p_wire_radius, _s8, _s11, _multiply(_k47, _add(_multiply(_multiply(_k23, nz, _r3), z, _r3), _multiply(_s12, _s1, _r8), _r8), _r8) * _s7
 
 
 def ring_off(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3941,40 +3968,40 @@ def ring_parting(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, 
     _s0 = _add(_multiply(_multiply(_k23, vx, _r0), x, _r0), _multiply(_multiply(_k23, vy, _r1), y, _r1), _r1)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r2), _r2), _r2)
     _s2 = _divide(_k22, _s1, _r0)
-    _s3 = _multiply(_multiply(_k44, _s0, _r3), _s2, _r3)
+    _s3 = _multiply(_multiply(_k47, _s0, _r3), _s2, _r3)
     _s4 = _subtract(_s1, p_ring_radius, _r2)
     _s5 = _multiply(_k23, _s3, _r4)
     _s6 = _add(_multiply(_multiply(_k23, vz, _r5), z, _r5), _multiply(_s5, _s4, _r6), _r6)
     _s7 = _divide(_k22, _sqrt(_add(_multiply(z, z, _r5), _multiply(_s4, _s4, _r7), _r7), _r7), _r7)
-    _s8 = _multiply(_multiply(_k44, _s6, _r5), _s7, _r5)
+    _s8 = _multiply(_multiply(_k47, _s6, _r5), _s7, _r5)
     _s9 = _multiply(_s7, _s7, _r8)
     _s10 = _negative(_multiply(_s8, _s9, _r9), _r9)
     _s11 = _multiply(_s2, _s2, _r10)
     _s12 = _negative(_multiply(_s3, _s11, _r11), _r11)
     _s13 = _add(_multiply(_k23, _multiply(vx, vx, _r12), _r12), _multiply(_k23, _multiply(vy, vy, _r13), _r13), _r13)
-    _s14 = _multiply(_k44, _add(_multiply(_s12, _s0, _r12), _multiply(_s13, _s2, _r14), _r14), _r14)
+    _s14 = _multiply(_k47, _add(_multiply(_s12, _s0, _r12), _multiply(_s13, _s2, _r14), _r14), _r14)
     _s15 = _add(_multiply(_k23, _subtract(_multiply(vz, vz, _r12), _multiply(p_gravity, z, _r15), _r15), _r15), _multiply(_k23, _add(_multiply(_s4, _s14, _r12), _multiply(_s3, _s3, _r16), _r16), _r16), _r16)
-    _s16 = _k44 * _add(_multiply(_s10, _s6, _r15), _multiply(_s15, _s7, _r12), _r12)
+    _s16 = _k47 * _add(_multiply(_s10, _s6, _r15), _multiply(_s15, _s7, _r12), _r12)
     _s17 = _multiply(_s10, _s15, _r12)
     _s18 = _multiply(_k23, _s10, _r15)
     _s19 = _negative(_add(_multiply(_s16, _s9, _r17), _multiply(_multiply(_s18, _s8, _r18), _s7, _r18), _r18), _r18)
     _s20 = _multiply(_s12, _s13, _r17)
     _s21 = _multiply(_k23, _s12, _r19)
     _s22 = _negative(_add(_multiply(_s14, _s11, _r20), _multiply(_multiply(_s21, _s3, _r21), _s2, _r21), _r21), _r21)
-    _s23 = _multiply(_k44, _add(_s20, _add(_s20, _multiply(_s0, _s22, _r20), _r20), _r20), _r20)
+    _s23 = _multiply(_k47, _add(_s20, _add(_s20, _multiply(_s0, _s22, _r20), _r20), _r20), _r20)
     _s24 = _add(_multiply(_k23, _negative(_multiply(3.0 * p_gravity, vz, _r17), _r17), _r17), _multiply(_k23, _add(_multiply(_s5, _s14, _r4), _add(_multiply(_s3, _s14, _r22), _multiply(_s4, _s23, _r23), _r23), _r23), _r23), _r23)
-    _s25 = _k44 * _add(_add(_s17, _multiply(_s6, _s19, _r17), _r17), _add(_s17, _multiply(_s24, _s7, _r4), _r4), _r4)
+    _s25 = _k47 * _add(_add(_s17, _multiply(_s6, _s19, _r17), _r17), _add(_s17, _multiply(_s24, _s7, _r4), _r4), _r4)
     _s26 = _multiply(_s10, _s24, _r23)
     _s27 = _multiply(_s3, _s23, _r4)
     _s28 = _add(_s27, _multiply(_s14, _s14, _r17), _r17)
     _s29 = _multiply(_s13, _s22, _r13)
     _s30 = _add(_add(_multiply(_s23, _s11, _r20), _multiply(_multiply(_s21, _s14, _r19), _s2, _r19), _r19), _multiply(_k23, _add(_add(_multiply(_multiply(_s12, _s12, _r20), _s3, _r20), _multiply(_multiply(_s12, _s14, _r14), _s2, _r14), _r14), _multiply(_multiply(_s3, _s22, _r21), _s2, _r21), _r21), _r21), _r21)
-    _s31 = _multiply(_k44, _add(_s29, _add(_s29, _add(_multiply(_s0, _negative(_s30, _r21), _r21), _s29, _r21), _r21), _r21), _r21)
+    _s31 = _multiply(_k47, _add(_s29, _add(_s29, _add(_multiply(_s0, _negative(_s30, _r21), _r21), _s29, _r21), _r21), _r21), _r21)
     _s32 = _add(2.0 * (3.0 * (p_gravity * p_gravity)), _multiply(_k23, _add(_multiply(_k23, _s28, _r13), _add(_add(_s27, _multiply(_s4, _s31, _r21), _r21), _s28, _r21), _r21), _r21), _r21)
     _s33 = _multiply(_s15, _s19, _r16)
     _s34 = _add(_s26, _s33, _r13)
     _s35 = _add(_add(_multiply(_s25, _s9, _r8), _multiply(_multiply(_s18, _s16, _r15), _s7, _r15), _r15), _multiply(_k23, _add(_add(_multiply(_multiply(_s10, _s10, _r8), _s8, _r8), _multiply(_multiply(_s10, _s16, _r9), _s7, _r9), _r9), _multiply(_multiply(_s8, _s19, _r18), _s7, _r18), _r18), _r18), _r18)
-    _s36 = _k44 * _add(_add(_add(_s26, _multiply(_s32, _s7, _r21), _r21), _s34, _r21), _add(_s34, _add(_multiply(_s6, _negative(_s35, _r18), _r18), _s33, _r18), _r18), _r18)
+    _s36 = _k47 * _add(_add(_add(_s26, _multiply(_s32, _s7, _r21), _r21), _s34, _r21), _add(_s34, _add(_multiply(_s6, _negative(_s35, _r18), _r18), _s33, _r18), _r18), _r18)
     return _s16, _s25, _s36
 
 
@@ -3995,7 +4022,7 @@ def ring_round_start(p_ball_radius: Any, per_reach: Any, p_ring_radius: Any, vx:
     _s7 = y * _s5
     _s8 = _multiply(vy, _s6, _r1) - _multiply(vx, _s7, _r3)
     _s9 = p_ball_radius * _add(_multiply(wz, _s4, _r3), _multiply(_s3, _add(_multiply(wx, _s6, _r1), _multiply(wy, _s7, _r0), _r0), _r0), _r0)
-    return _s3, _s4, per_reach * _subtract(_multiply(vz, _s3, _r0), _multiply(_s4, _add(_multiply(vx, _s6, _r3), _multiply(vy, _s7, _r1), _r1), _r1), _r1), _s8, _s9, _s6, _s7, _multiply(_s4, _s8, _r1) - _multiply(_k60, _multiply(_s9, _s3, _r0), _r0), _k22 / _add(p_ring_radius, _multiply(_s3, p_ball_radius + p_wire_radius, _r0), _r0)
+    return _s3, _s4, per_reach * _subtract(_multiply(vz, _s3, _r0), _multiply(_s4, _add(_multiply(vx, _s6, _r3), _multiply(vy, _s7, _r1), _r1), _r1), _r1), _s8, _s9, _s6, _s7, _multiply(_s4, _s8, _r1) - _multiply(_k63, _multiply(_s9, _s3, _r0), _r0), _k22 / _add(p_ring_radius, _multiply(_s3, p_ball_radius + p_wire_radius, _r0), _r0)
 
 
 def ring_round_moved(along_0: Any, along_1: Any, along_10: Any, along_11: Any, along_12: Any, along_2: Any, along_3: Any, along_4: Any, along_5: Any, along_6: Any, along_7: Any, along_8: Any, along_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_12: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cos_0: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_12: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_11: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, p_ring_radius: Any, sin_0: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_12: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_12: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4017,16 +4044,16 @@ def ring_round_moved(along_0: Any, along_1: Any, along_10: Any, along_11: Any, a
     _s9 = _multiply(_s3, _s8, _r0)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = _add(p_ring_radius, _multiply(_s9, _s10, _r2), _r2)
-    _s12 = _multiply(t, _add(_multiply(_k185, omega_9, _r4), _multiply(t, _add(_multiply(_k186, omega_10, _r5), _multiply(_multiply(_k187, omega_11, _r6), t, _r6), _r6), _r6), _r6), _r6)
-    _s13 = _add(_multiply(_k71, omega_6, _r4), _multiply(t, _add(_multiply(_k29, omega_7, _r5), _multiply(t, _add(_multiply(_k75, omega_8, _r7), _s12, _r6), _r6), _r6), _r6), _r6)
-    _s14 = _add(_multiply(_k27, omega_3, _r4), _multiply(t, _add(_multiply(_k65, omega_4, _r5), _multiply(t, _add(_multiply(_k68, omega_5, _r7), _multiply(t, _s13, _r6), _r6), _r6), _r6), _r6), _r6)
-    _s15 = _add(omega_0, _multiply(t, _add(_multiply(_k44, omega_1, _r4), _multiply(t, _add(_multiply(_k61, omega_2, _r5), _multiply(t, _s14, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s12 = _multiply(t, _add(_multiply(_k188, omega_9, _r4), _multiply(t, _add(_multiply(_k189, omega_10, _r5), _multiply(_multiply(_k190, omega_11, _r6), t, _r6), _r6), _r6), _r6), _r6)
+    _s13 = _add(_multiply(_k74, omega_6, _r4), _multiply(t, _add(_multiply(_k29, omega_7, _r5), _multiply(t, _add(_multiply(_k78, omega_8, _r7), _s12, _r6), _r6), _r6), _r6), _r6)
+    _s14 = _add(_multiply(_k27, omega_3, _r4), _multiply(t, _add(_multiply(_k68, omega_4, _r5), _multiply(t, _add(_multiply(_k71, omega_5, _r7), _multiply(t, _s13, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s15 = _add(omega_0, _multiply(t, _add(_multiply(_k47, omega_1, _r4), _multiply(t, _add(_multiply(_k64, omega_2, _r5), _multiply(t, _s14, _r6), _r6), _r6), _r6), _r6), _r6)
     _s16 = _multiply(t, _s15, _r6)
     _s17 = _multiply(_s16, _s16, _r4)
-    _s18 = _subtract(_multiply(_add(_k188, _multiply(_subtract(_multiply(_k189, _s17, _r5), _k190, _r5), _s17, _r5), _r5), _s17, _r5), _k191, _r5)
-    _s19 = _add(_k22, _multiply(_subtract(_multiply(_add(_k192, _multiply(_s18, _s17, _r5), _r5), _s17, _r5), _k44, _r5), _s17, _r5), _r5)
-    _s20 = _add(_k193, _multiply(_subtract(_multiply(_subtract(_k194, _multiply(_k195, _s17, _r7), _r7), _s17, _r7), _k196, _r7), _s17, _r7), _r7)
-    _s21 = _multiply(_s16, _add(_k22, _multiply(_subtract(_multiply(_s20, _s17, _r7), _k68, _r7), _s17, _r7), _r7), _r7)
+    _s18 = _subtract(_multiply(_add(_k191, _multiply(_subtract(_multiply(_k192, _s17, _r5), _k193, _r5), _s17, _r5), _r5), _s17, _r5), _k194, _r5)
+    _s19 = _add(_k22, _multiply(_subtract(_multiply(_add(_k195, _multiply(_s18, _s17, _r5), _r5), _s17, _r5), _k47, _r5), _s17, _r5), _r5)
+    _s20 = _add(_k196, _multiply(_subtract(_multiply(_subtract(_k197, _multiply(_k198, _s17, _r7), _r7), _s17, _r7), _k199, _r7), _s17, _r7), _r7)
+    _s21 = _multiply(_s16, _add(_k22, _multiply(_subtract(_multiply(_s20, _s17, _r7), _k71, _r7), _s17, _r7), _r7), _r7)
     _s22 = _subtract(_multiply(cos_0, _s19, _r6), _multiply(sin_0, _s21, _r4), _r4)
     _s23 = _add(_multiply(cos_0, _s21, _r7), _multiply(sin_0, _s19, _r5), _r5)
     _s24 = _multiply(_s7, _s8, _r3)
@@ -4068,29 +4095,29 @@ def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, al
     _s9 = _add(_multiply(_multiply(_k27, _add(_multiply(per_reach, _s3, _r3), _sqrt(_multiply(p_gravity, per_reach, _r8), _r8), _r8), _r8), _add(_multiply(_s5, _s1, _r3), _add(_s6, _absolute(turn_rate_11, _r9), _r9), _r9), _r8), _add(_multiply(_s7, _s1, _r9), _add(_s8, _absolute(turn_rate_12, _r3), _r3), _r3), _r3)
     _s10 = _absolute(omega_0, _r8)
     _s11 = _multiply(omega_0, omega_0, _r9)
-    _s12 = _multiply(_multiply(_k64, _s10, _r10), _multiply(_k39, _s11, _r11), _r10)
+    _s12 = _multiply(_multiply(_k67, _s10, _r10), _multiply(_k39, _s11, _r11), _r10)
     _s13 = _multiply(_s12, _s12, _r10)
-    _s14 = _multiply(_s4, _add(_add(_absolute(cosine_12, _r11), _absolute(sine_12, _r12), _r12), _multiply(_k209, _multiply(_s13, _s13, _r10), _r10), _r10), _r10)
-    _s15 = _sqrt(_sqrt(_divide(_multiply(_k209, _s4, _r12), _select(_s9 < _s14, _s14, _s9, _r11), _r12), _r12), _r12)
+    _s14 = _multiply(_s4, _add(_add(_absolute(cosine_12, _r11), _absolute(sine_12, _r12), _r12), _multiply(_k212, _multiply(_s13, _s13, _r10), _r10), _r10), _r10)
+    _s15 = _sqrt(_sqrt(_divide(_multiply(_k212, _s4, _r12), _select(_s9 < _s14, _s14, _s9, _r11), _r12), _r12), _r12)
     _s16 = _sqrt(_sqrt(_s15, _r11), _r11)
-    _s17 = _multiply(_multiply(_k210, _s16, _r10), _sqrt(_sqrt(_s16, _r11), _r11), _r10)
+    _s17 = _multiply(_multiply(_k213, _s16, _r10), _sqrt(_sqrt(_s16, _r11), _r11), _r10)
     _s18 = _multiply(_s17, _multiply(_s17, _s17, _r11), _r11)
     _s19 = _multiply(_divide(_add(_s18, _multiply(_k23, _s15, _r3), _r3), _add(_multiply(_k23, _s18, _r11), _s15, _r11), _r11), _s17, _r11)
     _s20 = _result(_s19 < _k28, _s19, _k28, _r0)
     _s21 = _absolute(climb_10, _r10)
-    _s22 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s7, _r3), _s20, _r3), _multiply(_k211, _s5, _r12), _r12), _s20, _r12), _multiply(_k212, _s21, _r3), _r3), _s20, _r3)
+    _s22 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k81, _s7, _r3), _s20, _r3), _multiply(_k214, _s5, _r12), _r12), _s20, _r12), _multiply(_k215, _s21, _r3), _r3), _s20, _r3)
     _s23 = _absolute(climb_9, _r12)
     _s24 = _absolute(climb_8, _r13)
     _s25 = _absolute(climb_7, _r14)
-    _s26 = _add(_multiply(_add(_multiply(_add(_s22, _multiply(_k213, _s23, _r15), _r15), _s20, _r15), _multiply(_k26, _s24, _r3), _r3), _s20, _r3), _multiply(_k73, _s25, _r15), _r15)
+    _s26 = _add(_multiply(_add(_multiply(_add(_s22, _multiply(_k216, _s23, _r15), _r15), _s20, _r15), _multiply(_k26, _s24, _r3), _r3), _s20, _r3), _multiply(_k76, _s25, _r15), _r15)
     _s27 = _absolute(climb_6, _r3)
     _s28 = _absolute(climb_5, _r16)
     _s29 = _absolute(climb_4, _r17)
-    _s30 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s20, _r15), _multiply(_k7, _s27, _r18), _r18), _s20, _r18), _multiply(_k67, _s28, _r15), _r15), _s20, _r15), _multiply(_k64, _s29, _r18), _r18)
+    _s30 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s20, _r15), _multiply(_k7, _s27, _r18), _r18), _s20, _r18), _multiply(_k70, _s28, _r15), _r15), _s20, _r15), _multiply(_k67, _s29, _r18), _r18)
     _s31 = _absolute(climb_3, _r15)
     _s32 = _absolute(climb_2, _r19)
     _s33 = _absolute(climb_1, _r20)
-    _s34 = _add(_multiply(_add(_multiply(_add(_multiply(_s30, _s20, _r18), _multiply(_k63, _s31, _r21), _r21), _s20, _r21), _multiply(_k23, _s32, _r18), _r18), _s20, _r18), _s33, _r18)
+    _s34 = _add(_multiply(_add(_multiply(_add(_multiply(_s30, _s20, _r18), _multiply(_k66, _s31, _r21), _r21), _s20, _r21), _multiply(_k23, _s32, _r18), _r18), _s20, _r18), _s33, _r18)
     _s35 = _add(_multiply(_add(_multiply(_add(_multiply(_s7, _s20, _r6), _s5, _r6), _s20, _r6), _s21, _r6), _s20, _r6), _s23, _r6)
     _s36 = _add(_multiply(_add(_multiply(_add(_multiply(_s35, _s20, _r6), _s24, _r6), _s20, _r6), _s25, _r6), _s20, _r6), _s27, _r6)
     _s37 = _add(_multiply(_add(_multiply(_add(_multiply(_s36, _s20, _r6), _s28, _r6), _s20, _r6), _s29, _r6), _s20, _r6), _s31, _r6)
@@ -4126,17 +4153,17 @@ def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, al
     _s67 = _absolute(along_1, _r30)
     _s68 = _add(_multiply(_add(_multiply(_add(_multiply(_s65, _s20, _r22), _s66, _r22), _s20, _r22), _s67, _r22), _s20, _r22), _s2, _r22)
     _s69 = _multiply(_s1, _s38, _r1) + _s68
-    _s70 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k78, _s8, _r7), _s20, _r7), _multiply(_k211, _s6, _r5), _r5), _s20, _r5), _multiply(_k212, _s55, _r8), _r8), _s20, _r8)
-    _s71 = _add(_multiply(_add(_multiply(_add(_s70, _multiply(_k213, _s56, _r21), _r21), _s20, _r21), _multiply(_k26, _s58, _r23), _r23), _s20, _r23), _multiply(_k73, _s59, _r24), _r24)
-    _s72 = _add(_multiply(_add(_multiply(_add(_multiply(_s71, _s20, _r24), _multiply(_k7, _s60, _r25), _r25), _s20, _r25), _multiply(_k67, _s62, _r26), _r26), _s20, _r26), _multiply(_k64, _s63, _r27), _r27)
-    _s73 = _add(_multiply(_add(_multiply(_add(_multiply(_s72, _s20, _r27), _multiply(_k63, _s64, _r28), _r28), _s20, _r28), _multiply(_k23, _s66, _r29), _r29), _s20, _r29), _s67, _r29)
+    _s70 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k81, _s8, _r7), _s20, _r7), _multiply(_k214, _s6, _r5), _r5), _s20, _r5), _multiply(_k215, _s55, _r8), _r8), _s20, _r8)
+    _s71 = _add(_multiply(_add(_multiply(_add(_s70, _multiply(_k216, _s56, _r21), _r21), _s20, _r21), _multiply(_k26, _s58, _r23), _r23), _s20, _r23), _multiply(_k76, _s59, _r24), _r24)
+    _s72 = _add(_multiply(_add(_multiply(_add(_multiply(_s71, _s20, _r24), _multiply(_k7, _s60, _r25), _r25), _s20, _r25), _multiply(_k70, _s62, _r26), _r26), _s20, _r26), _multiply(_k67, _s63, _r27), _r27)
+    _s73 = _add(_multiply(_add(_multiply(_add(_multiply(_s72, _s20, _r27), _multiply(_k66, _s64, _r28), _r28), _s20, _r28), _multiply(_k23, _s66, _r29), _r29), _s20, _r29), _s67, _r29)
     _s74 = _multiply(_multiply(climb_0, climb_0, _r30), _s1, _r30)
     _s75 = _multiply(along_0, omega_0, _r28)
     _s76 = 2.2 * p_gravity
     _s77 = 3.0 * p_ring_radius
-    _s78 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k211, _s40, _r0), _s20, _r0), _multiply(_k212, _s41, _r20), _r20), _s20, _r20), _multiply(_k213, _s42, _r19), _r19), _s20, _r19)
-    _s79 = _add(_multiply(_add(_multiply(_add(_s78, _multiply(_k26, _s43, _r15), _r15), _s20, _r15), _multiply(_k73, _s45, _r16), _r16), _s20, _r16), _multiply(_k7, _s46, _r3), _r3)
-    _s80 = _add(_multiply(_add(_multiply(_add(_multiply(_s79, _s20, _r3), _multiply(_k67, _s47, _r14), _r14), _s20, _r14), _multiply(_k64, _s49, _r13), _r13), _s20, _r13), _multiply(_k63, _s50, _r12), _r12)
+    _s78 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k214, _s40, _r0), _s20, _r0), _multiply(_k215, _s41, _r20), _r20), _s20, _r20), _multiply(_k216, _s42, _r19), _r19), _s20, _r19)
+    _s79 = _add(_multiply(_add(_multiply(_add(_s78, _multiply(_k26, _s43, _r15), _r15), _s20, _r15), _multiply(_k76, _s45, _r16), _r16), _s20, _r16), _multiply(_k7, _s46, _r3), _r3)
+    _s80 = _add(_multiply(_add(_multiply(_add(_multiply(_s79, _s20, _r3), _multiply(_k70, _s47, _r14), _r14), _s20, _r14), _multiply(_k67, _s49, _r13), _r13), _s20, _r13), _multiply(_k66, _s50, _r12), _r12)
     _s81 = _multiply(_s38, _s20, _r13)
     _s82 = _add(_absolute(sine_0, _r14), _s81, _r14)
     _s83 = _multiply(_multiply(_s54, _add(_multiply(_add(_multiply(_s80, _s20, _r12), _multiply(_k23, _s51, _r10), _r10), _s20, _r10), _s53, _r10), _r10), _s82, _r10)
@@ -4145,7 +4172,7 @@ def ring_round_pace(along_0: Any, along_1: Any, along_10: Any, along_11: Any, al
     _s86 = _multiply(_add(_multiply(6.0 * p_ring_radius, _s83, _r10), _multiply(_s38, _add(_multiply(_s76, _s82, _r13), _multiply(_s84, _s85, _r12), _r12), _r12), _r12), _s38, _r12) + _multiply(_s34, _add(_multiply(_s76, _s85, _r11), _multiply(_s84, _s82, _r4), _r4), _r4)
     _s87 = _negative(_add(_add(_s75, _multiply(cosine_0, _s74, _r4), _r4), _multiply(_multiply(climb_1, sine_0, _r12), _s1, _r12), _r12), _r12)
     _s88 = _subtract(along_1, _multiply(omega_0, _multiply(_multiply(climb_0, sine_0, _r4), _s1, _r4), _r4), _r4)
-    return _s20, _k99 * _s4, _s39 + _add(_multiply(_s54, _s69, _r17), _s73, _r29), _s69, _s39, _subtract(_multiply(p_gravity, sine_0, _r29), _s74, _r29) - _multiply(cosine_0, _s75, _r28), climb_0 * _add(_multiply(cosine_0, _s76, _r28), _multiply(sine_0, _multiply(_s77, _s11, _r9), _r9), _r9), _s86, (0.8 * p_gravity) * _multiply(climb_0, cosine_0, _r9), _multiply(cos_0, _s87, _r9) - _multiply(sin_0, _s88, _r28), _multiply(cos_0, _s88, _r4) + _multiply(sin_0, _s87, _r12), _multiply(_multiply(climb_1, cosine_0, _r12), _s1, _r12) - _multiply(sine_0, _s74, _r30)
+    return _s20, _k102 * _s4, _s39 + _add(_multiply(_s54, _s69, _r17), _s73, _r29), _s69, _s39, _subtract(_multiply(p_gravity, sine_0, _r29), _s74, _r29) - _multiply(cosine_0, _s75, _r28), climb_0 * _add(_multiply(cosine_0, _s76, _r28), _multiply(sine_0, _multiply(_s77, _s11, _r9), _r9), _r9), _s86, (0.8 * p_gravity) * _multiply(climb_0, cosine_0, _r9), _multiply(cos_0, _s87, _r9) - _multiply(sin_0, _s88, _r28), _multiply(cos_0, _s88, _r4) + _multiply(sin_0, _s87, _r12), _multiply(_multiply(climb_1, cosine_0, _r12), _s1, _r12) - _multiply(sine_0, _s74, _r30)
 
 
 def ring_round_pulled(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, omega_0: Any, omega_1: Any, turn_rate_0: Any, turn_rate_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4155,11 +4182,11 @@ def ring_round_pulled(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, 
     Returns drag, drag_rate, strain, strain_rate.
     """
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
-    _s0 = _multiply(_k60, _multiply(climb_0, turn_rate_0, _r0), _r0)
+    _s0 = _multiply(_k63, _multiply(climb_0, turn_rate_0, _r0), _r0)
     _s1 = _add(p_gravity, _multiply(omega_0, turn_rate_0, _r1), _r1)
-    _s2 = _multiply(_k60, _multiply(cosine_0, _s1, _r2), _r2)
-    _s3 = _multiply(_s2, _multiply(_k60, _add(_multiply(cosine_0, _add(_multiply(omega_0, turn_rate_1, _r3), _multiply(omega_1, turn_rate_0, _r4), _r4), _r4), _multiply(cosine_1, _s1, _r1), _r1), _r1), _r1)
-    _s4 = _k23 * _add(_multiply(_s0, _multiply(_k60, _add(_multiply(climb_0, turn_rate_1, _r4), _multiply(climb_1, turn_rate_0, _r3), _r3), _r3), _r3), _s3, _r1)
+    _s2 = _multiply(_k63, _multiply(cosine_0, _s1, _r2), _r2)
+    _s3 = _multiply(_s2, _multiply(_k63, _add(_multiply(cosine_0, _add(_multiply(omega_0, turn_rate_1, _r3), _multiply(omega_1, turn_rate_0, _r4), _r4), _r4), _multiply(cosine_1, _s1, _r1), _r1), _r1), _r1)
+    _s4 = _k23 * _add(_multiply(_s0, _multiply(_k63, _add(_multiply(climb_0, turn_rate_1, _r4), _multiply(climb_1, turn_rate_0, _r3), _r3), _r3), _r3), _s3, _r1)
     return _multiply(_s0, _s0, _r0) + _multiply(_s2, _s2, _r2), _s4, -_inf, 0.0
 
 
@@ -4172,12 +4199,12 @@ def ring_swung(p_ball_radius: Any, berth: Any, circled: Any, climb: Any, climb_0
     _r0, _r1, _r2 = _room[:3]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _multiply(stride, stride, _r0)
-    _s2 = _logical_and(((0.000244140625 * _s0) < _subtract(berth, _multiply(_multiply(_k29, sway, _r1), _s1, _r1), _r1)), ((0.00390625 * p_gravity) < _subtract(_add(force, _multiply(stride, _select(force_rate < _k6, force_rate, _k6, _r1), _r1), _r1), _multiply(_multiply(_k44, force_bend, _r2), _s1, _r2), _r2)))
-    _s3 = _logical_and(_s2, (which == _k50))
+    _s2 = _logical_and(((0.000244140625 * _s0) < _subtract(berth, _multiply(_multiply(_k29, sway, _r1), _s1, _r1), _r1)), ((0.00390625 * p_gravity) < _subtract(_add(force, _multiply(stride, _select(force_rate < _k6, force_rate, _k6, _r1), _r1), _r1), _multiply(_multiply(_k47, force_bend, _r2), _s1, _r2), _r2)))
+    _s3 = _logical_and(_s2, (which == _k53))
     _s4 = _logical_and((_multiply(climb, climb_0, _r2) < _k6), (_multiply(0.015625 * p_gravity, stride, _r2) < _multiply(_absolute(_subtract(climb, climb_0, _r1), _r1), _s0, _r1)))
     _s5 = _logical_and(_logical_and(_s3, _s4), (_k6 < circled))
     _s6 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), 1.0 / _s0, _r1), _r1)
-    _s7 = _logical_not((_multiply(_s6, _multiply(_k220, _add(_multiply(fastest, velocity_error, _r2), _multiply(position_error, _s6, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
+    _s7 = _logical_not((_multiply(_s6, _multiply(_k223, _add(_multiply(fastest, velocity_error, _r2), _multiply(position_error, _s6, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
     return _result(_s3, _select(_s4, _k22, circled, _r0), _k6, _r0), _s5, _result(_logical_and(_s5, _s7), _k6, doubt, _r0)
 
 
@@ -4191,7 +4218,7 @@ def ring_round_0(along_0: Any, p_ball_radius: Any, climb_0: Any, cosine_0: Any, 
     _s0 = along_0 * near_0
     _s1 = climb_0 * _s0
     _s2 = p_ball_radius + p_wire_radius
-    return _s0, _s1, -_multiply(climb_0, sine_0, _r0), climb_0 * cosine_0, -_multiply(per_reach, _add(_multiply(_multiply(_k223, cosine_0, _r0), p_gravity, _r0), _multiply(tilted_0, _s0, _r1), _r1), _r1), _multiply(_multiply(sine_0, _s1, _r1), _s2, _r1) - _multiply(_k60, _multiply(climb_0, turn_rate_0, _r0), _r0), p_ring_radius * _s1, _multiply(0.6 * p_ring_radius, _multiply(cosine_0, _s1, _r0), _r0) + _multiply(_s1, _s2, _r1)
+    return _s0, _s1, -_multiply(climb_0, sine_0, _r0), climb_0 * cosine_0, -_multiply(per_reach, _add(_multiply(_multiply(_k226, cosine_0, _r0), p_gravity, _r0), _multiply(tilted_0, _s0, _r1), _r1), _r1), _multiply(_multiply(sine_0, _s1, _r1), _s2, _r1) - _multiply(_k63, _multiply(climb_0, turn_rate_0, _r0), _r0), p_ring_radius * _s1, _multiply(0.6 * p_ring_radius, _multiply(cosine_0, _s1, _r0), _r0) + _multiply(_s1, _s2, _r1)
 
 
 def ring_round_1(along_1: Any, around_0: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, near_0: Any, omega_0: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, tilted_0: Any, tilted_1: Any, turn_rate_0: Any, turn_rate_1: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4204,7 +4231,7 @@ def ring_round_1(along_1: Any, around_0: Any, p_ball_radius: Any, climb_0: Any, 
     _s0 = p_ball_radius + p_wire_radius
     _s1 = near_0 * _subtract(along_1, _multiply(_multiply(cosine_1, omega_0, _r0), _s0, _r0), _r0)
     _s2 = _multiply(climb_0, _s1, _r0) + _multiply(climb_1, omega_0, _r1)
-    return _s1, _s2, -_multiply(_k44, _add(_multiply(climb_0, sine_1, _r1), _multiply(climb_1, sine_0, _r0), _r0), _r0), _k44 * _add(_multiply(climb_0, cosine_1, _r0), _multiply(climb_1, cosine_0, _r1), _r1), -_multiply(_multiply(_k44, per_reach, _r1), _add(_multiply(_multiply(_k223, cosine_1, _r0), p_gravity, _r0), _add(_multiply(omega_0, tilted_1, _r2), _multiply(tilted_0, _s1, _r3), _r3), _r3), _r1), _k44 * _subtract(_multiply(_s0, _add(_multiply(around_0, sine_1, _r1), _multiply(sine_0, _s2, _r3), _r3), _r3), _multiply(_k60, _add(_multiply(climb_0, turn_rate_1, _r1), _multiply(climb_1, turn_rate_0, _r0), _r0), _r0), _r0), (0.5 * p_ring_radius) * _s2, _k44 * _add(_multiply(0.6 * p_ring_radius, _add(_multiply(around_0, cosine_1, _r0), _multiply(cosine_0, _s2, _r3), _r3), _r3), _multiply(_s0, _s2, _r0), _r0)
+    return _s1, _s2, -_multiply(_k47, _add(_multiply(climb_0, sine_1, _r1), _multiply(climb_1, sine_0, _r0), _r0), _r0), _k47 * _add(_multiply(climb_0, cosine_1, _r0), _multiply(climb_1, cosine_0, _r1), _r1), -_multiply(_multiply(_k47, per_reach, _r1), _add(_multiply(_multiply(_k226, cosine_1, _r0), p_gravity, _r0), _add(_multiply(omega_0, tilted_1, _r2), _multiply(tilted_0, _s1, _r3), _r3), _r3), _r1), _k47 * _subtract(_multiply(_s0, _add(_multiply(around_0, sine_1, _r1), _multiply(sine_0, _s2, _r3), _r3), _r3), _multiply(_k63, _add(_multiply(climb_0, turn_rate_1, _r1), _multiply(climb_1, turn_rate_0, _r0), _r0), _r0), _r0), (0.5 * p_ring_radius) * _s2, _k47 * _add(_multiply(0.6 * p_ring_radius, _add(_multiply(around_0, cosine_1, _r0), _multiply(cosine_0, _s2, _r3), _r3), _r3), _multiply(_s0, _s2, _r0), _r0)
 
 
 def ring_round_2(along_2: Any, around_0: Any, around_1: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4217,10 +4244,10 @@ def ring_round_2(along_2: Any, around_0: Any, around_1: Any, p_ball_radius: Any,
     _s0 = p_ball_radius + p_wire_radius
     _s1 = near_0 * _subtract(along_2, _multiply(_s0, _add(_multiply(cosine_1, omega_1, _r0), _multiply(cosine_2, omega_0, _r1), _r1), _r1), _r1)
     _s2 = _add(_multiply(climb_0, _s1, _r1), _multiply(climb_1, omega_1, _r0), _r0) + _multiply(climb_2, omega_0, _r1)
-    _s3 = -_multiply(_multiply(_k61, per_reach, _r1), _add(_multiply(_multiply(_k223, cosine_2, _r0), p_gravity, _r0), _add(_add(_multiply(omega_0, tilted_2, _r2), _multiply(omega_1, tilted_1, _r3), _r3), _multiply(tilted_0, _s1, _r2), _r2), _r2), _r1)
-    _s4 = _k61 * _subtract(_multiply(_s0, _add(_add(_multiply(around_0, sine_2, _r1), _multiply(around_1, sine_1, _r2), _r2), _multiply(sine_0, _s2, _r1), _r1), _r1), _multiply(_k60, _add(_add(_multiply(climb_0, turn_rate_2, _r2), _multiply(climb_1, turn_rate_1, _r0), _r0), _multiply(climb_2, turn_rate_0, _r2), _r2), _r2), _r2)
-    _s5 = _k61 * _add(_multiply(0.6 * p_ring_radius, _add(_add(_multiply(around_0, cosine_2, _r2), _multiply(around_1, cosine_1, _r1), _r1), _multiply(cosine_0, _s2, _r2), _r2), _r2), _multiply(_s0, _s2, _r1), _r1)
-    return _s1, _s2, -_multiply(_k61, _add(_add(_multiply(climb_0, sine_2, _r1), _multiply(climb_1, sine_1, _r2), _r2), _multiply(climb_2, sine_0, _r1), _r1), _r1), _k61 * _add(_add(_multiply(climb_0, cosine_2, _r1), _multiply(climb_1, cosine_1, _r2), _r2), _multiply(climb_2, cosine_0, _r1), _r1), _s3, _s4, (0.3333333333333333 * p_ring_radius) * _s2, _s5
+    _s3 = -_multiply(_multiply(_k64, per_reach, _r1), _add(_multiply(_multiply(_k226, cosine_2, _r0), p_gravity, _r0), _add(_add(_multiply(omega_0, tilted_2, _r2), _multiply(omega_1, tilted_1, _r3), _r3), _multiply(tilted_0, _s1, _r2), _r2), _r2), _r1)
+    _s4 = _k64 * _subtract(_multiply(_s0, _add(_add(_multiply(around_0, sine_2, _r1), _multiply(around_1, sine_1, _r2), _r2), _multiply(sine_0, _s2, _r1), _r1), _r1), _multiply(_k63, _add(_add(_multiply(climb_0, turn_rate_2, _r2), _multiply(climb_1, turn_rate_1, _r0), _r0), _multiply(climb_2, turn_rate_0, _r2), _r2), _r2), _r2)
+    _s5 = _k64 * _add(_multiply(0.6 * p_ring_radius, _add(_add(_multiply(around_0, cosine_2, _r2), _multiply(around_1, cosine_1, _r1), _r1), _multiply(cosine_0, _s2, _r2), _r2), _r2), _multiply(_s0, _s2, _r1), _r1)
+    return _s1, _s2, -_multiply(_k64, _add(_add(_multiply(climb_0, sine_2, _r1), _multiply(climb_1, sine_1, _r2), _r2), _multiply(climb_2, sine_0, _r1), _r1), _r1), _k64 * _add(_add(_multiply(climb_0, cosine_2, _r1), _multiply(climb_1, cosine_1, _r2), _r2), _multiply(climb_2, cosine_0, _r1), _r1), _s3, _s4, (0.3333333333333333 * p_ring_radius) * _s2, _s5
 
 
 def ring_round_3(along_3: Any, around_0: Any, around_1: Any, around_2: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4234,8 +4261,8 @@ def ring_round_3(along_3: Any, around_0: Any, around_1: Any, around_2: Any, p_ba
     _s1 = near_0 * _subtract(along_3, _multiply(_s0, _add(_add(_multiply(cosine_1, omega_2, _r0), _multiply(cosine_2, omega_1, _r1), _r1), _multiply(cosine_3, omega_0, _r0), _r0), _r0), _r0)
     _s2 = _add(_add(_multiply(climb_0, _s1, _r0), _multiply(climb_1, omega_2, _r1), _r1), _multiply(climb_2, omega_1, _r0), _r0) + _multiply(climb_3, omega_0, _r1)
     _s3 = -_multiply(_k27, _add(_add(_add(_multiply(climb_0, sine_3, _r1), _multiply(climb_1, sine_2, _r0), _r0), _multiply(climb_2, sine_1, _r1), _r1), _multiply(climb_3, sine_0, _r0), _r0), _r0)
-    _s4 = _multiply(_multiply(_k27, per_reach, _r0), _add(_multiply(_multiply(_k223, cosine_3, _r1), p_gravity, _r1), _add(_add(_add(_multiply(omega_0, tilted_3, _r2), _multiply(omega_1, tilted_2, _r3), _r3), _multiply(omega_2, tilted_1, _r2), _r2), _multiply(tilted_0, _s1, _r3), _r3), _r3), _r0)
-    _s5 = _subtract(_multiply(_s0, _add(_add(_add(_multiply(around_0, sine_3, _r3), _multiply(around_1, sine_2, _r1), _r1), _multiply(around_2, sine_1, _r3), _r3), _multiply(sine_0, _s2, _r1), _r1), _r1), _multiply(_k60, _add(_add(_add(_multiply(climb_0, turn_rate_3, _r3), _multiply(climb_1, turn_rate_2, _r2), _r2), _multiply(climb_2, turn_rate_1, _r3), _r3), _multiply(climb_3, turn_rate_0, _r2), _r2), _r2), _r2)
+    _s4 = _multiply(_multiply(_k27, per_reach, _r0), _add(_multiply(_multiply(_k226, cosine_3, _r1), p_gravity, _r1), _add(_add(_add(_multiply(omega_0, tilted_3, _r2), _multiply(omega_1, tilted_2, _r3), _r3), _multiply(omega_2, tilted_1, _r2), _r2), _multiply(tilted_0, _s1, _r3), _r3), _r3), _r0)
+    _s5 = _subtract(_multiply(_s0, _add(_add(_add(_multiply(around_0, sine_3, _r3), _multiply(around_1, sine_2, _r1), _r1), _multiply(around_2, sine_1, _r3), _r3), _multiply(sine_0, _s2, _r1), _r1), _r1), _multiply(_k63, _add(_add(_add(_multiply(climb_0, turn_rate_3, _r3), _multiply(climb_1, turn_rate_2, _r2), _r2), _multiply(climb_2, turn_rate_1, _r3), _r3), _multiply(climb_3, turn_rate_0, _r2), _r2), _r2), _r2)
     _s6 = _add(_multiply(0.6 * p_ring_radius, _add(_add(_add(_multiply(around_0, cosine_3, _r1), _multiply(around_1, cosine_2, _r3), _r3), _multiply(around_2, cosine_1, _r1), _r1), _multiply(cosine_0, _s2, _r3), _r3), _r3), _multiply(_s0, _s2, _r1), _r1)
     return _s1, _s2, _s3, _k27 * _add(_add(_add(_multiply(climb_0, cosine_3, _r3), _multiply(climb_1, cosine_2, _r4), _r4), _multiply(climb_2, cosine_1, _r3), _r3), _multiply(climb_3, cosine_0, _r4), _r4), -_s4, _k27 * _s5, (0.25 * p_ring_radius) * _s2, _k27 * _s6
 
@@ -4251,13 +4278,13 @@ def ring_round_4(along_4: Any, around_0: Any, around_1: Any, around_2: Any, arou
     _s1 = _subtract(along_4, _multiply(_s0, _add(_add(_add(_multiply(cosine_1, omega_3, _r0), _multiply(cosine_2, omega_2, _r1), _r1), _multiply(cosine_3, omega_1, _r0), _r0), _multiply(cosine_4, omega_0, _r1), _r1), _r1), _r1)
     _s2 = near_0 * _s1
     _s3 = _add(_add(_add(_multiply(climb_0, _s2, _r1), _multiply(climb_1, omega_3, _r0), _r0), _multiply(climb_2, omega_2, _r1), _r1), _multiply(climb_3, omega_1, _r0), _r0) + _multiply(climb_4, omega_0, _r1)
-    _s4 = _multiply(_k65, _add(_add(_add(_add(_multiply(climb_0, sine_4, _r1), _multiply(climb_1, sine_3, _r0), _r0), _multiply(climb_2, sine_2, _r1), _r1), _multiply(climb_3, sine_1, _r0), _r0), _multiply(climb_4, sine_0, _r1), _r1), _r1)
-    _s5 = _k65 * _add(_add(_add(_add(_multiply(climb_0, cosine_4, _r0), _multiply(climb_1, cosine_3, _r2), _r2), _multiply(climb_2, cosine_2, _r0), _r0), _multiply(climb_3, cosine_1, _r2), _r2), _multiply(climb_4, cosine_0, _r0), _r0)
-    _s6 = _add(_multiply(_multiply(_k223, cosine_4, _r0), p_gravity, _r0), _add(_add(_add(_add(_multiply(omega_0, tilted_4, _r2), _multiply(omega_1, tilted_3, _r3), _r3), _multiply(omega_2, tilted_2, _r2), _r2), _multiply(omega_3, tilted_1, _r3), _r3), _multiply(tilted_0, _s2, _r2), _r2), _r2)
+    _s4 = _multiply(_k68, _add(_add(_add(_add(_multiply(climb_0, sine_4, _r1), _multiply(climb_1, sine_3, _r0), _r0), _multiply(climb_2, sine_2, _r1), _r1), _multiply(climb_3, sine_1, _r0), _r0), _multiply(climb_4, sine_0, _r1), _r1), _r1)
+    _s5 = _k68 * _add(_add(_add(_add(_multiply(climb_0, cosine_4, _r0), _multiply(climb_1, cosine_3, _r2), _r2), _multiply(climb_2, cosine_2, _r0), _r0), _multiply(climb_3, cosine_1, _r2), _r2), _multiply(climb_4, cosine_0, _r0), _r0)
+    _s6 = _add(_multiply(_multiply(_k226, cosine_4, _r0), p_gravity, _r0), _add(_add(_add(_add(_multiply(omega_0, tilted_4, _r2), _multiply(omega_1, tilted_3, _r3), _r3), _multiply(omega_2, tilted_2, _r2), _r2), _multiply(omega_3, tilted_1, _r3), _r3), _multiply(tilted_0, _s2, _r2), _r2), _r2)
     _s7 = _multiply(_s0, _add(_add(_add(_add(_multiply(around_0, sine_4, _r0), _multiply(around_1, sine_3, _r3), _r3), _multiply(around_2, sine_2, _r0), _r0), _multiply(around_3, sine_1, _r3), _r3), _multiply(sine_0, _s3, _r0), _r0), _r0)
-    _s8 = _multiply(_k60, _add(_add(_add(_add(_multiply(climb_0, turn_rate_4, _r3), _multiply(climb_1, turn_rate_3, _r4), _r4), _multiply(climb_2, turn_rate_2, _r3), _r3), _multiply(climb_3, turn_rate_1, _r4), _r4), _multiply(climb_4, turn_rate_0, _r3), _r3), _r3)
+    _s8 = _multiply(_k63, _add(_add(_add(_add(_multiply(climb_0, turn_rate_4, _r3), _multiply(climb_1, turn_rate_3, _r4), _r4), _multiply(climb_2, turn_rate_2, _r3), _r3), _multiply(climb_3, turn_rate_1, _r4), _r4), _multiply(climb_4, turn_rate_0, _r3), _r3), _r3)
     _s9 = _multiply(0.6 * p_ring_radius, _add(_add(_add(_add(_multiply(around_0, cosine_4, _r4), _multiply(around_1, cosine_3, _r5), _r5), _multiply(around_2, cosine_2, _r4), _r4), _multiply(around_3, cosine_1, _r5), _r5), _multiply(cosine_0, _s3, _r4), _r4), _r4)
-    return _s2, _s3, -_s4, _s5, -_multiply(_multiply(_k65, per_reach, _r1), _s6, _r1), _k65 * _subtract(_s7, _s8, _r3), (0.2 * p_ring_radius) * _s3, _k65 * _add(_s9, _multiply(_s0, _s3, _r3), _r3)
+    return _s2, _s3, -_s4, _s5, -_multiply(_multiply(_k68, per_reach, _r1), _s6, _r1), _k68 * _subtract(_s7, _s8, _r3), (0.2 * p_ring_radius) * _s3, _k68 * _add(_s9, _multiply(_s0, _s3, _r3), _r3)
 
 
 def ring_round_5(along_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4277,7 +4304,7 @@ def ring_round_5(along_5: Any, around_0: Any, around_1: Any, around_2: Any, arou
     _s7 = _add(_add(_add(_add(_add(_multiply(around_0, sine_5, _r1), _multiply(around_1, sine_4, _r4), _r4), _multiply(around_2, sine_3, _r1), _r1), _multiply(around_3, sine_2, _r4), _r4), _multiply(around_4, sine_1, _r1), _r1), _multiply(sine_0, _s3, _r4), _r4)
     _s8 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_5, _r1), _multiply(climb_1, turn_rate_4, _r5), _r5), _multiply(climb_2, turn_rate_3, _r1), _r1), _multiply(climb_3, turn_rate_2, _r5), _r5), _multiply(climb_4, turn_rate_1, _r1), _r1), _multiply(climb_5, turn_rate_0, _r5), _r5)
     _s9 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_5, _r1), _multiply(around_1, cosine_4, _r6), _r6), _multiply(around_2, cosine_3, _r1), _r1), _multiply(around_3, cosine_2, _r6), _r6), _multiply(around_4, cosine_1, _r1), _r1), _multiply(cosine_0, _s3, _r6), _r6)
-    return _s2, _s3, -_multiply(_k68, _s4, _r0), _k68 * _s5, -_multiply(_multiply(_k68, per_reach, _r2), _add(_multiply(_multiply(_k223, cosine_5, _r0), p_gravity, _r0), _s6, _r3), _r2), _k68 * _subtract(_multiply(_s0, _s7, _r4), _multiply(_k60, _s8, _r5), _r5), (0.16666666666666666 * p_ring_radius) * _s3, _k68 * _add(_multiply(0.6 * p_ring_radius, _s9, _r6), _multiply(_s0, _s3, _r5), _r5)
+    return _s2, _s3, -_multiply(_k71, _s4, _r0), _k71 * _s5, -_multiply(_multiply(_k71, per_reach, _r2), _add(_multiply(_multiply(_k226, cosine_5, _r0), p_gravity, _r0), _s6, _r3), _r2), _k71 * _subtract(_multiply(_s0, _s7, _r4), _multiply(_k63, _s8, _r5), _r5), (0.16666666666666666 * p_ring_radius) * _s3, _k71 * _add(_multiply(0.6 * p_ring_radius, _s9, _r6), _multiply(_s0, _s3, _r5), _r5)
 
 
 def ring_round_6(along_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4298,7 +4325,7 @@ def ring_round_6(along_6: Any, around_0: Any, around_1: Any, around_2: Any, arou
     _s8 = _add(_add(_add(_add(_add(_multiply(around_0, sine_6, _r1), _multiply(around_1, sine_5, _r4), _r4), _multiply(around_2, sine_4, _r1), _r1), _multiply(around_3, sine_3, _r4), _r4), _multiply(around_4, sine_2, _r1), _r1), _multiply(around_5, sine_1, _r4), _r4)
     _s9 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_6, _r1), _multiply(climb_1, turn_rate_5, _r5), _r5), _multiply(climb_2, turn_rate_4, _r1), _r1), _multiply(climb_3, turn_rate_3, _r5), _r5), _multiply(climb_4, turn_rate_2, _r1), _r1), _multiply(climb_5, turn_rate_1, _r5), _r5)
     _s10 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_6, _r1), _multiply(around_1, cosine_5, _r6), _r6), _multiply(around_2, cosine_4, _r1), _r1), _multiply(around_3, cosine_3, _r6), _r6), _multiply(around_4, cosine_2, _r1), _r1), _multiply(around_5, cosine_1, _r6), _r6)
-    return _s2, _s4, -_multiply(_k71, _add(_s5, _multiply(climb_6, sine_0, _r1), _r1), _r1), _k71 * _add(_s6, _multiply(climb_6, cosine_0, _r1), _r1), -_multiply(_multiply(_k71, per_reach, _r1), _add(_multiply(_multiply(_k223, cosine_6, _r2), p_gravity, _r2), _add(_s7, _multiply(tilted_0, _s2, _r0), _r0), _r0), _r1), _k71 * _subtract(_multiply(_s0, _add(_s8, _multiply(sine_0, _s4, _r1), _r1), _r1), _multiply(_k60, _add(_s9, _multiply(climb_6, turn_rate_0, _r4), _r4), _r4), _r4), (0.14285714285714285 * p_ring_radius) * _s4, _k71 * _add(_multiply(0.6 * p_ring_radius, _add(_s10, _multiply(cosine_0, _s4, _r4), _r4), _r4), _multiply(_s0, _s4, _r6), _r6)
+    return _s2, _s4, -_multiply(_k74, _add(_s5, _multiply(climb_6, sine_0, _r1), _r1), _r1), _k74 * _add(_s6, _multiply(climb_6, cosine_0, _r1), _r1), -_multiply(_multiply(_k74, per_reach, _r1), _add(_multiply(_multiply(_k226, cosine_6, _r2), p_gravity, _r2), _add(_s7, _multiply(tilted_0, _s2, _r0), _r0), _r0), _r1), _k74 * _subtract(_multiply(_s0, _add(_s8, _multiply(sine_0, _s4, _r1), _r1), _r1), _multiply(_k63, _add(_s9, _multiply(climb_6, turn_rate_0, _r4), _r4), _r4), _r4), (0.14285714285714285 * p_ring_radius) * _s4, _k74 * _add(_multiply(0.6 * p_ring_radius, _add(_s10, _multiply(cosine_0, _s4, _r4), _r4), _r4), _multiply(_s0, _s4, _r6), _r6)
 
 
 def ring_round_7(along_7: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4316,10 +4343,10 @@ def ring_round_7(along_7: Any, around_0: Any, around_1: Any, around_2: Any, arou
     _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_7, _r1), _multiply(climb_1, sine_6, _r0), _r0), _multiply(climb_2, sine_5, _r1), _r1), _multiply(climb_3, sine_4, _r0), _r0), _multiply(climb_4, sine_3, _r1), _r1), _multiply(climb_5, sine_2, _r0), _r0)
     _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_7, _r1), _multiply(climb_1, cosine_6, _r2), _r2), _multiply(climb_2, cosine_5, _r1), _r1), _multiply(climb_3, cosine_4, _r2), _r2), _multiply(climb_4, cosine_3, _r1), _r1), _multiply(climb_5, cosine_2, _r2), _r2)
     _s7 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_7, _r1), _multiply(omega_1, tilted_6, _r3), _r3), _multiply(omega_2, tilted_5, _r1), _r1), _multiply(omega_3, tilted_4, _r3), _r3), _multiply(omega_4, tilted_3, _r1), _r1), _multiply(omega_5, tilted_2, _r3), _r3)
-    _s8 = -_multiply(_multiply(_k29, per_reach, _r1), _add(_multiply(_multiply(_k223, cosine_7, _r4), p_gravity, _r4), _add(_add(_s7, _multiply(omega_6, tilted_1, _r5), _r5), _multiply(tilted_0, _s2, _r3), _r3), _r3), _r1)
+    _s8 = -_multiply(_multiply(_k29, per_reach, _r1), _add(_multiply(_multiply(_k226, cosine_7, _r4), p_gravity, _r4), _add(_add(_s7, _multiply(omega_6, tilted_1, _r5), _r5), _multiply(tilted_0, _s2, _r3), _r3), _r3), _r1)
     _s9 = _add(_add(_add(_add(_add(_multiply(around_0, sine_7, _r1), _multiply(around_1, sine_6, _r3), _r3), _multiply(around_2, sine_5, _r1), _r1), _multiply(around_3, sine_4, _r3), _r3), _multiply(around_4, sine_3, _r1), _r1), _multiply(around_5, sine_2, _r3), _r3)
     _s10 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_7, _r1), _multiply(climb_1, turn_rate_6, _r4), _r4), _multiply(climb_2, turn_rate_5, _r1), _r1), _multiply(climb_3, turn_rate_4, _r4), _r4), _multiply(climb_4, turn_rate_3, _r1), _r1), _multiply(climb_5, turn_rate_2, _r4), _r4)
-    _s11 = _k29 * _subtract(_multiply(_s0, _add(_add(_s9, _multiply(around_6, sine_1, _r1), _r1), _multiply(sine_0, _s4, _r3), _r3), _r3), _multiply(_k60, _add(_add(_s10, _multiply(climb_6, turn_rate_1, _r1), _r1), _multiply(climb_7, turn_rate_0, _r4), _r4), _r4), _r4)
+    _s11 = _k29 * _subtract(_multiply(_s0, _add(_add(_s9, _multiply(around_6, sine_1, _r1), _r1), _multiply(sine_0, _s4, _r3), _r3), _r3), _multiply(_k63, _add(_add(_s10, _multiply(climb_6, turn_rate_1, _r1), _r1), _multiply(climb_7, turn_rate_0, _r4), _r4), _r4), _r4)
     _s12 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_7, _r4), _multiply(around_1, cosine_6, _r3), _r3), _multiply(around_2, cosine_5, _r4), _r4), _multiply(around_3, cosine_4, _r3), _r3), _multiply(around_4, cosine_3, _r4), _r4), _multiply(around_5, cosine_2, _r3), _r3)
     _s13 = _k29 * _add(_multiply(0.6 * p_ring_radius, _add(_add(_s12, _multiply(around_6, cosine_1, _r4), _r4), _multiply(cosine_0, _s4, _r3), _r3), _r3), _multiply(_s0, _s4, _r4), _r4)
     return _s2, _s4, -_multiply(_k29, _add(_add(_s5, _multiply(climb_6, sine_1, _r4), _r4), _multiply(climb_7, sine_0, _r0), _r0), _r0), _k29 * _add(_add(_s6, _multiply(climb_6, cosine_1, _r0), _r0), _multiply(climb_7, cosine_0, _r2), _r2), _s8, _s11, (0.125 * p_ring_radius) * _s4, _s13
@@ -4338,16 +4365,16 @@ def ring_round_8(along_8: Any, around_0: Any, around_1: Any, around_2: Any, arou
     _s3 = _add(_add(_add(_add(_add(_multiply(climb_0, _s2, _r1), _multiply(climb_1, omega_7, _r0), _r0), _multiply(climb_2, omega_6, _r1), _r1), _multiply(climb_3, omega_5, _r0), _r0), _multiply(climb_4, omega_4, _r1), _r1), _multiply(climb_5, omega_3, _r0), _r0)
     _s4 = _add(_add(_s3, _multiply(climb_6, omega_2, _r1), _r1), _multiply(climb_7, omega_1, _r0), _r0) + _multiply(climb_8, omega_0, _r1)
     _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_8, _r1), _multiply(climb_1, sine_7, _r0), _r0), _multiply(climb_2, sine_6, _r1), _r1), _multiply(climb_3, sine_5, _r0), _r0), _multiply(climb_4, sine_4, _r1), _r1), _multiply(climb_5, sine_3, _r0), _r0)
-    _s6 = -_multiply(_k75, _add(_add(_add(_s5, _multiply(climb_6, sine_2, _r1), _r1), _multiply(climb_7, sine_1, _r0), _r0), _multiply(climb_8, sine_0, _r1), _r1), _r1)
+    _s6 = -_multiply(_k78, _add(_add(_add(_s5, _multiply(climb_6, sine_2, _r1), _r1), _multiply(climb_7, sine_1, _r0), _r0), _multiply(climb_8, sine_0, _r1), _r1), _r1)
     _s7 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_8, _r1), _multiply(climb_1, cosine_7, _r0), _r0), _multiply(climb_2, cosine_6, _r1), _r1), _multiply(climb_3, cosine_5, _r0), _r0), _multiply(climb_4, cosine_4, _r1), _r1), _multiply(climb_5, cosine_3, _r0), _r0)
     _s8 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_8, _r1), _multiply(omega_1, tilted_7, _r2), _r2), _multiply(omega_2, tilted_6, _r1), _r1), _multiply(omega_3, tilted_5, _r2), _r2), _multiply(omega_4, tilted_4, _r1), _r1), _multiply(omega_5, tilted_3, _r2), _r2)
-    _s9 = _multiply(_multiply(_k75, per_reach, _r1), _add(_multiply(_multiply(_k223, cosine_8, _r3), p_gravity, _r3), _add(_add(_add(_s8, _multiply(omega_6, tilted_2, _r4), _r4), _multiply(omega_7, tilted_1, _r2), _r2), _multiply(tilted_0, _s2, _r4), _r4), _r4), _r1)
+    _s9 = _multiply(_multiply(_k78, per_reach, _r1), _add(_multiply(_multiply(_k226, cosine_8, _r3), p_gravity, _r3), _add(_add(_add(_s8, _multiply(omega_6, tilted_2, _r4), _r4), _multiply(omega_7, tilted_1, _r2), _r2), _multiply(tilted_0, _s2, _r4), _r4), _r4), _r1)
     _s10 = _add(_add(_add(_add(_add(_multiply(around_0, sine_8, _r4), _multiply(around_1, sine_7, _r3), _r3), _multiply(around_2, sine_6, _r4), _r4), _multiply(around_3, sine_5, _r3), _r3), _multiply(around_4, sine_4, _r4), _r4), _multiply(around_5, sine_3, _r3), _r3)
     _s11 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_8, _r4), _multiply(climb_1, turn_rate_7, _r2), _r2), _multiply(climb_2, turn_rate_6, _r4), _r4), _multiply(climb_3, turn_rate_5, _r2), _r2), _multiply(climb_4, turn_rate_4, _r4), _r4), _multiply(climb_5, turn_rate_3, _r2), _r2)
-    _s12 = _subtract(_multiply(_s0, _add(_add(_add(_s10, _multiply(around_6, sine_2, _r4), _r4), _multiply(around_7, sine_1, _r3), _r3), _multiply(sine_0, _s4, _r4), _r4), _r4), _multiply(_k60, _add(_add(_add(_s11, _multiply(climb_6, turn_rate_2, _r3), _r3), _multiply(climb_7, turn_rate_1, _r2), _r2), _multiply(climb_8, turn_rate_0, _r3), _r3), _r3), _r3)
+    _s12 = _subtract(_multiply(_s0, _add(_add(_add(_s10, _multiply(around_6, sine_2, _r4), _r4), _multiply(around_7, sine_1, _r3), _r3), _multiply(sine_0, _s4, _r4), _r4), _r4), _multiply(_k63, _add(_add(_add(_s11, _multiply(climb_6, turn_rate_2, _r3), _r3), _multiply(climb_7, turn_rate_1, _r2), _r2), _multiply(climb_8, turn_rate_0, _r3), _r3), _r3), _r3)
     _s13 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_8, _r4), _multiply(around_1, cosine_7, _r2), _r2), _multiply(around_2, cosine_6, _r4), _r4), _multiply(around_3, cosine_5, _r2), _r2), _multiply(around_4, cosine_4, _r4), _r4), _multiply(around_5, cosine_3, _r2), _r2)
     _s14 = _add(_multiply(0.6 * p_ring_radius, _add(_add(_add(_s13, _multiply(around_6, cosine_2, _r4), _r4), _multiply(around_7, cosine_1, _r2), _r2), _multiply(cosine_0, _s4, _r4), _r4), _r4), _multiply(_s0, _s4, _r2), _r2)
-    return _s2, _s4, _s6, _k75 * _add(_add(_add(_s7, _multiply(climb_6, cosine_2, _r4), _r4), _multiply(climb_7, cosine_1, _r0), _r0), _multiply(climb_8, cosine_0, _r4), _r4), -_s9, _k75 * _s12, (0.1111111111111111 * p_ring_radius) * _s4, _k75 * _s14
+    return _s2, _s4, _s6, _k78 * _add(_add(_add(_s7, _multiply(climb_6, cosine_2, _r4), _r4), _multiply(climb_7, cosine_1, _r0), _r0), _multiply(climb_8, cosine_0, _r4), _r4), -_s9, _k78 * _s12, (0.1111111111111111 * p_ring_radius) * _s4, _k78 * _s14
 
 
 def ring_round_9(along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4364,18 +4391,18 @@ def ring_round_9(along_9: Any, around_0: Any, around_1: Any, around_2: Any, arou
     _s4 = _add(_add(_add(_add(_add(_multiply(climb_0, _s3, _r0), _multiply(climb_1, omega_8, _r1), _r1), _multiply(climb_2, omega_7, _r0), _r0), _multiply(climb_3, omega_6, _r1), _r1), _multiply(climb_4, omega_5, _r0), _r0), _multiply(climb_5, omega_4, _r1), _r1)
     _s5 = _add(_add(_add(_s4, _multiply(climb_6, omega_3, _r0), _r0), _multiply(climb_7, omega_2, _r1), _r1), _multiply(climb_8, omega_1, _r0), _r0) + _multiply(climb_9, omega_0, _r1)
     _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_9, _r1), _multiply(climb_1, sine_8, _r0), _r0), _multiply(climb_2, sine_7, _r1), _r1), _multiply(climb_3, sine_6, _r0), _r0), _multiply(climb_4, sine_5, _r1), _r1), _multiply(climb_5, sine_4, _r0), _r0)
-    _s7 = _multiply(_k185, _add(_add(_add(_add(_s6, _multiply(climb_6, sine_3, _r1), _r1), _multiply(climb_7, sine_2, _r0), _r0), _multiply(climb_8, sine_1, _r1), _r1), _multiply(climb_9, sine_0, _r0), _r0), _r0)
+    _s7 = _multiply(_k188, _add(_add(_add(_add(_s6, _multiply(climb_6, sine_3, _r1), _r1), _multiply(climb_7, sine_2, _r0), _r0), _multiply(climb_8, sine_1, _r1), _r1), _multiply(climb_9, sine_0, _r0), _r0), _r0)
     _s8 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_9, _r1), _multiply(climb_1, cosine_8, _r2), _r2), _multiply(climb_2, cosine_7, _r1), _r1), _multiply(climb_3, cosine_6, _r2), _r2), _multiply(climb_4, cosine_5, _r1), _r1), _multiply(climb_5, cosine_4, _r2), _r2)
-    _s9 = _k185 * _add(_add(_add(_add(_s8, _multiply(climb_6, cosine_3, _r1), _r1), _multiply(climb_7, cosine_2, _r2), _r2), _multiply(climb_8, cosine_1, _r1), _r1), _multiply(climb_9, cosine_0, _r2), _r2)
+    _s9 = _k188 * _add(_add(_add(_add(_s8, _multiply(climb_6, cosine_3, _r1), _r1), _multiply(climb_7, cosine_2, _r2), _r2), _multiply(climb_8, cosine_1, _r1), _r1), _multiply(climb_9, cosine_0, _r2), _r2)
     _s10 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_9, _r2), _multiply(omega_1, tilted_8, _r1), _r1), _multiply(omega_2, tilted_7, _r2), _r2), _multiply(omega_3, tilted_6, _r1), _r1), _multiply(omega_4, tilted_5, _r2), _r2), _multiply(omega_5, tilted_4, _r1), _r1)
-    _s11 = _add(_multiply(_multiply(_k223, cosine_9, _r2), p_gravity, _r2), _add(_add(_add(_add(_s10, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r1), _r1), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s3, _r1), _r1), _r1)
+    _s11 = _add(_multiply(_multiply(_k226, cosine_9, _r2), p_gravity, _r2), _add(_add(_add(_add(_s10, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r1), _r1), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s3, _r1), _r1), _r1)
     _s12 = _add(_add(_add(_add(_add(_multiply(around_0, sine_9, _r2), _multiply(around_1, sine_8, _r3), _r3), _multiply(around_2, sine_7, _r2), _r2), _multiply(around_3, sine_6, _r3), _r3), _multiply(around_4, sine_5, _r2), _r2), _multiply(around_5, sine_4, _r3), _r3)
     _s13 = _multiply(_s0, _add(_add(_add(_add(_s12, _multiply(around_6, sine_3, _r2), _r2), _multiply(around_7, sine_2, _r3), _r3), _multiply(around_8, sine_1, _r2), _r2), _multiply(sine_0, _s5, _r3), _r3), _r3)
     _s14 = _add(_add(_add(_add(_add(_multiply(climb_0, turn_rate_9, _r2), _multiply(climb_1, turn_rate_8, _r4), _r4), _multiply(climb_2, turn_rate_7, _r2), _r2), _multiply(climb_3, turn_rate_6, _r4), _r4), _multiply(climb_4, turn_rate_5, _r2), _r2), _multiply(climb_5, turn_rate_4, _r4), _r4)
-    _s15 = _multiply(_k60, _add(_add(_add(_add(_s14, _multiply(climb_6, turn_rate_3, _r2), _r2), _multiply(climb_7, turn_rate_2, _r4), _r4), _multiply(climb_8, turn_rate_1, _r2), _r2), _multiply(climb_9, turn_rate_0, _r4), _r4), _r4)
+    _s15 = _multiply(_k63, _add(_add(_add(_add(_s14, _multiply(climb_6, turn_rate_3, _r2), _r2), _multiply(climb_7, turn_rate_2, _r4), _r4), _multiply(climb_8, turn_rate_1, _r2), _r2), _multiply(climb_9, turn_rate_0, _r4), _r4), _r4)
     _s16 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_9, _r2), _multiply(around_1, cosine_8, _r5), _r5), _multiply(around_2, cosine_7, _r2), _r2), _multiply(around_3, cosine_6, _r5), _r5), _multiply(around_4, cosine_5, _r2), _r2), _multiply(around_5, cosine_4, _r5), _r5)
     _s17 = _multiply(0.6 * p_ring_radius, _add(_add(_add(_add(_s16, _multiply(around_6, cosine_3, _r2), _r2), _multiply(around_7, cosine_2, _r5), _r5), _multiply(around_8, cosine_1, _r2), _r2), _multiply(cosine_0, _s5, _r5), _r5), _r5)
-    return _s3, _s5, -_s7, _s9, -_multiply(_multiply(_k185, per_reach, _r0), _s11, _r0), _k185 * _subtract(_s13, _s15, _r4), (0.1 * p_ring_radius) * _s5, _k185 * _add(_s17, _multiply(_s0, _s5, _r4), _r4)
+    return _s3, _s5, -_s7, _s9, -_multiply(_multiply(_k188, per_reach, _r0), _s11, _r0), _k188 * _subtract(_s13, _s15, _r4), (0.1 * p_ring_radius) * _s5, _k188 * _add(_s17, _multiply(_s0, _s5, _r4), _r4)
 
 
 def ring_round_10(along_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4403,7 +4430,7 @@ def ring_round_10(along_10: Any, around_0: Any, around_1: Any, around_2: Any, ar
     _s15 = _add(_add(_add(_add(_add(_s14, _multiply(climb_5, turn_rate_5, _r4), _r4), _multiply(climb_6, turn_rate_4, _r5), _r5), _multiply(climb_7, turn_rate_3, _r4), _r4), _multiply(climb_8, turn_rate_2, _r5), _r5), _multiply(climb_9, turn_rate_1, _r4), _r4)
     _s16 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_10, _r5), _multiply(around_1, cosine_9, _r6), _r6), _multiply(around_2, cosine_8, _r5), _r5), _multiply(around_3, cosine_7, _r6), _r6), _multiply(around_4, cosine_6, _r5), _r5), _multiply(around_5, cosine_5, _r6), _r6)
     _s17 = _add(_add(_add(_add(_add(_s16, _multiply(around_6, cosine_4, _r5), _r5), _multiply(around_7, cosine_3, _r6), _r6), _multiply(around_8, cosine_2, _r5), _r5), _multiply(around_9, cosine_1, _r6), _r6), _multiply(cosine_0, _s5, _r5), _r5)
-    return _s3, _s5, -_multiply(_k186, _s7, _r1), _k186 * _s9, -_multiply(_multiply(_k186, per_reach, _r0), _add(_multiply(_multiply(_k223, cosine_10, _r1), p_gravity, _r1), _s11, _r2), _r0), _k186 * _subtract(_multiply(_s0, _s13, _r3), _multiply(_k60, _s15, _r4), _r4), (0.09090909090909091 * p_ring_radius) * _s5, _k186 * _add(_multiply(0.6 * p_ring_radius, _s17, _r5), _multiply(_s0, _s5, _r4), _r4)
+    return _s3, _s5, -_multiply(_k189, _s7, _r1), _k189 * _s9, -_multiply(_multiply(_k189, per_reach, _r0), _add(_multiply(_multiply(_k226, cosine_10, _r1), p_gravity, _r1), _s11, _r2), _r0), _k189 * _subtract(_multiply(_s0, _s13, _r3), _multiply(_k63, _s15, _r4), _r4), (0.09090909090909091 * p_ring_radius) * _s5, _k189 * _add(_multiply(0.6 * p_ring_radius, _s17, _r5), _multiply(_s0, _s5, _r4), _r4)
 
 
 def ring_round_11(along_11: Any, around_0: Any, around_1: Any, around_10: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_11: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4432,7 +4459,7 @@ def ring_round_11(along_11: Any, around_0: Any, around_1: Any, around_10: Any, a
     _s16 = _add(_add(_add(_add(_add(_s15, _multiply(climb_4, turn_rate_7, _r4), _r4), _multiply(climb_5, turn_rate_6, _r5), _r5), _multiply(climb_6, turn_rate_5, _r4), _r4), _multiply(climb_7, turn_rate_4, _r5), _r5), _multiply(climb_8, turn_rate_3, _r4), _r4)
     _s17 = _add(_add(_add(_add(_add(_multiply(around_0, cosine_11, _r5), _multiply(around_1, cosine_10, _r6), _r6), _multiply(around_10, cosine_1, _r5), _r5), _multiply(around_2, cosine_9, _r6), _r6), _multiply(around_3, cosine_8, _r5), _r5), _multiply(around_4, cosine_7, _r6), _r6)
     _s18 = _add(_add(_add(_add(_add(_s17, _multiply(around_5, cosine_6, _r5), _r5), _multiply(around_6, cosine_5, _r6), _r6), _multiply(around_7, cosine_4, _r5), _r5), _multiply(around_8, cosine_3, _r6), _r6), _multiply(around_9, cosine_2, _r5), _r5)
-    return _s3, _s6, -_multiply(_k187, _add(_s8, _multiply(climb_9, sine_2, _r6), _r6), _r6), _k187 * _add(_s10, _multiply(climb_9, cosine_2, _r6), _r6), -_multiply(_multiply(_k187, per_reach, _r6), _add(_multiply(_multiply(_k223, cosine_11, _r0), p_gravity, _r0), _add(_s12, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k187 * _subtract(_multiply(_s0, _add(_s14, _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(_k60, _add(_s16, _multiply(climb_9, turn_rate_2, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k187 * _add(_multiply(0.6 * p_ring_radius, _add(_s18, _multiply(cosine_0, _s6, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
+    return _s3, _s6, -_multiply(_k190, _add(_s8, _multiply(climb_9, sine_2, _r6), _r6), _r6), _k190 * _add(_s10, _multiply(climb_9, cosine_2, _r6), _r6), -_multiply(_multiply(_k190, per_reach, _r6), _add(_multiply(_multiply(_k226, cosine_11, _r0), p_gravity, _r0), _add(_s12, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k190 * _subtract(_multiply(_s0, _add(_s14, _multiply(sine_0, _s6, _r6), _r6), _r6), _multiply(_k63, _add(_s16, _multiply(climb_9, turn_rate_2, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k190 * _add(_multiply(0.6 * p_ring_radius, _add(_s18, _multiply(cosine_0, _s6, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
 
 
 def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4531,7 +4558,7 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s31 = _select(_s21 < _s30, _s30, _s21, _r16)
     _s32 = _add(_s22, _multiply(_s25, _subtract(_s23, _s24, _r12), _r12), _r12)
     _s33 = _sqrt(_select(_s32 < _k6, _k6, _s32, _r11), _r11)
-    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k124, _r17)
+    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k127, _r17)
     _s35 = _k6 < _s32
     _s36 = _select(_s35, _multiply(_s27, _subtract(vz, _s33, _r12), _r12), _s34, _r18)
     _s37 = _divide(_subtract(_s18, _s19, _r8), _s17, _r8)
@@ -4546,11 +4573,11 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s46 = _select(_s45 < _s44, _s44, _s45, _r21)
     _s47 = _result(_s46 < horizon, _s46, horizon, _r0)
     _s48 = _add(speed, _multiply(p_gravity, _s47, _r21), _r21)
-    _s49 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k63, _multiply(_s48, _s48, _r21), _r21), _r21)
+    _s49 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k66, _multiply(_s48, _s48, _r21), _r21), _r21)
     _s50 = _where(_s2 < _s7, _s7, _s2)
     _s51 = _add(_add(_add(_s12, extent, _r21), _absolute((_s5 + _s3)), _r21), _where(_s50 < _s6, _s6, _s50), _r21)
     _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k23, speed, _r22), _s27, _r22), _r22)
-    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k126, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k129, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
     return _result(_k6 < _s31, _s31, _k6, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k6 < _s43, _s43, _k6, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53
 
 
@@ -4572,12 +4599,12 @@ def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any
     _s8 = _multiply(_k23, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k17, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_board_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
-    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k226, _s6, _r1), _r1), _s8, _r1)
+    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k229, _s6, _r1), _r1), _s8, _r1)
     _s12 = _add(_add((2.220446049250313e-16 * _absolute(p_board_bottom)) + (2.220446049250313e-16 * _absolute(p_board_top)), _s7, _r2), _s8, _r2)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k227, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k228, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k226, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k229, _s5, _r6)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k230, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k231, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k229, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k232, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k37, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -4672,11 +4699,11 @@ def backboard_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: 
     _s41 = _negative(_s31, _r11)
     _s42 = _s38 < _k6
     _s43 = _multiply(_k23, _s40, _r7)
-    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r10), _k8, _divide(_select(_s42, _s43, _multiply(_k64, _s38, _r10), _r5), _select(_s42, _negative(_s38, _r12), _select(_k6 < _s41, _s41, _k6, _r1), _r3), _r5), _r10)
+    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r10), _k8, _divide(_select(_s42, _s43, _multiply(_k67, _s38, _r10), _r5), _select(_s42, _negative(_s38, _r12), _select(_k6 < _s41, _s41, _k6, _r1), _r3), _r5), _r10)
     _s45 = _subtract(end, t, _r3)
     _s46 = _select(_s44 < _s45, _s44, _s45, _r1)
     _s47 = _add(_multiply(_add(_multiply(0.5 * _s32, _s46, _r11), _absolute(_s28, _r6), _r6), _s46, _r6), _s30, _r6)
-    _s48 = _add(_multiply(_k93, ceiling, _r2), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
+    _s48 = _add(_multiply(_k96, ceiling, _r2), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
     _s49 = _add(_multiply(_multiply(_k23, _s48, _r2), _s40, _r2), _multiply(_s38, _s38, _r9), _r9)
     _s50 = _sqrt(_s49, _r2)
     _s51 = _select(_k6 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r9), _r0), _select(_s42, _subtract(_s50, _s38, _r2), _select(_k6 < _s48, _s48, _k6, _r8), _r6), _r0), _k8, _r9)
@@ -4736,7 +4763,7 @@ def backboard_beside(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
     _s10 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vz, _r0), _select(_s1 < _k6, _k6, _negative(vz, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k23, _subtract(_select(_s3 < _k6, _k6, vx, _r2), _select(_s4 < _k6, _k6, _negative(vx, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
     _s11 = _add(_s10, _multiply(_multiply(_k23, _subtract(_select(_s6 < _k6, _k6, vy, _r5), _select(_s7 < _k6, _k6, _negative(vy, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
-    return _s9 - p_ball_radius, _multiply(_k44, _s11, _r10) / _s9, 0.0
+    return _s9 - p_ball_radius, _multiply(_k47, _s11, _r10) / _s9, 0.0
 
 
 def backboard_closing(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, nx: Any, ny: Any, nz: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4767,14 +4794,14 @@ def backboard_closing(p_ball_radius: Any, p_board_bottom: Any, p_board_distance:
     _s18 = _subtract(_select(_s16, _k6, rolled_y, _r7), _select(_s17, _k6, _negative(rolled_y, _r5), _r2), _r2)
     _s19 = _add(_add(_multiply(_multiply(_k23, _s12, _r5), _s2, _r5), _multiply(_multiply(_k23, _s15, _r7), _s5, _r7), _r7), _multiply(_multiply(_k23, _s18, _r5), _s8, _r5), _r5)
     _s20 = _divide(_k22, _s9, _r7)
-    _s21 = _multiply(_k44, _s19, _r4) * _s20
+    _s21 = _multiply(_k47, _s19, _r4) * _s20
     _s22 = _multiply(_k23, _add(_multiply(_subtract(_select(_s10, _k6, thrust_z, _r4), _select(_s11, _k6, _negative(thrust_z, _r1), _r11), _r11), _s2, _r11), _multiply(_s12, _s12, _r10), _r10), _r10)
     _s23 = _multiply(_k23, _add(_multiply(_subtract(_select(_s13, _k6, thrust_x, _r11), _select(_s14, _k6, _negative(thrust_x, _r1), _r4), _r4), _s5, _r4), _multiply(_s15, _s15, _r0), _r0), _r0)
     _s24 = _multiply(_k23, _add(_multiply(_subtract(_select(_s16, _k6, thrust_y, _r4), _select(_s17, _k6, _negative(thrust_y, _r1), _r11), _r11), _s8, _r11), _multiply(_s18, _s18, _r2), _r2), _r2)
-    _s25 = _k44 * _add(_multiply(_negative(_multiply(_s21, _multiply(_s20, _s20, _r11), _r11), _r11), _s19, _r11), _multiply(_add(_add(_s22, _s23, _r0), _s24, _r2), _s20, _r2), _r2)
+    _s25 = _k47 * _add(_multiply(_negative(_multiply(_s21, _multiply(_s20, _s20, _r11), _r11), _r11), _s19, _r11), _multiply(_add(_add(_s22, _s23, _r0), _s24, _r2), _s20, _r2), _r2)
     _s26 = _add(_multiply(_multiply(_k23, _subtract(_select(_s10, _k6, nz, _r2), _select(_s11, _k6, _negative(nz, _r11), _r0), _r0), _r0), _s2, _r0), _multiply(_multiply(_k23, _subtract(_select(_s13, _k6, nx, _r3), _select(_s14, _k6, _negative(nx, _r11), _r2), _r2), _r2), _s5, _r2), _r2)
     _s27 = _add(_s26, _multiply(_multiply(_k23, _subtract(_select(_s16, _k6, ny, _r0), _select(_s17, _k6, _negative(ny, _r6), _r11), _r11), _r11), _s8, _r11), _r11)
-    return _s9 - p_ball_radius, _s21, _s25, _multiply(_k44, _s27, _r11) * _s20
+    return _s9 - p_ball_radius, _s21, _s25, _multiply(_k47, _s27, _r11) * _s20
 
 
 def backboard_off(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4858,23 +4885,23 @@ def backboard_parting(p_board_bottom: Any, p_board_distance: Any, p_board_half_w
     _s13 = _subtract(_select(_s10 < _k6, _k6, _s10, _r7), _select(_s11 < _k6, _k6, _s11, _r3), _r3)
     _s14 = _add(_add(_multiply(_multiply(_k23, _s4, _r7), _s5, _r7), _multiply(_multiply(_k23, _s8, _r1), _s9, _r1), _r1), _multiply(_multiply(_k23, _s12, _r7), _s13, _r7), _r7)
     _s15 = _divide(_k22, _sqrt(_add(_add(_multiply(_s5, _s5, _r1), _multiply(_s9, _s9, _r0), _r0), _multiply(_s13, _s13, _r3), _r3), _r3), _r3)
-    _s16 = _multiply(_multiply(_k44, _s14, _r0), _s15, _r0)
+    _s16 = _multiply(_multiply(_k47, _s14, _r0), _s15, _r0)
     _s17 = _multiply(_s15, _s15, _r1)
     _s18 = _negative(_multiply(_s16, _s17, _r5), _r5)
     _s19 = _subtract(_select(_s1, _k6, -p_gravity, _r9), _select(_s3, _k6, p_gravity, _r10), _r10)
     _s20 = _add(_add(_multiply(_k23, _add(_multiply(_s19, _s5, _r2), _multiply(_s4, _s4, _r9), _r9), _r9), _multiply(_k23, _multiply(_s8, _s8, _r6), _r6), _r6), _multiply(_k23, _multiply(_s12, _s12, _r8), _r8), _r8)
-    _s21 = _k44 * _add(_multiply(_s18, _s14, _r6), _multiply(_s20, _s15, _r9), _r9)
+    _s21 = _k47 * _add(_multiply(_s18, _s14, _r6), _multiply(_s20, _s15, _r9), _r9)
     _s22 = _multiply(_s18, _s20, _r9)
     _s23 = _multiply(_k23, _s18, _r6)
     _s24 = _negative(_add(_multiply(_s21, _s17, _r2), _multiply(_multiply(_s23, _s16, _r11), _s15, _r11), _r11), _r11)
     _s25 = _multiply(_k23, _add(_multiply(_multiply(_k23, _s19, _r2), _s4, _r2), _multiply(_s19, _s4, _r4), _r4), _r4)
-    _s26 = _k44 * _add(_add(_s22, _multiply(_s14, _s24, _r2), _r2), _add(_s22, _multiply(_s25, _s15, _r12), _r12), _r12)
+    _s26 = _k47 * _add(_add(_s22, _multiply(_s14, _s24, _r2), _r2), _add(_s22, _multiply(_s25, _s15, _r12), _r12), _r12)
     _s27 = _multiply(_s18, _s25, _r4)
     _s28 = _multiply(_s20, _s24, _r8)
     _s29 = _add(_s27, _s28, _r12)
-    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k23, _multiply(_k63, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
+    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k23, _multiply(_k66, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
     _s31 = _add(_add(_multiply(_s26, _s17, _r1), _multiply(_multiply(_s23, _s21, _r6), _s15, _r6), _r6), _multiply(_k23, _add(_add(_multiply(_multiply(_s18, _s18, _r1), _s16, _r1), _multiply(_multiply(_s18, _s21, _r5), _s15, _r5), _r5), _multiply(_multiply(_s16, _s24, _r11), _s15, _r11), _r11), _r11), _r11)
-    _s32 = _k44 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
+    _s32 = _k47 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
     return _s21, _s26, _s32
 
 
@@ -4952,9 +4979,9 @@ def backboard_around(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     _s10 = _subtract(_sqrt(((_s5 * _s5) + (_s8 * _s8))), _s9, _r2)
     _s11 = _select(_k6 < _s10, _s10, _k6, _r5)
     _s12 = _sqrt(_add(_multiply(_s2, _s2, _r6), _multiply(_s11, _s11, _r7), _r7), _r7)
-    _s13 = _negative(_multiply(_multiply(_k44, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _divide(_k22, _s9, _r4), _r8), _r8)
+    _s13 = _negative(_multiply(_multiply(_k47, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _divide(_k22, _s9, _r4), _r8), _r8)
     _s14 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vz, _r0), _select(_s1 < _k6, _k6, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k23, _s11, _r5), _select(_k6 < _s10, _s13, _k6, _r2), _r5), _r5)
-    return _s12 - p_ball_radius, _multiply(_k44, _s14, _r5) / _s12
+    return _s12 - p_ball_radius, _multiply(_k47, _s14, _r5) / _s12
 
 
 def backboard_enter(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
@@ -5050,7 +5077,7 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s30 = _select(_s20 < _s29, _s29, _s20, _r16)
     _s31 = _add(_s21, _multiply(_s24, _subtract(_s23, _s22, _r12), _r12), _r12)
     _s32 = _sqrt(_select(_s31 < _k6, _k6, _s31, _r11), _r11)
-    _s33 = _select(_s28, _multiply(_s26, _add(vz, _s27, _r14), _r14), _k124, _r17)
+    _s33 = _select(_s28, _multiply(_s26, _add(vz, _s27, _r14), _r14), _k127, _r17)
     _s34 = _k6 < _s31
     _s35 = _select(_s34, _multiply(_s26, _subtract(vz, _s32, _r12), _r12), _s33, _r18)
     _s36 = _divide(_subtract(_s17, _s18, _r8), _s16, _r8)
@@ -5065,11 +5092,11 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s45 = _select(_s44 < _s43, _s43, _s44, _r21)
     _s46 = _result(_s45 < horizon, _s45, horizon, _r0)
     _s47 = _add(speed, _multiply(p_gravity, _s46, _r21), _r21)
-    _s48 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k63, _multiply(_s47, _s47, _r21), _r21), _r21)
+    _s48 = _k23 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k66, _multiply(_s47, _s47, _r21), _r21), _r21)
     _s49 = _where(_s7 < _s5, _s5, _s7)
     _s50 = _add(_add(_add(_add(_s1, extent, _r21), _s6, _r21), _absolute((_s3 - p_wire_radius)), _r21), _where(_s49 < _s4, _s4, _s49), _r21)
     _s51 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s26, _add(_s50, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k23, speed, _r22), _s26, _r22), _r22)
-    _s52 = _add(_add(position_error, _multiply(velocity_error, _select(_s51 < horizon, _s51, horizon, _r20), _r20), _r20), _multiply(_k126, _add(_multiply(_multiply(speed, speed, _r22), _s26, _r22), _s50, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    _s52 = _add(_add(position_error, _multiply(velocity_error, _select(_s51 < horizon, _s51, horizon, _r20), _r20), _r20), _multiply(_k129, _add(_multiply(_multiply(speed, speed, _r22), _s26, _r22), _s50, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
     return _result(_k6 < _s30, _s30, _k6, _r0), _result(_s40 < horizon, _s40, horizon, _r0), _result(_k6 < _s42, _s42, _k6, _r0), _result(_s43 < horizon, _s43, horizon, _r0), _s48, _s46, _s52
 
 
@@ -5092,11 +5119,11 @@ def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, v
     _s9 = _add(_add(3.3306690738754696e-16 * p_bridge_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
     _s11 = _add(_add((1.1102230246251565e-16 * p_board_distance) + (1.1102230246251565e-16 * p_ring_radius), _s7, _r2), _s8, _r2)
-    _s12 = _add(_add((2.220446049250313e-16 * p_bridge_depth) + (5.551115123125783e-16 * p_wire_radius), _multiply(_k226, _s6, _r1), _r1), _s8, _r1)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k227, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k228, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k226, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k229, _s5, _r6)
+    _s12 = _add(_add((2.220446049250313e-16 * p_bridge_depth) + (5.551115123125783e-16 * p_wire_radius), _multiply(_k229, _s6, _r1), _r1), _s8, _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k230, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k231, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k229, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k232, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k37, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -5191,11 +5218,11 @@ def bridge_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any
     _s41 = _negative(_s31, _r11)
     _s42 = _s38 < _k6
     _s43 = _multiply(_k23, _s40, _r6)
-    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r9), _k8, _divide(_select(_s42, _s43, _multiply(_k64, _s38, _r9), _r4), _select(_s42, _negative(_s38, _r13), _select(_k6 < _s41, _s41, _k6, _r12), _r0), _r4), _r9)
+    _s44 = _select(_k6 < _select(_k6 <= _s38, _s40, _k6, _r9), _k8, _divide(_select(_s42, _s43, _multiply(_k67, _s38, _r9), _r4), _select(_s42, _negative(_s38, _r13), _select(_k6 < _s41, _s41, _k6, _r12), _r0), _r4), _r9)
     _s45 = _subtract(end, t, _r0)
     _s46 = _select(_s44 < _s45, _s44, _s45, _r12)
     _s47 = _add(_multiply(_add(_multiply(0.5 * _s32, _s46, _r11), _absolute(_s28, _r8), _r8), _s46, _r8), _s30, _r8)
-    _s48 = _add(_multiply(_k93, ceiling, _r1), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
+    _s48 = _add(_multiply(_k96, ceiling, _r1), _multiply(_k23, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
     _s49 = _add(_multiply(_multiply(_k23, _s48, _r1), _s40, _r1), _multiply(_s38, _s38, _r5), _r5)
     _s50 = _sqrt(_s49, _r1)
     _s51 = _select(_k6 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r5), _r2), _select(_s42, _subtract(_s50, _s38, _r1), _select(_k6 < _s48, _s48, _k6, _r7), _r8), _r2), _k8, _r5)
@@ -5255,7 +5282,7 @@ def bridge_beside(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
     _s10 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vx, _r0), _select(_s1 < _k6, _k6, _negative(vx, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k23, _subtract(_select(_s3 < _k6, _k6, vy, _r2), _select(_s4 < _k6, _k6, _negative(vy, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
     _s11 = _add(_s10, _multiply(_multiply(_k23, _subtract(_select(_s6 < _k6, _k6, vz, _r5), _select(_s7 < _k6, _k6, _negative(vz, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
-    return _s9 - p_ball_radius, _multiply(_k44, _s11, _r10) / _s9, 0.0
+    return _s9 - p_ball_radius, _multiply(_k47, _s11, _r10) / _s9, 0.0
 
 
 def bridge_closing(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, nx: Any, ny: Any, nz: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, thrust_x: Any, thrust_y: Any, thrust_z: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5286,14 +5313,14 @@ def bridge_closing(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: An
     _s18 = _subtract(_select(_s16, _k6, rolled_z, _r7), _select(_s17, _k6, _negative(rolled_z, _r5), _r2), _r2)
     _s19 = _add(_add(_multiply(_multiply(_k23, _s12, _r5), _s2, _r5), _multiply(_multiply(_k23, _s15, _r7), _s5, _r7), _r7), _multiply(_multiply(_k23, _s18, _r5), _s8, _r5), _r5)
     _s20 = _divide(_k22, _s9, _r7)
-    _s21 = _multiply(_k44, _s19, _r4) * _s20
+    _s21 = _multiply(_k47, _s19, _r4) * _s20
     _s22 = _multiply(_k23, _add(_multiply(_subtract(_select(_s10, _k6, thrust_x, _r4), _select(_s11, _k6, _negative(thrust_x, _r1), _r11), _r11), _s2, _r11), _multiply(_s12, _s12, _r10), _r10), _r10)
     _s23 = _multiply(_k23, _add(_multiply(_subtract(_select(_s13, _k6, thrust_y, _r11), _select(_s14, _k6, _negative(thrust_y, _r1), _r4), _r4), _s5, _r4), _multiply(_s15, _s15, _r0), _r0), _r0)
     _s24 = _multiply(_k23, _add(_multiply(_subtract(_select(_s16, _k6, thrust_z, _r4), _select(_s17, _k6, _negative(thrust_z, _r1), _r11), _r11), _s8, _r11), _multiply(_s18, _s18, _r2), _r2), _r2)
-    _s25 = _k44 * _add(_multiply(_negative(_multiply(_s21, _multiply(_s20, _s20, _r11), _r11), _r11), _s19, _r11), _multiply(_add(_add(_s22, _s23, _r0), _s24, _r2), _s20, _r2), _r2)
+    _s25 = _k47 * _add(_multiply(_negative(_multiply(_s21, _multiply(_s20, _s20, _r11), _r11), _r11), _s19, _r11), _multiply(_add(_add(_s22, _s23, _r0), _s24, _r2), _s20, _r2), _r2)
     _s26 = _add(_multiply(_multiply(_k23, _subtract(_select(_s10, _k6, nx, _r2), _select(_s11, _k6, _negative(nx, _r11), _r0), _r0), _r0), _s2, _r0), _multiply(_multiply(_k23, _subtract(_select(_s13, _k6, ny, _r3), _select(_s14, _k6, _negative(ny, _r11), _r2), _r2), _r2), _s5, _r2), _r2)
     _s27 = _add(_s26, _multiply(_multiply(_k23, _subtract(_select(_s16, _k6, nz, _r0), _select(_s17, _k6, _negative(nz, _r6), _r11), _r11), _r11), _s8, _r11), _r11)
-    return _s9 - p_ball_radius, _s21, _s25, _multiply(_k44, _s27, _r11) * _s20
+    return _s9 - p_ball_radius, _s21, _s25, _multiply(_k47, _s27, _r11) * _s20
 
 
 def bridge_off(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5378,23 +5405,23 @@ def bridge_parting(p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_wid
     _s13 = _subtract(_select(_s8 < _k6, _k6, _s8, _r7), _select(_s10 < _k6, _k6, _s10, _r3), _r3)
     _s14 = _add(_add(_multiply(_multiply(_k23, _s2, _r7), _s3, _r7), _multiply(_multiply(_k23, _s6, _r1), _s7, _r1), _r1), _multiply(_multiply(_k23, _s12, _r7), _s13, _r7), _r7)
     _s15 = _divide(_k22, _sqrt(_add(_add(_multiply(_s3, _s3, _r2), _multiply(_s7, _s7, _r0), _r0), _multiply(_s13, _s13, _r2), _r2), _r2), _r2)
-    _s16 = _multiply(_multiply(_k44, _s14, _r0), _s15, _r0)
+    _s16 = _multiply(_multiply(_k47, _s14, _r0), _s15, _r0)
     _s17 = _multiply(_s15, _s15, _r1)
     _s18 = _negative(_multiply(_s16, _s17, _r5), _r5)
     _s19 = _subtract(_select(_s9, _k6, -p_gravity, _r9), _select(_s11, _k6, p_gravity, _r10), _r10)
     _s20 = _add(_add(_multiply(_k23, _add(_multiply(_s19, _s13, _r3), _multiply(_s12, _s12, _r9), _r9), _r9), _multiply(_k23, _multiply(_s2, _s2, _r4), _r4), _r4), _multiply(_k23, _multiply(_s6, _s6, _r6), _r6), _r6)
-    _s21 = _k44 * _add(_multiply(_s18, _s14, _r4), _multiply(_s20, _s15, _r9), _r9)
+    _s21 = _k47 * _add(_multiply(_s18, _s14, _r4), _multiply(_s20, _s15, _r9), _r9)
     _s22 = _multiply(_s18, _s20, _r9)
     _s23 = _multiply(_k23, _s18, _r4)
     _s24 = _negative(_add(_multiply(_s21, _s17, _r3), _multiply(_multiply(_s23, _s16, _r11), _s15, _r11), _r11), _r11)
     _s25 = _multiply(_k23, _add(_multiply(_multiply(_k23, _s19, _r3), _s12, _r3), _multiply(_s19, _s12, _r8), _r8), _r8)
-    _s26 = _k44 * _add(_add(_s22, _multiply(_s14, _s24, _r3), _r3), _add(_s22, _multiply(_s25, _s15, _r12), _r12), _r12)
+    _s26 = _k47 * _add(_add(_s22, _multiply(_s14, _s24, _r3), _r3), _add(_s22, _multiply(_s25, _s15, _r12), _r12), _r12)
     _s27 = _multiply(_s18, _s25, _r8)
     _s28 = _multiply(_s20, _s24, _r6)
     _s29 = _add(_s27, _s28, _r12)
-    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k23, _multiply(_k63, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
+    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k23, _multiply(_k66, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
     _s31 = _add(_add(_multiply(_s26, _s17, _r1), _multiply(_multiply(_s23, _s21, _r4), _s15, _r4), _r4), _multiply(_k23, _add(_add(_multiply(_multiply(_s18, _s18, _r1), _s16, _r1), _multiply(_multiply(_s18, _s21, _r5), _s15, _r5), _r5), _multiply(_multiply(_s16, _s24, _r11), _s15, _r11), _r11), _r11), _r11)
-    _s32 = _k44 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
+    _s32 = _k47 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
     return _s21, _s26, _s32
 
 
@@ -5472,9 +5499,9 @@ def bridge_around(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     _s10 = _subtract(_sqrt(((_s5 * _s5) + (_s8 * _s8))), _s9, _r2)
     _s11 = _select(_k6 < _s10, _s10, _k6, _r5)
     _s12 = _sqrt(_add(_multiply(_s2, _s2, _r6), _multiply(_s11, _s11, _r7), _r7), _r7)
-    _s13 = _negative(_multiply(_multiply(_k44, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _divide(_k22, _s9, _r4), _r8), _r8)
+    _s13 = _negative(_multiply(_multiply(_k47, _add(_multiply(_multiply(_k23, vx, _r6), x, _r6), _multiply(_multiply(_k23, vy, _r8), y, _r8), _r8), _r8), _divide(_k22, _s9, _r4), _r8), _r8)
     _s14 = _add(_multiply(_multiply(_k23, _subtract(_select(_s0 < _k6, _k6, vz, _r0), _select(_s1 < _k6, _k6, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k23, _s11, _r5), _select(_k6 < _s10, _s13, _k6, _r2), _r5), _r5)
-    return _s12 - p_ball_radius, _multiply(_k44, _s14, _r5) / _s12
+    return _s12 - p_ball_radius, _multiply(_k47, _s14, _r5) / _s12
 
 
 def bridge_enter(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
@@ -5550,7 +5577,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k240, _s0, _r1), _r1) + _multiply(_k229, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k243, _s0, _r1), _r1) + _multiply(_k232, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -5986,7 +6013,7 @@ def _sooner_alone(arrives: Any, index: Any, time: Any, when: Any, which: Any) ->
 
 def _beginning_alone() -> tuple[Any, ...]:
     """Do `beginning` for one shot."""
-    return _k55, _k10, False
+    return _k57, _k10, False
 
 
 def _beyond_alone(doubt: Any, excess: Any, late: Any, lost: Any, pad: Any) -> tuple[Any, ...]:
@@ -6014,7 +6041,7 @@ def _opened_alone(horizon: Any, time: Any) -> tuple[Any, ...]:
 def _coarse_alone(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any, share: Any, sound: Any) -> tuple[Any, ...]:
     """Do `coarse` for one shot."""
     _s0 = (searching and sound) and fits
-    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else _k55
+    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else _k57
 
 
 def _leapt_alone(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
@@ -6047,7 +6074,7 @@ def _struck_or_still_alone(bend: Any, clearance: Any, end: Any, gap: Any, margin
 
 def _finer_alone(share: Any) -> tuple[Any, ...]:
     """Do `finer` for one shot."""
-    return (_k57 * share) if (_k56 < share) else _k2,
+    return (_k59 * share) if (_k58 < share) else _k2,
 
 
 def _exceeded_alone(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
@@ -6070,7 +6097,7 @@ def _found_alone(arrival: Any) -> tuple[Any, ...]:
 
 def _polished_alone(arrival: Any, ceiling: Any, certain: Any, gap: Any, rate: Any, refined: Any) -> tuple[Any, ...]:
     """Do `polished` for one shot."""
-    return refined if certain else arrival, certain and ((_k58 * (rate * rate)) < (ceiling * abs(gap)))
+    return refined if certain else arrival, certain and ((_k60 * (rate * rate)) < (ceiling * abs(gap)))
 
 
 def _own_margin_alone(arrival: Any, flat: Any, leaving: Any, tilt: Any) -> tuple[Any, ...]:
@@ -6159,28 +6186,28 @@ def _roll_2_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s7 = _k31 * nx_1
     _s8 = (((nx_1 * nz_2) + (_s0 * nz_1)) + (nz_0 * _s1)) - (((nx_0 * _s4) + (_s7 * nz_2)) + (nx_2 * nz_1))
     _s9 = (((nx_0 * _s3) + (_s7 * ny_2)) + (nx_2 * ny_1)) - (((nx_1 * ny_2) + (_s0 * ny_1)) + (ny_0 * _s1))
-    _s10 = _k62 * ((((lift_0 * nx_2) + (lift_1 * nx_1)) + (nx_0 * _s5)) + (_k3 * (((turn_rate_0 * _s6) + (turn_rate_1 * tx_1)) + (turn_rate_2 * tx_0))))
-    _s11 = _k62 * ((((lift_0 * ny_2) + (lift_1 * ny_1)) + (ny_0 * _s5)) + (_k3 * (((turn_rate_0 * _s8) + (turn_rate_1 * ty_1)) + (turn_rate_2 * ty_0))))
-    _s12 = _k62 * ((((lift_0 * nz_2) + (lift_1 * nz_1)) + (nz_0 * _s5)) + (_k3 * (((turn_rate_0 * _s9) + (turn_rate_1 * tz_1)) + (turn_rate_2 * tz_0))))
-    _s13 = _k62 * (((((tx_0 * vx_2) + (tx_1 * vx_1)) + (vx_0 * _s6)) + (((ty_0 * vy_2) + (ty_1 * vy_1)) + (vy_0 * _s8))) + (((tz_0 * vz_2) + (tz_1 * vz_1)) + (vz_0 * _s9)))
-    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k62 * _s1, _k62 * _s3, _k62 * _s4, -_s13
+    _s10 = _k65 * ((((lift_0 * nx_2) + (lift_1 * nx_1)) + (nx_0 * _s5)) + (_k3 * (((turn_rate_0 * _s6) + (turn_rate_1 * tx_1)) + (turn_rate_2 * tx_0))))
+    _s11 = _k65 * ((((lift_0 * ny_2) + (lift_1 * ny_1)) + (ny_0 * _s5)) + (_k3 * (((turn_rate_0 * _s8) + (turn_rate_1 * ty_1)) + (turn_rate_2 * ty_0))))
+    _s12 = _k65 * ((((lift_0 * nz_2) + (lift_1 * nz_1)) + (nz_0 * _s5)) + (_k3 * (((turn_rate_0 * _s9) + (turn_rate_1 * tz_1)) + (turn_rate_2 * tz_0))))
+    _s13 = _k65 * (((((tx_0 * vx_2) + (tx_1 * vx_1)) + (vx_0 * _s6)) + (((ty_0 * vy_2) + (ty_1 * vy_1)) + (vy_0 * _s8))) + (((tz_0 * vz_2) + (tz_1 * vz_1)) + (vz_0 * _s9)))
+    return _s5, _s6, _s8, _s9, _s10, _s11, _s12, _k65 * _s1, _k65 * _s3, _k65 * _s4, -_s13
 
 
 def _roll_3_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any) -> tuple[Any, ...]:
     """Do `roll_3` for one shot."""
     _s0 = _k31 * nx_2
-    _s1 = _k59 * nx_3
+    _s1 = _k62 * nx_3
     _s2 = (bent_x * per_reach) * vx_3
     _s3 = _k31 * ny_2
-    _s4 = _k59 * ny_3
+    _s4 = _k62 * ny_3
     _s5 = (bent_y * per_reach) * vy_3
     _s6 = (bent_z * per_reach) * vz_3
-    _s7 = (((((nx_1 * vx_3) + (_s0 * vx_2)) + (_s1 * vx_1)) + (vx_0 * _s2)) + ((((ny_1 * vy_3) + (_s3 * vy_2)) + (_s4 * vy_1)) + (vy_0 * _s5))) + ((((nz_1 * vz_3) + ((_k31 * nz_2) * vz_2)) + ((_k59 * nz_3) * vz_1)) + (vz_0 * _s6))
+    _s7 = (((((nx_1 * vx_3) + (_s0 * vx_2)) + (_s1 * vx_1)) + (vx_0 * _s2)) + ((((ny_1 * vy_3) + (_s3 * vy_2)) + (_s4 * vy_1)) + (vy_0 * _s5))) + ((((nz_1 * vz_3) + ((_k31 * nz_2) * vz_2)) + ((_k62 * nz_3) * vz_1)) + (vz_0 * _s6))
     _s8 = ((_k4 * p_gravity) * nz_3) - _s7
     _s9 = _s3 * nz_2
-    _s10 = ((((ny_0 * _s6) + ((_k59 * ny_1) * nz_3)) + _s9) + (ny_3 * nz_1)) - ((((ny_1 * nz_3) + _s9) + (_s4 * nz_1)) + (nz_0 * _s5))
+    _s10 = ((((ny_0 * _s6) + ((_k62 * ny_1) * nz_3)) + _s9) + (ny_3 * nz_1)) - ((((ny_1 * nz_3) + _s9) + (_s4 * nz_1)) + (nz_0 * _s5))
     _s11 = _s0 * nz_2
-    _s12 = _k59 * nx_1
+    _s12 = _k62 * nx_1
     _s13 = ((((nx_1 * nz_3) + _s11) + (_s1 * nz_1)) + (nz_0 * _s2)) - ((((nx_0 * _s6) + (_s12 * nz_3)) + _s11) + (nx_3 * nz_1))
     _s14 = _s0 * ny_2
     _s15 = ((((nx_0 * _s5) + (_s12 * ny_3)) + _s14) + (nx_3 * ny_1)) - ((((nx_1 * ny_3) + _s14) + (_s1 * ny_1)) + (ny_0 * _s2))
@@ -6194,21 +6221,21 @@ def _roll_3_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
 def _roll_4_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any) -> tuple[Any, ...]:
     """Do `roll_4` for one shot."""
     _s0 = _k31 * nx_2
-    _s1 = _k59 * nx_3
-    _s2 = _k46 * nx_4
+    _s1 = _k62 * nx_3
+    _s2 = _k49 * nx_4
     _s3 = (bent_x * per_reach) * vx_4
     _s4 = _k31 * ny_2
-    _s5 = _k59 * ny_3
-    _s6 = _k46 * ny_4
+    _s5 = _k62 * ny_3
+    _s6 = _k49 * ny_4
     _s7 = (bent_y * per_reach) * vy_4
     _s8 = (((((nx_1 * vx_4) + (_s0 * vx_3)) + (_s1 * vx_2)) + (_s2 * vx_1)) + (vx_0 * _s3)) + (((((ny_1 * vy_4) + (_s4 * vy_3)) + (_s5 * vy_2)) + (_s6 * vy_1)) + (vy_0 * _s7))
     _s9 = (bent_z * per_reach) * vz_4
-    _s10 = ((((nz_1 * vz_4) + ((_k31 * nz_2) * vz_3)) + ((_k59 * nz_3) * vz_2)) + ((_k46 * nz_4) * vz_1)) + (vz_0 * _s9)
+    _s10 = ((((nz_1 * vz_4) + ((_k31 * nz_2) * vz_3)) + ((_k62 * nz_3) * vz_2)) + ((_k49 * nz_4) * vz_1)) + (vz_0 * _s9)
     _s11 = ((_k4 * p_gravity) * nz_4) - (_s8 + _s10)
-    _s12 = ((((ny_0 * _s9) + ((_k46 * ny_1) * nz_4)) + ((_k59 * ny_2) * nz_3)) + ((_k31 * ny_3) * nz_2)) + (ny_4 * nz_1)
+    _s12 = ((((ny_0 * _s9) + ((_k49 * ny_1) * nz_4)) + ((_k62 * ny_2) * nz_3)) + ((_k31 * ny_3) * nz_2)) + (ny_4 * nz_1)
     _s13 = _s12 - (((((ny_1 * nz_4) + (_s4 * nz_3)) + (_s5 * nz_2)) + (_s6 * nz_1)) + (nz_0 * _s7))
-    _s14 = _k46 * nx_1
-    _s15 = _k59 * nx_2
+    _s14 = _k49 * nx_1
+    _s15 = _k62 * nx_2
     _s16 = _k31 * nx_3
     _s17 = (((((nx_1 * nz_4) + (_s0 * nz_3)) + (_s1 * nz_2)) + (_s2 * nz_1)) + (nz_0 * _s3)) - (((((nx_0 * _s9) + (_s14 * nz_4)) + (_s15 * nz_3)) + (_s16 * nz_2)) + (nx_4 * nz_1))
     _s18 = (((((nx_0 * _s7) + (_s14 * ny_4)) + (_s15 * ny_3)) + (_s16 * ny_2)) + (nx_4 * ny_1)) - (((((nx_1 * ny_4) + (_s0 * ny_3)) + (_s1 * ny_2)) + (_s2 * ny_1)) + (ny_0 * _s3))
@@ -6220,34 +6247,34 @@ def _roll_4_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s24 = (((((lift_0 * nz_4) + (lift_1 * nz_3)) + (lift_2 * nz_2)) + (lift_3 * nz_1)) + (nz_0 * _s11)) + _s23
     _s25 = (((((tx_0 * vx_4) + (tx_1 * vx_3)) + (tx_2 * vx_2)) + (tx_3 * vx_1)) + (vx_0 * _s13)) + (((((ty_0 * vy_4) + (ty_1 * vy_3)) + (ty_2 * vy_2)) + (ty_3 * vy_1)) + (vy_0 * _s17))
     _s26 = _s25 + (((((tz_0 * vz_4) + (tz_1 * vz_3)) + (tz_2 * vz_2)) + (tz_3 * vz_1)) + (vz_0 * _s18))
-    return _s11, _s13, _s17, _s18, _k66 * _s20, _k66 * _s22, _k66 * _s24, _k66 * _s3, _k66 * _s7, _k66 * _s9, -(_k66 * _s26)
+    return _s11, _s13, _s17, _s18, _k69 * _s20, _k69 * _s22, _k69 * _s24, _k69 * _s3, _k69 * _s7, _k69 * _s9, -(_k69 * _s26)
 
 
 def _roll_5_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any) -> tuple[Any, ...]:
     """Do `roll_5` for one shot."""
     _s0 = _k31 * nx_2
-    _s1 = _k59 * nx_3
-    _s2 = _k46 * nx_4
-    _s3 = _k69 * nx_5
+    _s1 = _k62 * nx_3
+    _s2 = _k49 * nx_4
+    _s3 = _k72 * nx_5
     _s4 = (bent_x * per_reach) * vx_5
     _s5 = (((((nx_1 * vx_5) + (_s0 * vx_4)) + (_s1 * vx_3)) + (_s2 * vx_2)) + (_s3 * vx_1)) + (vx_0 * _s4)
     _s6 = _k31 * ny_2
-    _s7 = _k59 * ny_3
-    _s8 = _k46 * ny_4
-    _s9 = _k69 * ny_5
+    _s7 = _k62 * ny_3
+    _s8 = _k49 * ny_4
+    _s9 = _k72 * ny_5
     _s10 = (bent_y * per_reach) * vy_5
     _s11 = (((((ny_1 * vy_5) + (_s6 * vy_4)) + (_s7 * vy_3)) + (_s8 * vy_2)) + (_s9 * vy_1)) + (vy_0 * _s10)
-    _s12 = ((((nz_1 * vz_5) + ((_k31 * nz_2) * vz_4)) + ((_k59 * nz_3) * vz_3)) + ((_k46 * nz_4) * vz_2)) + ((_k69 * nz_5) * vz_1)
+    _s12 = ((((nz_1 * vz_5) + ((_k31 * nz_2) * vz_4)) + ((_k62 * nz_3) * vz_3)) + ((_k49 * nz_4) * vz_2)) + ((_k72 * nz_5) * vz_1)
     _s13 = (bent_z * per_reach) * vz_5
     _s14 = ((_k4 * p_gravity) * nz_5) - ((_s5 + _s11) + (_s12 + (vz_0 * _s13)))
     _s15 = _s7 * nz_3
-    _s16 = ((((ny_0 * _s13) + ((_k69 * ny_1) * nz_5)) + ((_k46 * ny_2) * nz_4)) + _s15) + ((_k31 * ny_4) * nz_2)
+    _s16 = ((((ny_0 * _s13) + ((_k72 * ny_1) * nz_5)) + ((_k49 * ny_2) * nz_4)) + _s15) + ((_k31 * ny_4) * nz_2)
     _s17 = (((((ny_1 * nz_5) + (_s6 * nz_4)) + _s15) + (_s8 * nz_2)) + (_s9 * nz_1)) + (nz_0 * _s10)
     _s18 = (_s16 + (ny_5 * nz_1)) - _s17
     _s19 = _s1 * nz_3
     _s20 = (((((nx_1 * nz_5) + (_s0 * nz_4)) + _s19) + (_s2 * nz_2)) + (_s3 * nz_1)) + (nz_0 * _s4)
-    _s21 = _k69 * nx_1
-    _s22 = _k46 * nx_2
+    _s21 = _k72 * nx_1
+    _s22 = _k49 * nx_2
     _s23 = _k31 * nx_4
     _s24 = (((((nx_0 * _s13) + (_s21 * nz_5)) + (_s22 * nz_4)) + _s19) + (_s23 * nz_2)) + (nx_5 * nz_1)
     _s25 = _s20 - _s24
@@ -6264,36 +6291,36 @@ def _roll_5_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s36 = (((((tx_0 * vx_5) + (tx_1 * vx_4)) + (tx_2 * vx_3)) + (tx_3 * vx_2)) + (tx_4 * vx_1)) + (vx_0 * _s18)
     _s37 = (((((ty_0 * vy_5) + (ty_1 * vy_4)) + (ty_2 * vy_3)) + (ty_3 * vy_2)) + (ty_4 * vy_1)) + (vy_0 * _s25)
     _s38 = (((((tz_0 * vz_5) + (tz_1 * vz_4)) + (tz_2 * vz_3)) + (tz_3 * vz_2)) + (tz_4 * vz_1)) + (vz_0 * _s29)
-    return _s14, _s18, _s25, _s29, _k70 * (_s30 + (_k3 * _s31)), _k70 * (_s32 + (_k3 * _s33)), _k70 * (_s34 + (_k3 * _s35)), _k70 * _s4, _k70 * _s10, _k70 * _s13, -(_k70 * ((_s36 + _s37) + _s38))
+    return _s14, _s18, _s25, _s29, _k73 * (_s30 + (_k3 * _s31)), _k73 * (_s32 + (_k3 * _s33)), _k73 * (_s34 + (_k3 * _s35)), _k73 * _s4, _k73 * _s10, _k73 * _s13, -(_k73 * ((_s36 + _s37) + _s38))
 
 
 def _roll_6_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any) -> tuple[Any, ...]:
     """Do `roll_6` for one shot."""
     _s0 = _k31 * nx_2
-    _s1 = _k59 * nx_3
-    _s2 = _k46 * nx_4
-    _s3 = _k69 * nx_5
+    _s1 = _k62 * nx_3
+    _s2 = _k49 * nx_4
+    _s3 = _k72 * nx_5
     _s4 = _k9 * nx_6
     _s5 = (((((nx_1 * vx_6) + (_s0 * vx_5)) + (_s1 * vx_4)) + (_s2 * vx_3)) + (_s3 * vx_2)) + (_s4 * vx_1)
     _s6 = (bent_x * per_reach) * vx_6
     _s7 = _k31 * ny_2
-    _s8 = _k59 * ny_3
-    _s9 = _k46 * ny_4
-    _s10 = _k69 * ny_5
+    _s8 = _k62 * ny_3
+    _s9 = _k49 * ny_4
+    _s10 = _k72 * ny_5
     _s11 = _k9 * ny_6
     _s12 = (((((ny_1 * vy_6) + (_s7 * vy_5)) + (_s8 * vy_4)) + (_s9 * vy_3)) + (_s10 * vy_2)) + (_s11 * vy_1)
     _s13 = (bent_y * per_reach) * vy_6
-    _s14 = ((((nz_1 * vz_6) + ((_k31 * nz_2) * vz_5)) + ((_k59 * nz_3) * vz_4)) + ((_k46 * nz_4) * vz_3)) + ((_k69 * nz_5) * vz_2)
+    _s14 = ((((nz_1 * vz_6) + ((_k31 * nz_2) * vz_5)) + ((_k62 * nz_3) * vz_4)) + ((_k49 * nz_4) * vz_3)) + ((_k72 * nz_5) * vz_2)
     _s15 = (bent_z * per_reach) * vz_6
     _s16 = ((_k4 * p_gravity) * nz_6) - (((_s5 + (vx_0 * _s6)) + (_s12 + (vy_0 * _s13))) + ((_s14 + ((_k9 * nz_6) * vz_1)) + (vz_0 * _s15)))
-    _s17 = ((((ny_0 * _s15) + ((_k9 * ny_1) * nz_6)) + ((_k69 * ny_2) * nz_5)) + ((_k46 * ny_3) * nz_4)) + ((_k59 * ny_4) * nz_3)
+    _s17 = ((((ny_0 * _s15) + ((_k9 * ny_1) * nz_6)) + ((_k72 * ny_2) * nz_5)) + ((_k49 * ny_3) * nz_4)) + ((_k62 * ny_4) * nz_3)
     _s18 = (((((ny_1 * nz_6) + (_s7 * nz_5)) + (_s8 * nz_4)) + (_s9 * nz_3)) + (_s10 * nz_2)) + (_s11 * nz_1)
     _s19 = ((_s17 + ((_k31 * ny_5) * nz_2)) + (ny_6 * nz_1)) - (_s18 + (nz_0 * _s13))
     _s20 = (((((nx_1 * nz_6) + (_s0 * nz_5)) + (_s1 * nz_4)) + (_s2 * nz_3)) + (_s3 * nz_2)) + (_s4 * nz_1)
     _s21 = _k9 * nx_1
-    _s22 = _k69 * nx_2
-    _s23 = _k46 * nx_3
-    _s24 = _k59 * nx_4
+    _s22 = _k72 * nx_2
+    _s23 = _k49 * nx_3
+    _s24 = _k62 * nx_4
     _s25 = _k31 * nx_5
     _s26 = (((((nx_0 * _s15) + (_s21 * nz_6)) + (_s22 * nz_5)) + (_s23 * nz_4)) + (_s24 * nz_3)) + (_s25 * nz_2)
     _s27 = (_s20 + (nz_0 * _s6)) - (_s26 + (nx_6 * nz_1))
@@ -6309,42 +6336,42 @@ def _roll_6_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0:
     _s37 = (((((tx_0 * vx_6) + (tx_1 * vx_5)) + (tx_2 * vx_4)) + (tx_3 * vx_3)) + (tx_4 * vx_2)) + (tx_5 * vx_1)
     _s38 = (((((ty_0 * vy_6) + (ty_1 * vy_5)) + (ty_2 * vy_4)) + (ty_3 * vy_3)) + (ty_4 * vy_2)) + (ty_5 * vy_1)
     _s39 = (((((tz_0 * vz_6) + (tz_1 * vz_5)) + (tz_2 * vz_4)) + (tz_3 * vz_3)) + (tz_4 * vz_2)) + (tz_5 * vz_1)
-    _s40 = -(_k72 * (((_s37 + (vx_0 * _s19)) + (_s38 + (vy_0 * _s27))) + (_s39 + (vz_0 * _s30))))
-    return _s16, _s19, _s27, _s30, _k72 * ((_s31 + (nx_0 * _s16)) + (_k3 * (_s32 + (turn_rate_6 * tx_0)))), _k72 * ((_s33 + (ny_0 * _s16)) + (_k3 * (_s34 + (turn_rate_6 * ty_0)))), _k72 * ((_s35 + (nz_0 * _s16)) + (_k3 * (_s36 + (turn_rate_6 * tz_0)))), _k72 * _s6, _k72 * _s13, _k72 * _s15, _s40
+    _s40 = -(_k75 * (((_s37 + (vx_0 * _s19)) + (_s38 + (vy_0 * _s27))) + (_s39 + (vz_0 * _s30))))
+    return _s16, _s19, _s27, _s30, _k75 * ((_s31 + (nx_0 * _s16)) + (_k3 * (_s32 + (turn_rate_6 * tx_0)))), _k75 * ((_s33 + (ny_0 * _s16)) + (_k3 * (_s34 + (turn_rate_6 * ty_0)))), _k75 * ((_s35 + (nz_0 * _s16)) + (_k3 * (_s36 + (turn_rate_6 * tz_0)))), _k75 * _s6, _k75 * _s13, _k75 * _s15, _s40
 
 
 def _roll_7_alone(bent_x: Any, bent_y: Any, bent_z: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any) -> tuple[Any, ...]:
     """Do `roll_7` for one shot."""
     _s0 = _k31 * nx_2
-    _s1 = _k59 * nx_3
-    _s2 = _k46 * nx_4
-    _s3 = _k69 * nx_5
+    _s1 = _k62 * nx_3
+    _s2 = _k49 * nx_4
+    _s3 = _k72 * nx_5
     _s4 = _k9 * nx_6
     _s5 = (((((nx_1 * vx_7) + (_s0 * vx_6)) + (_s1 * vx_5)) + (_s2 * vx_4)) + (_s3 * vx_3)) + (_s4 * vx_2)
-    _s6 = _k74 * nx_7
+    _s6 = _k77 * nx_7
     _s7 = (bent_x * per_reach) * vx_7
     _s8 = _k31 * ny_2
-    _s9 = _k59 * ny_3
-    _s10 = _k46 * ny_4
-    _s11 = _k69 * ny_5
+    _s9 = _k62 * ny_3
+    _s10 = _k49 * ny_4
+    _s11 = _k72 * ny_5
     _s12 = _k9 * ny_6
     _s13 = (((((ny_1 * vy_7) + (_s8 * vy_6)) + (_s9 * vy_5)) + (_s10 * vy_4)) + (_s11 * vy_3)) + (_s12 * vy_2)
-    _s14 = _k74 * ny_7
+    _s14 = _k77 * ny_7
     _s15 = (bent_y * per_reach) * vy_7
-    _s16 = ((((nz_1 * vz_7) + ((_k31 * nz_2) * vz_6)) + ((_k59 * nz_3) * vz_5)) + ((_k46 * nz_4) * vz_4)) + ((_k69 * nz_5) * vz_3)
+    _s16 = ((((nz_1 * vz_7) + ((_k31 * nz_2) * vz_6)) + ((_k62 * nz_3) * vz_5)) + ((_k49 * nz_4) * vz_4)) + ((_k72 * nz_5) * vz_3)
     _s17 = (bent_z * per_reach) * vz_7
-    _s18 = (((_s5 + (_s6 * vx_1)) + (vx_0 * _s7)) + ((_s13 + (_s14 * vy_1)) + (vy_0 * _s15))) + (((_s16 + ((_k9 * nz_6) * vz_2)) + ((_k74 * nz_7) * vz_1)) + (vz_0 * _s17))
+    _s18 = (((_s5 + (_s6 * vx_1)) + (vx_0 * _s7)) + ((_s13 + (_s14 * vy_1)) + (vy_0 * _s15))) + (((_s16 + ((_k9 * nz_6) * vz_2)) + ((_k77 * nz_7) * vz_1)) + (vz_0 * _s17))
     _s19 = ((_k4 * p_gravity) * nz_7) - _s18
     _s20 = _s10 * nz_4
-    _s21 = ((((ny_0 * _s17) + ((_k74 * ny_1) * nz_7)) + ((_k9 * ny_2) * nz_6)) + ((_k69 * ny_3) * nz_5)) + _s20
+    _s21 = ((((ny_0 * _s17) + ((_k77 * ny_1) * nz_7)) + ((_k9 * ny_2) * nz_6)) + ((_k72 * ny_3) * nz_5)) + _s20
     _s22 = (((((ny_1 * nz_7) + (_s8 * nz_6)) + (_s9 * nz_5)) + _s20) + (_s11 * nz_3)) + (_s12 * nz_2)
-    _s23 = (((_s21 + ((_k59 * ny_5) * nz_3)) + ((_k31 * ny_6) * nz_2)) + (ny_7 * nz_1)) - ((_s22 + (_s14 * nz_1)) + (nz_0 * _s15))
+    _s23 = (((_s21 + ((_k62 * ny_5) * nz_3)) + ((_k31 * ny_6) * nz_2)) + (ny_7 * nz_1)) - ((_s22 + (_s14 * nz_1)) + (nz_0 * _s15))
     _s24 = _s2 * nz_4
     _s25 = (((((nx_1 * nz_7) + (_s0 * nz_6)) + (_s1 * nz_5)) + _s24) + (_s3 * nz_3)) + (_s4 * nz_2)
-    _s26 = _k74 * nx_1
+    _s26 = _k77 * nx_1
     _s27 = _k9 * nx_2
-    _s28 = _k69 * nx_3
-    _s29 = _k59 * nx_5
+    _s28 = _k72 * nx_3
+    _s29 = _k62 * nx_5
     _s30 = (((((nx_0 * _s17) + (_s26 * nz_7)) + (_s27 * nz_6)) + (_s28 * nz_5)) + _s24) + (_s29 * nz_3)
     _s31 = _k31 * nx_6
     _s32 = ((_s25 + (_s6 * nz_1)) + (nz_0 * _s7)) - ((_s30 + (_s31 * nz_2)) + (nx_7 * nz_1))
@@ -6375,19 +6402,19 @@ def _roll_start_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy
 
 def _roll_moved_alone(t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `roll_moved` for one shot."""
-    _s0 = _k76 * t
-    _s1 = (_k70 * vx_5) + (t * ((_k72 * vx_6) + (t * ((_k35 * vx_7) + (_s0 * vx_8)))))
-    _s2 = (_k62 * vx_2) + (t * ((_k30 * vx_3) + (t * ((_k66 * vx_4) + (t * _s1)))))
+    _s0 = _k79 * t
+    _s1 = (_k73 * vx_5) + (t * ((_k75 * vx_6) + (t * ((_k35 * vx_7) + (_s0 * vx_8)))))
+    _s2 = (_k65 * vx_2) + (t * ((_k30 * vx_3) + (t * ((_k69 * vx_4) + (t * _s1)))))
     _s3 = x + (t * (vx_0 + (t * ((_k0 * vx_1) + (t * _s2)))))
     _s4 = vx_5 + (t * (vx_6 + (t * (vx_7 + (t * vx_8)))))
     _s5 = vx_2 + (t * (vx_3 + (t * (vx_4 + (t * _s4)))))
-    _s6 = (_k70 * vy_5) + (t * ((_k72 * vy_6) + (t * ((_k35 * vy_7) + (_s0 * vy_8)))))
-    _s7 = (_k62 * vy_2) + (t * ((_k30 * vy_3) + (t * ((_k66 * vy_4) + (t * _s6)))))
+    _s6 = (_k73 * vy_5) + (t * ((_k75 * vy_6) + (t * ((_k35 * vy_7) + (_s0 * vy_8)))))
+    _s7 = (_k65 * vy_2) + (t * ((_k30 * vy_3) + (t * ((_k69 * vy_4) + (t * _s6)))))
     _s8 = y + (t * (vy_0 + (t * ((_k0 * vy_1) + (t * _s7)))))
     _s9 = vy_5 + (t * (vy_6 + (t * (vy_7 + (t * vy_8)))))
     _s10 = vy_2 + (t * (vy_3 + (t * (vy_4 + (t * _s9)))))
-    _s11 = (_k70 * vz_5) + (t * ((_k72 * vz_6) + (t * ((_k35 * vz_7) + (_s0 * vz_8)))))
-    _s12 = (_k62 * vz_2) + (t * ((_k30 * vz_3) + (t * ((_k66 * vz_4) + (t * _s11)))))
+    _s11 = (_k73 * vz_5) + (t * ((_k75 * vz_6) + (t * ((_k35 * vz_7) + (_s0 * vz_8)))))
+    _s12 = (_k65 * vz_2) + (t * ((_k30 * vz_3) + (t * ((_k69 * vz_4) + (t * _s11)))))
     _s13 = z + (t * (vz_0 + (t * ((_k0 * vz_1) + (t * _s12)))))
     _s14 = vz_5 + (t * (vz_6 + (t * (vz_7 + (t * vz_8)))))
     _s15 = vz_2 + (t * (vz_3 + (t * (vz_4 + (t * _s14)))))
@@ -6409,31 +6436,31 @@ def _roll_placed_alone(p_ball_radius: Any, gap: Any, nx: Any, ny: Any, nz: Any, 
 def _roll_pace_alone(p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, lift_7: Any, nx_8: Any, ny_8: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, nz_8: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any) -> tuple[Any, ...]:
     """Do `roll_pace` for one shot."""
     _s0 = ((abs(turn_rate_0) + abs(vx_0)) + abs(vy_0)) + abs(vz_0)
-    _s1 = (_k84 * p_gravity) + _s0
+    _s1 = (_k87 * p_gravity) + _s0
     _s2 = abs(per_reach)
     _s3 = ((abs(turn_rate_7) + abs(vx_7)) + abs(vy_7)) + abs(vz_7)
     _s4 = ((abs(turn_rate_8) + abs(vx_8)) + abs(vy_8)) + abs(vz_8)
     _s5 = (((_s2 * _s0) + _root((p_gravity * _s2))) * _s3) + _s4
     _s6 = _s1 * ((abs(nx_8) + abs(ny_8)) + abs(nz_8))
-    _s7 = _root(_root(_root(((_k83 * _s1) / (_s6 if _s5 < _s6 else _s5)))))
+    _s7 = _root(_root(_root(((_k86 * _s1) / (_s6 if _s5 < _s6 else _s5)))))
     _s8 = _s7 if _s7 < _k1 else _k1
     _s9 = (_k31 * (((abs(turn_rate_2) + abs(vx_2)) + abs(vy_2)) + abs(vz_2))) * _s8
     _s10 = _s8 * _s8
-    _s11 = (_k59 * (((abs(turn_rate_3) + abs(vx_3)) + abs(vy_3)) + abs(vz_3))) * _s10
+    _s11 = (_k62 * (((abs(turn_rate_3) + abs(vx_3)) + abs(vy_3)) + abs(vz_3))) * _s10
     _s12 = _s8 * _s10
-    _s13 = (_k46 * (((abs(turn_rate_4) + abs(vx_4)) + abs(vy_4)) + abs(vz_4))) * _s12
+    _s13 = (_k49 * (((abs(turn_rate_4) + abs(vx_4)) + abs(vy_4)) + abs(vz_4))) * _s12
     _s14 = _s10 * _s10
-    _s15 = (_k69 * (((abs(turn_rate_5) + abs(vx_5)) + abs(vy_5)) + abs(vz_5))) * _s14
+    _s15 = (_k72 * (((abs(turn_rate_5) + abs(vx_5)) + abs(vy_5)) + abs(vz_5))) * _s14
     _s16 = _s8 * _s14
     _s17 = (_k9 * (((abs(turn_rate_6) + abs(vx_6)) + abs(vy_6)) + abs(vz_6))) * _s16
-    _s18 = (((((_s9 + _s11) + _s13) + _s15) + _s17) + ((_k74 * _s3) * (_s10 * _s14))) + ((_k34 * _s4) * (_s12 * _s14))
+    _s18 = (((((_s9 + _s11) + _s13) + _s15) + _s17) + ((_k77 * _s3) * (_s10 * _s14))) + ((_k34 * _s4) * (_s12 * _s14))
     _s19 = _s18 + (((abs(turn_rate_1) + abs(vx_1)) + abs(vy_1)) + abs(vz_1))
     _s20 = _k3 * p_gravity
-    _s21 = ((_k9 * abs((lift_3 + (_s20 * nz_3)))) * _s8) + ((_k85 * abs((lift_4 + (_s20 * nz_4)))) * _s10)
-    _s22 = _s21 + ((_k86 * abs((lift_5 + (_s20 * nz_5)))) * _s12)
-    _s23 = _s22 + ((_k87 * abs((lift_6 + (_s20 * nz_6)))) * _s14)
-    _s24 = _s23 + ((_k88 * abs((lift_7 + (_s20 * nz_7)))) * _s16)
-    return _s8, _k47 * _s1, _s19, (_s19 * _s8) + _s0, lift_0 + (_s20 * nz_0), lift_1 + (_s20 * nz_1), _s24 + (_k31 * abs((lift_2 + (_s20 * nz_2)))), -(_k89 * (-(p_gravity * nz_1)))
+    _s21 = ((_k9 * abs((lift_3 + (_s20 * nz_3)))) * _s8) + ((_k88 * abs((lift_4 + (_s20 * nz_4)))) * _s10)
+    _s22 = _s21 + ((_k89 * abs((lift_5 + (_s20 * nz_5)))) * _s12)
+    _s23 = _s22 + ((_k90 * abs((lift_6 + (_s20 * nz_6)))) * _s14)
+    _s24 = _s23 + ((_k91 * abs((lift_7 + (_s20 * nz_7)))) * _s16)
+    return _s8, _k50 * _s1, _s19, (_s19 * _s8) + _s0, lift_0 + (_s20 * nz_0), lift_1 + (_s20 * nz_1), _s24 + (_k31 * abs((lift_2 + (_s20 * nz_2)))), -(_k92 * (-(p_gravity * nz_1)))
 
 
 def _roll_turn_rate_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -6460,9 +6487,9 @@ def _alone_alone() -> tuple[Any, ...]:
 
 def _begun_errors_alone(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dx: Any, dy: Any, dz: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     """Do `begun_errors` for one shot."""
-    _s0 = _k97 * p_ball_radius
+    _s0 = _k100 * p_ball_radius
     _s1 = -_s0
-    _s2 = (_k98 * p_ball_radius) * (_k1 + (((abs(vx) + abs(vy)) + abs(vz)) / p_ball_radius))
+    _s2 = (_k101 * p_ball_radius) * (_k1 + (((abs(vx) + abs(vy)) + abs(vz)) / p_ball_radius))
     _s3 = -_s2
     _s4 = _s2 / p_ball_radius
     _s5 = -_s4
@@ -6473,16 +6500,16 @@ def _leaving_force_alone(p_ball_radius: Any, brace: Any, doubt: Any, fastest: An
     """Do `leaving_force` for one shot."""
     _s0 = abs(per_reach)
     _s1 = p_gravity + ((fastest * fastest) * _s0)
-    _s2 = _k100 * _s1
+    _s2 = _k103 * _s1
     _s3 = force_rate < _k2
     _s4 = (force < (-_s2)) or ((force <= _s2) and _s3)
     _s5 = -(brace + force_rate)
     _s6 = force + (((_s5 * _s5) / (p_gravity * (_s0 * _s1))) if (_s5 < _k2) else _k2)
     _s7 = _s4 and (_s2 < _s6)
     _s8 = _s4 and (not _s7)
-    _s9 = (((abs(vx) + abs(vy)) + abs(vz)) <= (_k100 * _root((p_ball_radius * p_gravity)))) and (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) <= (_k100 * p_gravity))
+    _s9 = (((abs(vx) + abs(vy)) + abs(vz)) <= (_k103 * _root((p_ball_radius * p_gravity)))) and (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) <= (_k103 * p_gravity))
     _s10 = force_rate * force_rate
-    _s11 = force_bend + (_k95 * _s1)
+    _s11 = force_bend + (_k98 * _s1)
     _s12 = _s6 if _s7 else (_k2 if force < _k2 else force)
     _s13 = _s10 + ((_k31 * _s11) * _s12)
     _s14 = _root(_s13)
@@ -6494,13 +6521,13 @@ def _leaving_force_alone(p_ball_radius: Any, brace: Any, doubt: Any, fastest: An
 
 def _beside_body_alone(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `beside_body` for one shot."""
-    _s0 = _k102 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s0 = _k105 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s1 = gap <= _s0
     _s2 = nearing < _k2
     _s3 = _s1 and _s2
     _s4 = nearing * nearing
     _s5 = strongest + (dent * (fastest * fastest))
-    _s6 = (_k97 * p_ball_radius) if _s1 else gap
+    _s6 = (_k100 * p_ball_radius) if _s1 else gap
     _s7 = _s4 + ((_k31 * _s5) * _s6)
     _s8 = _root(_s7)
     _s9 = (((_k31 * _s6) if _s2 else (nearing + _s8)) / ((_s8 - nearing) if _s2 else (_s5 if _k2 < _s5 else _k2))) if (_k2 <= _s7) else _k10
@@ -6513,7 +6540,7 @@ def _beside_body_alone(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, 
 
 def _beside_gate_alone(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `beside_gate` for one shot."""
-    _s0 = _k102 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s0 = _k105 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s1 = nearing < _k2
     _s2 = ((gap <= _s0) and _s1) and ((-_s0) <= gap)
     _s3 = nearing * nearing
@@ -6546,7 +6573,7 @@ def _beside_time_alone(clock: Any, stride: Any, time_limit: Any, which: Any) -> 
     """Do `beside_time` for one shot."""
     _s0 = time_limit - clock
     _s1 = _s0 if _s0 < stride else stride
-    return _s1 if _k2 < _s1 else _k2, _k46 if ((not (clock < time_limit)) and (which == _k43)) else which
+    return _s1 if _k2 < _s1 else _k2, _k49 if ((not (clock < time_limit)) and (which == _k43)) else which
 
 
 def _rolled_on_alone(clock: Any, rests: Any, stride: Any, which: Any) -> tuple[Any, ...]:
@@ -6561,7 +6588,7 @@ def _unmet_alone() -> tuple[Any, ...]:
 
 def _spared_alone(dent: Any, gap: Any, p_gravity: Any, nearing: Any, spare: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     """Do `spared` for one shot."""
-    _s0 = (((_k103 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s0 = (((_k106 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s1 = p_gravity + (dent * (_s0 * _s0))
     _s2 = _k2 if gap < _k2 else gap
     _s3 = (nearing * nearing) + ((_k31 * _s1) * _s2)
@@ -6585,25 +6612,25 @@ def _spared_seam_alone(gap: Any, p_gravity: Any, near: Any, nearing: Any, spare:
 def _parted_alone(doubt: Any, p_gravity: Any, lift: Any, per_reach: Any, position_error: Any, snap: Any, spare: Any, surge: Any, velocity_error: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     """Do `parted` for one shot."""
     _s0 = _k30 * spare
-    _s1 = (((_k103 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s1 = (((_k106 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s2 = abs(per_reach)
     _s3 = p_gravity + ((_s1 * _s1) * _s2)
     _s4 = (_k1 + (_s1 * _s2)) + _root((p_gravity * _s2))
     _s5 = (_k42 * _s3) * (_s4 * (_s4 * _s4))
     _s6 = _k0 * surge
     _s7 = _root((_s6 / _s5))
-    _s8 = _k54 * _s5
+    _s8 = _k45 * _s5
     _s9 = abs(snap) + _s8
     _s10 = _s6 / _s9
     _s11 = lift if _k2 < lift else _k2
-    _s12 = _root(((_k106 * _s11) / _s5))
+    _s12 = _root(((_k109 * _s11) / _s5))
     _s13 = _root(((_k0 * _s11) / _s9))
-    _s14 = _s11 / ((_k46 * abs(surge)) + _s8)
+    _s14 = _s11 / ((_k49 * abs(surge)) + _s8)
     _s15 = _s13 if _s13 < _s14 else _s14
     _s16 = (_s7 if _s7 < _s10 else _s10) if (_k2 < surge) else (_s12 if _s12 < _s15 else _s15)
-    _s17 = _s16 if _s16 < _k103 else _k103
+    _s17 = _s16 if _s16 < _k106 else _k106
     _s18 = _s0 if _s0 < _s17 else _s17
-    _s19 = (_k100 * p_gravity) + ((_k40 * ((position_error * _s3) + (velocity_error * _s1))) * _s2)
+    _s19 = (_k103 * p_gravity) + ((_k40 * ((position_error * _s3) + (velocity_error * _s1))) * _s2)
     return _s18 if _k2 < _s18 else _k2, doubt if (((_s19 * _s4) < surge) or (_s19 < lift)) else _k2
 
 
@@ -6622,7 +6649,7 @@ def _apart_alone(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy
     _s10 = _s9 if _s8 < _s9 else _s8
     _s11 = abs(dz)
     _s12 = ((_k33 * p_ball_radius) + (_k35 * ((p_ball_radius * (_s3 if _s2 < _s3 else _s2)) + (_s7 if _s6 < _s7 else _s6)))) + (_s11 if _s10 < _s11 else _s10)
-    return (_k107 * p_ball_radius) / _s12,
+    return (_k110 * p_ball_radius) / _s12,
 
 
 def _neighbour_alone(apart: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dx: Any, dy: Any, dz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -6653,7 +6680,7 @@ def _compared_alone(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, fa
 
 def _resumed_alone(clock: Any, mode: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
     """Do `resumed` for one shot."""
-    return _k43, _k2, clock, _k10 if ((position_error < _k10) and (velocity_error < _k10)) else _k2, mode == _k1, mode == _k31, mode == _k59, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2
+    return _k43, _k2, clock, _k10 if ((position_error < _k10) and (velocity_error < _k10)) else _k2, mode == _k1, mode == _k31, mode == _k62, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2
 
 
 def _holding_alone(held: Any, index: Any) -> tuple[Any, ...]:
@@ -6668,12 +6695,12 @@ def _beside_alone(held: Any, index: Any) -> tuple[Any, ...]:
 
 def _beginning_contact_alone() -> tuple[Any, ...]:
     """Do `beginning_contact` for one shot."""
-    return _k69, _k2
+    return _k72, _k2
 
 
 def _hopping_alone() -> tuple[Any, ...]:
     """Do `hopping` for one shot."""
-    return _k74,
+    return _k77,
 
 
 def _pulled_alone(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any) -> tuple[Any, ...]:
@@ -6691,7 +6718,7 @@ def _pulled_alone(p_gravity: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz
     _s10 = (_k31 * _s3) * ((((_s1 * _s8) + ((_k3 * nx_1) * _s0)) + (_s2 * tx_1)) + (_s9 * tx_0))
     _s11 = (_k31 * _s5) * ((((_s4 * _s8) + ((_k3 * ny_1) * _s0)) + (_s2 * ty_1)) + (_s9 * ty_0))
     _s12 = (_k31 * _s7) * ((((_s6 * _s8) + ((_k3 * nz_1) * _s0)) + (_s2 * tz_1)) + (_s9 * tz_0))
-    return ((_s3 * _s3) + (_s5 * _s5)) + (_s7 * _s7), (_s10 + _s11) + _s12, _k109, _k2
+    return ((_s3 * _s3) + (_s5 * _s5)) + (_s7 * _s7), (_s10 + _s11) + _s12, _k112, _k2
 
 
 def _untaut_alone() -> tuple[Any, ...]:
@@ -6714,8 +6741,8 @@ def _lost_grip_alone(clock: Any, strain: Any, strain_rate: Any, taut: Any, taut_
     _s5 = strain_rate * _s0
     _s6 = taut_rate * _s0
     _s7 = (_s5 + _s6) - (_k31 * _s1)
-    _s8 = _k59 * _s7
-    _s9 = ((_k59 * _s1) - _s5) - (_k31 * _s6)
+    _s8 = _k62 * _s7
+    _s9 = ((_k62 * _s1) - _s5) - (_k31 * _s6)
     _s10 = _k31 * _s9
     _s11 = (((_s8 * _s4) + _s10) * _s4) + _s6
     _s12 = taut + (((((_s7 * _s4) + _s9) * _s4) + _s6) * _s4)
@@ -6762,44 +6789,44 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     """Do `ring_prepare` for one shot."""
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
-    _s2 = ((_k31 * _s0) + ((_k46 * p_gravity) * z)) + (_k31 * _s1)
+    _s2 = ((_k31 * _s0) + ((_k49 * p_gravity) * z)) + (_k31 * _s1)
     _s3 = (vy * x) - (vx * y)
     _s4 = _s3 * _s3
     _s5 = (_k31 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k119 * _s7
+    _s8 = _k122 * _s7
     _s9 = _k31 * p_gravity
-    _s10 = _k49 * (_s0 + (_s9 * (abs(z) + _s8)))
+    _s10 = _k52 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
     _s12 = _k1 / p_gravity
     _s13 = _root(_s11)
-    _s14 = _k47 * (abs(vz) + _s13)
+    _s14 = _k50 * (abs(vz) + _s13)
     _s15 = _k2 <= _s11
     _s16 = (_s12 * ((vz - _s13) - _s14)) if _s15 else _k10
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = (_k47 * _s1) * (_s18 + _s6)
+    _s19 = (_k50 * _s1) * (_s18 + _s6)
     _s20 = ((_s18 * _s1) + _s19) - _s4
     _s21 = (vx * x) + (vy * y)
     _s22 = _root(_s20)
-    _s23 = _k47 * ((abs(_s21) + abs(_s3)) + _s22)
+    _s23 = _k50 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k125 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k109
+    _s26 = _k128 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k112
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k122 * p_ring_radius
+    _s30 = _k125 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k109) if _s26 else _k10
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k112) if _s26 else _k10
     _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
     _s38 = _root((_k2 if _s37 < _k2 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k109
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k112
     _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
@@ -6818,29 +6845,29 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k116 * p_ring_radius) - (p_ring_radius - _s7)
+    _s58 = (_k119 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _root(_k31) * _root((_s12 * (((_k31 * p_ball_radius) + extent) + (_k31 * p_wire_radius))))
     _s60 = _s59 + ((_k31 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k117 * p_ball_radius)) - (_k117 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k121 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k120 * p_ball_radius)) - (_k120 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k124 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_margins` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k119 * _s0
+    _s2 = _k122 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k21 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k122 * p_ring_radius
+    _s8 = _k125 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
-    _s11 = _k69 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k38 * _s1))))
-    _s12 = _k18 * ((((_k129 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
-    return _k18 * ((((_k21 * horizon) * _s3) + ((_k127 * _s0) * _s4)) + ((_k128 * _s0) * _s6)), _s12, _k18 * ((_k129 * (_s4 * _s1)) + _s11)
+    _s11 = _k72 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k38 * _s1))))
+    _s12 = _k18 * ((((_k132 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
+    return _k18 * ((((_k21 * horizon) * _s3) + ((_k130 * _s0) * _s4)) + ((_k131 * _s0) * _s6)), _s12, _k18 * ((_k132 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -6880,26 +6907,26 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s15 = _k9 * p_gravity
     _s16 = _s15 * _s8
     _s17 = swing * (_s11 * (_s11 * _s11))
-    _s18 = _k119 * _s9
-    _s19 = _k95 * (p_ring_radius + _s18)
+    _s18 = _k122 * _s9
+    _s19 = _k98 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
     _s22 = _k2 if _s21 < _k2 else _s21
     _s23 = (_s16 + _s17) - steady
     _s24 = _s20 < _k2
     _s25 = _k31 * _s22
-    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k46 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
+    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k49 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
     _s27 = end - t
     _s28 = _s26 if _s26 < _s27 else _s27
     _s29 = _s19 + ((_s28 * (_k2 if _s13 < _k2 else _s13)) + _s8)
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k122 * p_ring_radius
+    _s33 = _k125 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = swing * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (_k95 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
+    _s37 = ((_s30 + _s36) + (_k98 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
     _s38 = ((_k31 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
     _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k10
@@ -6911,104 +6938,104 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_opened` for one shot."""
     _s0 = vz * vz
-    _s1 = _k130 * (p_ball_radius + p_wire_radius)
-    _s2 = _k131 * p_gravity
-    _s3 = _k147 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s1 = _k133 * (p_ball_radius + p_wire_radius)
+    _s2 = _k134 * p_gravity
+    _s3 = _k150 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
-    _s5 = _k133 / p_gravity
+    _s5 = _k136 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k148 * (abs(vz) + _s6)
-    _s8 = _k146 <= _s4
-    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k149
+    _s7 = _k151 * (abs(vz) + _s6)
+    _s8 = _k149 <= _s4
+    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k152
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k148 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k151 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (vy * x) - (vx * y)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (vx * x) + (vy * y)
     _s18 = _root(_s16)
-    _s19 = _k148 * ((abs(_s17) + abs(_s14)) + _s18)
-    _s20 = _k133 / _s10
-    _s21 = _k146 <= _s16
-    _s22 = _k150 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k149) if _s22 else _k151
+    _s19 = _k151 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s20 = _k136 / _s10
+    _s21 = _k149 <= _s16
+    _s22 = _k153 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k152) if _s22 else _k154
     _s24 = _s23 if _s9 < _s23 else _s9
-    _s25 = _s24 if _k146 < _s24 else _k146
-    _s26 = _s25 if _k146 < _s25 else _k146
+    _s25 = _s24 if _k149 < _s24 else _k149
+    _s26 = _s25 if _k149 < _s25 else _k149
     _s27 = p_ring_radius - _s1
-    _s28 = _k140 * p_ring_radius
+    _s28 = _k143 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
-    _s31 = _root((_k146 if _s30 < _k146 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k151) if _s22 else _k149
-    _s33 = _k146 < (_s30 if _s22 else _k146)
+    _s31 = _root((_k149 if _s30 < _k149 else _s30))
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k154) if _s22 else _k152
+    _s33 = _k149 < (_s30 if _s22 else _k149)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
-    _s36 = _root((_k146 if _s35 < _k146 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k151
-    _s38 = _k146 < _s35
+    _s36 = _root((_k149 if _s35 < _k149 else _s35))
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k154
+    _s38 = _k149 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k152 * horizon
+    _s41 = _k155 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
-    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k149
+    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k152
     _s45 = _s34 if _s44 < _s34 else _s44
     _s46 = _s45 if _s9 < _s45 else _s9
     _s47 = _s32 if _s32 < _s39 else _s39
-    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k149
+    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k152
     _s49 = _s39 if _s48 < _s39 else _s48
     _s50 = _s46 <= _s47
     _s51 = _s46 if _s50 else (_s23 if _s49 < _s23 else _s49)
-    _s52 = _s51 if _k146 < _s51 else _k146
-    _s53 = _s52 if _k146 < _s52 else _k146
+    _s52 = _s51 if _k149 < _s51 else _k149
+    _s53 = _s52 if _k149 < _s52 else _k149
     _s54 = _s47 if _s50 else (_s34 if _s34 < _s37 else _s37)
     _s55 = _s54 if _s54 < _s41 else _s41
     _s56 = _s53 < _s55
     _s57 = _s45 if _s49 < _s45 else _s49
-    _s58 = _s57 if _k146 < _s57 else _k146
-    _s59 = _s58 if _k146 < _s58 else _k146
+    _s58 = _s57 if _k149 < _s57 else _k149
+    _s59 = _s58 if _k149 < _s58 else _k149
     _s60 = _s32 if _s32 < _s37 else _s37
     _s61 = _s60 if _s60 < _s41 else _s41
     _s62 = _s59 < _s61
-    _s63 = _s40 if _k146 < _s40 else _k146
+    _s63 = _s40 if _k149 < _s40 else _k149
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k142 * _s29)) and (_s11 <= ((_k142 * p_ball_radius) + (_k142 * p_wire_radius)))) and (_s11 <= _k143)) and (_k144 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k146)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k146)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k143)) and (_k144 <= p_gravity)) and (extent <= _k143)) and (speed <= _k143)
+    _s66 = (((_s11 <= (_k145 * _s29)) and (_s11 <= ((_k145 * p_ball_radius) + (_k145 * p_wire_radius)))) and (_s11 <= _k146)) and (_k147 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k149)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k149)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k146)) and (_k147 <= p_gravity)) and (extent <= _k146)) and (speed <= _k146)
 
 
 def _ring_grain_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_grain` for one shot."""
-    _s0 = _k146 < leaving
+    _s0 = _k149 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k130 * _s2
+    _s3 = _k133 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k140 * p_ring_radius
+    _s5 = _k143 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
-    _s8 = _s7 if _k133 < _s7 else _k133
+    _s8 = _s7 if _k136 < _s7 else _k136
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k169 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k168 * parting) / _s11
-    _s13 = _s12 if _s12 < _k170 else _k170
-    _s14 = (_s13 if _k167 < _s13 else _k167) if _s0 else _k170
-    _s15 = ((_k131 * (vz * vz)) + ((_k158 * p_gravity) * z)) + (_k131 * ((vx * vx) + (vy * vy)))
+    _s11 = _k172 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k171 * parting) / _s11
+    _s13 = _s12 if _s12 < _k173 else _k173
+    _s14 = (_s13 if _k170 < _s13 else _k170) if _s0 else _k173
+    _s15 = ((_k134 * (vz * vz)) + ((_k161 * p_gravity) * z)) + (_k134 * ((vx * vx) + (vy * vy)))
     _s16 = (vy * x) - (vx * y)
-    _s17 = (_k131 * p_ring_radius) * (_s16 * _s16)
-    _s18 = _k133 / _s6
+    _s17 = (_k134 * p_ring_radius) * (_s16 * _s16)
+    _s18 = _k136 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k159 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k162 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k148 * (_s22 + _s23))
-    _s25 = (_k173 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k146, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k171 * _s20, (_k162 * _s2) * _s24, (_k171 * ((_k147 * abs(parting)) + ((_k172 + _s14) * _s11))) if _s0 else _k149, _k171 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k164 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k169 * (((_k171 * _s9) * _s24) + (((_k174 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k166 * p_ball_radius) + (_k166 * p_wire_radius))) and ((leaving * t) <= _k146)
+    _s24 = (_s10 * _s14) + (_k151 * (_s22 + _s23))
+    _s25 = (_k176 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
+    return _s14, _k149, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k174 * _s20, (_k165 * _s2) * _s24, (_k174 * ((_k150 * abs(parting)) + ((_k175 + _s14) * _s11))) if _s0 else _k152, _k174 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k167 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k172 * (((_k174 * _s9) * _s24) + (((_k177 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k169 * p_ball_radius) + (_k169 * p_wire_radius))) and ((leaving * t) <= _k149)
 
 
 def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7023,66 +7050,66 @@ def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s7 = y + (t * vy)
     _s8 = _root(((_s6 * _s6) + (_s7 * _s7)))
     _s9 = rho_start + _s8
-    _s10 = _k133 / (_s9 * _s8)
+    _s10 = _k136 / (_s9 * _s8)
     _s11 = _s8 * _s10
-    _s12 = _s11 * ((t * _s5) + (_k131 * ((vx * x) + (vy * y))))
-    _s13 = vz - ((_k173 * p_gravity) * t)
-    _s14 = ((((_k131 * (rho_start - p_ring_radius)) * (_s5 - (drift * _s12))) * _s11) + (_s12 * _s12)) + (_s13 * _s13)
+    _s12 = _s11 * ((t * _s5) + (_k134 * ((vx * x) + (vy * y))))
+    _s13 = vz - ((_k176 * p_gravity) * t)
+    _s14 = ((((_k134 * (rho_start - p_ring_radius)) * (_s5 - (drift * _s12))) * _s11) + (_s12 * _s12)) + (_s13 * _s13)
     _s15 = parting + (t * (_s14 - (p_gravity * z)))
     _s16 = _s9 * _s10
     _s17 = _s16 * ((vx * _s6) + (vy * _s7))
     _s18 = _s8 - p_ring_radius
     _s19 = vz - (p_gravity * t)
     _s20 = z + (t * _s13)
-    _s21 = ((_k131 * _s15) - parting) if _s4 else (_k131 * ((_s17 * _s18) + (_s19 * _s20)))
-    _s22 = (_s3 + (_k131 * _s0)) if _s4 else rate_margin
+    _s21 = ((_k134 * _s15) - parting) if _s4 else (_k134 * ((_s17 * _s18) + (_s19 * _s20)))
+    _s22 = (_s3 + (_k134 * _s0)) if _s4 else rate_margin
     _s23 = -(_s21 + _s22)
     _s24 = _s1 if _s2 else flat
     _s25 = p_ball_radius + p_wire_radius
     _s26 = ((t * _s15) if _s2 else (((_s18 * _s18) + (_s20 * _s20)) - (_s25 * _s25))) - _s24
-    _s27 = _k146 if _s26 < _k146 else _s26
-    _s28 = _k131 * ((_k131 * _s24) + _s27)
+    _s27 = _k149 if _s26 < _k149 else _s26
+    _s28 = _k134 * ((_k134 * _s24) + _s27)
     _s29 = _s21 - _s22
-    _s30 = _k175 * p_gravity
+    _s30 = _k178 * p_gravity
     _s31 = _s30 * _s20
     _s32 = swing * (_s16 * (_s16 * _s16))
     _s33 = (_s31 + _s32) - steady
-    _s34 = _s29 < _k146
-    _s35 = _k131 * _s27
-    _s36 = _k149 if (_k146 < (_s27 if (_k146 <= _s29) else _k146)) else ((((_k182 * _s24) + _s35) if _s34 else (_k158 * _s29)) / ((-_s29) if _s34 else (_s33 if _k146 < _s33 else _k146)))
+    _s34 = _s29 < _k149
+    _s35 = _k134 * _s27
+    _s36 = _k152 if (_k149 < (_s27 if (_k149 <= _s29) else _k149)) else ((((_k185 * _s24) + _s35) if _s34 else (_k161 * _s29)) / ((-_s29) if _s34 else (_s33 if _k149 < _s33 else _k149)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k130 * _s25
-    _s40 = ((_k140 * p_ball_radius) + (_k140 * p_wire_radius)) + ((_s38 * (_k146 if _s19 < _k146 else _s19)) + _s20)
+    _s39 = _k133 * _s25
+    _s40 = ((_k143 * p_ball_radius) + (_k143 * p_wire_radius)) + ((_s38 * (_k149 if _s19 < _k149 else _s19)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k146 if _k146 < _s17 else _s17)) + _s8) - (_k140 * _s42)) - (_k148 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k149 if _k149 < _s17 else _s17)) + _s8) - (_k143 * _s42)) - (_k151 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k140 * p_ring_radius
+    _s45 = _k143 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
-    _s47 = _k133 / (_s46 if _s43 < _s46 else _s43)
+    _s47 = _k136 / (_s46 if _s43 < _s46 else _s43)
     _s48 = swing * (_s47 * (_s47 * _s47))
     _s49 = abs(steady)
-    _s50 = ((_s41 + _s48) + (_k183 * ((_s48 + _s49) + abs(_s41)))) - steady
+    _s50 = ((_s41 + _s48) + (_k186 * ((_s48 + _s49) + abs(_s41)))) - steady
     _s51 = -_s19
-    _s52 = (_s30 * (((_k144 * p_ball_radius) + (_k144 * p_wire_radius)) + (((p_gravity * _s38) + (_k146 if _s51 < _k146 else _s51)) * _s38))) + ((_k184 * (_s32 * _s16)) * _s42)
-    _s53 = steady + (_s52 + (_k144 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k147 * p_ball_radius) + (_k147 * p_wire_radius)) + (((p_gravity * _s38) + (_k149 if _s51 < _k149 else _s51)) * _s38))) + ((_k187 * (_s32 * _s16)) * _s42)
+    _s53 = steady + (_s52 + (_k147 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = (_s23 * _s23) - ((_k182 * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling)) * _s28)
-    _s56 = _k146 < (_s55 if (_k146 < _s23) else _s23)
-    _s57 = ((_k131 * _s50) * _s27) + (_s29 * _s29)
+    _s55 = (_s23 * _s23) - ((_k185 * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling)) * _s28)
+    _s56 = _k149 < (_s55 if (_k149 < _s23) else _s23)
+    _s57 = ((_k134 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
-    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k146 < _s50 else _k146))) if (_k146 <= _s57) else _k149
+    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k149 < _s50 else _k149))) if (_k149 <= _s57) else _k152
     _s60 = _s59 if _s59 < _s38 else _s38
     _s61 = t + _s60
-    _s62 = (not _s56) and (((_s21 < _k146) and (_s26 <= _s24)) or ((t < end) and (not (t < _s61))))
+    _s62 = (not _s56) and (((_s21 < _k149) and (_s26 <= _s24)) or ((t < end) and (not (t < _s61))))
     _s63 = not (_s56 or _s62)
     _s64 = _s63 and (_s37 <= _s60)
     _s65 = low1 if end < low1 else end
     _s66 = _s65 < high1
     _s67 = low2 if end < low2 else end
     _s68 = _s67 < high2
-    return (_s65 if _s66 else (_s67 if _s68 else _k149)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
+    return (_s65 if _s66 else (_s67 if _s68 else _k152)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
 
 
 def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any) -> tuple[Any, ...]:
@@ -7094,11 +7121,11 @@ def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_rin
 
 def _ring_lost_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_lost` for one shot."""
-    _s0 = (_k116 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k119 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
     _s2 = _root(_k31) * _root((_s1 * (((_k31 * p_ball_radius) + extent) + (_k31 * p_wire_radius))))
     _s3 = _s2 + ((_k31 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k117 * p_ball_radius)) - (_k117 * p_wire_radius)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k120 * p_ball_radius)) - (_k120 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 
@@ -7150,7 +7177,7 @@ def _ring_parting_alone(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz
     _s21 = _k31 * _s12
     _s22 = -((_s14 * _s11) + ((_s21 * _s3) * _s2))
     _s23 = _k0 * (_s20 + (_s20 + (_s0 * _s22)))
-    _s24 = (_k31 * (-((_k59 * p_gravity) * vz))) + (_k31 * ((_s5 * _s14) + ((_s3 * _s14) + (_s4 * _s23))))
+    _s24 = (_k31 * (-((_k62 * p_gravity) * vz))) + (_k31 * ((_s5 * _s14) + ((_s3 * _s14) + (_s4 * _s23))))
     _s25 = _k0 * ((_s17 + (_s6 * _s19)) + (_s17 + (_s24 * _s7)))
     _s26 = _s10 * _s24
     _s27 = _s3 * _s23
@@ -7158,7 +7185,7 @@ def _ring_parting_alone(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz
     _s29 = _s13 * _s22
     _s30 = ((_s23 * _s11) + ((_s21 * _s14) * _s2)) + (_k31 * ((((_s12 * _s12) * _s3) + ((_s12 * _s14) * _s2)) + ((_s3 * _s22) * _s2)))
     _s31 = _k0 * (_s29 + (_s29 + ((_s0 * (-_s30)) + _s29)))
-    _s32 = (_k31 * (_k59 * (p_gravity * p_gravity))) + (_k31 * ((_k31 * _s28) + ((_s27 + (_s4 * _s31)) + _s28)))
+    _s32 = (_k31 * (_k62 * (p_gravity * p_gravity))) + (_k31 * ((_k31 * _s28) + ((_s27 + (_s4 * _s31)) + _s28)))
     _s33 = _s15 * _s19
     _s34 = _s26 + _s33
     _s35 = ((_s25 * _s9) + ((_s18 * _s16) * _s7)) + (_k31 * ((((_s10 * _s10) * _s8) + ((_s10 * _s16) * _s7)) + ((_s8 * _s19) * _s7)))
@@ -7195,16 +7222,16 @@ def _ring_round_moved_alone(along_0: Any, along_1: Any, along_10: Any, along_11:
     _s9 = _s3 * _s8
     _s10 = p_ball_radius + p_wire_radius
     _s11 = p_ring_radius + (_s9 * _s10)
-    _s12 = t * ((_k200 * omega_9) + (t * ((_k201 * omega_10) + ((_k202 * omega_11) * t))))
-    _s13 = (_k72 * omega_6) + (t * ((_k35 * omega_7) + (t * ((_k76 * omega_8) + _s12))))
-    _s14 = (_k30 * omega_3) + (t * ((_k66 * omega_4) + (t * ((_k70 * omega_5) + (t * _s13)))))
-    _s15 = omega_0 + (t * ((_k0 * omega_1) + (t * ((_k62 * omega_2) + (t * _s14)))))
+    _s12 = t * ((_k203 * omega_9) + (t * ((_k204 * omega_10) + ((_k205 * omega_11) * t))))
+    _s13 = (_k75 * omega_6) + (t * ((_k35 * omega_7) + (t * ((_k79 * omega_8) + _s12))))
+    _s14 = (_k30 * omega_3) + (t * ((_k69 * omega_4) + (t * ((_k73 * omega_5) + (t * _s13)))))
+    _s15 = omega_0 + (t * ((_k0 * omega_1) + (t * ((_k65 * omega_2) + (t * _s14)))))
     _s16 = t * _s15
     _s17 = _s16 * _s16
-    _s18 = ((_k198 + (((_k199 * _s17) - _k203) * _s17)) * _s17) - _k204
-    _s19 = _k1 + ((((_k197 + (_s18 * _s17)) * _s17) - _k0) * _s17)
-    _s20 = _k205 + ((((_k206 - (_k207 * _s17)) * _s17) - _k208) * _s17)
-    _s21 = _s16 * (_k1 + (((_s20 * _s17) - _k70) * _s17))
+    _s18 = ((_k201 + (((_k202 * _s17) - _k206) * _s17)) * _s17) - _k207
+    _s19 = _k1 + ((((_k200 + (_s18 * _s17)) * _s17) - _k0) * _s17)
+    _s20 = _k208 + ((((_k209 - (_k210 * _s17)) * _s17) - _k211) * _s17)
+    _s21 = _s16 * (_k1 + (((_s20 * _s17) - _k73) * _s17))
     _s22 = (cos_0 * _s19) - (sin_0 * _s21)
     _s23 = (cos_0 * _s21) + (sin_0 * _s19)
     _s24 = _s7 * _s8
@@ -7233,7 +7260,7 @@ def _ring_round_pace_alone(along_0: Any, along_1: Any, along_10: Any, along_11: 
     _s1 = p_ball_radius + p_wire_radius
     _s2 = abs(along_0)
     _s3 = (_s0 * _s1) + (_s2 + abs(turn_rate_0))
-    _s4 = (_k84 * p_gravity) + _s3
+    _s4 = (_k87 * p_gravity) + _s3
     _s5 = abs(climb_11)
     _s6 = abs(along_11)
     _s7 = abs(climb_12)
@@ -7241,29 +7268,29 @@ def _ring_round_pace_alone(along_0: Any, along_1: Any, along_10: Any, along_11: 
     _s9 = ((_k30 * ((per_reach * _s3) + _root((p_gravity * per_reach)))) * ((_s5 * _s1) + (_s6 + abs(turn_rate_11)))) + ((_s7 * _s1) + (_s8 + abs(turn_rate_12)))
     _s10 = abs(omega_0)
     _s11 = omega_0 * omega_0
-    _s12 = (_k46 * _s10) * (_k40 * _s11)
+    _s12 = (_k49 * _s10) * (_k40 * _s11)
     _s13 = _s12 * _s12
-    _s14 = _s4 * ((abs(cosine_12) + abs(sine_12)) + (_k215 * (_s13 * _s13)))
-    _s15 = _root(_root(((_k215 * _s4) / (_s14 if _s9 < _s14 else _s9))))
+    _s14 = _s4 * ((abs(cosine_12) + abs(sine_12)) + (_k218 * (_s13 * _s13)))
+    _s15 = _root(_root(((_k218 * _s4) / (_s14 if _s9 < _s14 else _s9))))
     _s16 = _root(_root(_s15))
-    _s17 = (_k214 * _s16) * _root(_root(_s16))
+    _s17 = (_k217 * _s16) * _root(_root(_s16))
     _s18 = _s17 * (_s17 * _s17)
     _s19 = ((_s18 + (_k31 * _s15)) / ((_k31 * _s18) + _s15)) * _s17
     _s20 = _s19 if _s19 < _k36 else _k36
     _s21 = abs(climb_10)
-    _s22 = (((((_k85 * _s7) * _s20) + (_k216 * _s5)) * _s20) + (_k217 * _s21)) * _s20
+    _s22 = (((((_k88 * _s7) * _s20) + (_k219 * _s5)) * _s20) + (_k220 * _s21)) * _s20
     _s23 = abs(climb_9)
     _s24 = abs(climb_8)
     _s25 = abs(climb_7)
-    _s26 = ((((_s22 + (_k218 * _s23)) * _s20) + (_k34 * _s24)) * _s20) + (_k74 * _s25)
+    _s26 = ((((_s22 + (_k221 * _s23)) * _s20) + (_k34 * _s24)) * _s20) + (_k77 * _s25)
     _s27 = abs(climb_6)
     _s28 = abs(climb_5)
     _s29 = abs(climb_4)
-    _s30 = (((((_s26 * _s20) + (_k9 * _s27)) * _s20) + (_k69 * _s28)) * _s20) + (_k46 * _s29)
+    _s30 = (((((_s26 * _s20) + (_k9 * _s27)) * _s20) + (_k72 * _s28)) * _s20) + (_k49 * _s29)
     _s31 = abs(climb_3)
     _s32 = abs(climb_2)
     _s33 = abs(climb_1)
-    _s34 = (((((_s30 * _s20) + (_k59 * _s31)) * _s20) + (_k31 * _s32)) * _s20) + _s33
+    _s34 = (((((_s30 * _s20) + (_k62 * _s31)) * _s20) + (_k31 * _s32)) * _s20) + _s33
     _s35 = (((((_s7 * _s20) + _s5) * _s20) + _s21) * _s20) + _s23
     _s36 = (((((_s35 * _s20) + _s24) * _s20) + _s25) * _s20) + _s27
     _s37 = (((((_s36 * _s20) + _s28) * _s20) + _s29) * _s20) + _s31
@@ -7299,17 +7326,17 @@ def _ring_round_pace_alone(along_0: Any, along_1: Any, along_10: Any, along_11: 
     _s67 = abs(along_1)
     _s68 = (((((_s65 * _s20) + _s66) * _s20) + _s67) * _s20) + _s2
     _s69 = (_s1 * _s38) + _s68
-    _s70 = (((((_k85 * _s8) * _s20) + (_k216 * _s6)) * _s20) + (_k217 * _s55)) * _s20
-    _s71 = ((((_s70 + (_k218 * _s56)) * _s20) + (_k34 * _s58)) * _s20) + (_k74 * _s59)
-    _s72 = (((((_s71 * _s20) + (_k9 * _s60)) * _s20) + (_k69 * _s62)) * _s20) + (_k46 * _s63)
-    _s73 = (((((_s72 * _s20) + (_k59 * _s64)) * _s20) + (_k31 * _s66)) * _s20) + _s67
+    _s70 = (((((_k88 * _s8) * _s20) + (_k219 * _s6)) * _s20) + (_k220 * _s55)) * _s20
+    _s71 = ((((_s70 + (_k221 * _s56)) * _s20) + (_k34 * _s58)) * _s20) + (_k77 * _s59)
+    _s72 = (((((_s71 * _s20) + (_k9 * _s60)) * _s20) + (_k72 * _s62)) * _s20) + (_k49 * _s63)
+    _s73 = (((((_s72 * _s20) + (_k62 * _s64)) * _s20) + (_k31 * _s66)) * _s20) + _s67
     _s74 = (climb_0 * climb_0) * _s1
     _s75 = along_0 * omega_0
-    _s76 = _k219 * p_gravity
-    _s77 = _k59 * p_ring_radius
-    _s78 = (((((_k216 * _s40) * _s20) + (_k217 * _s41)) * _s20) + (_k218 * _s42)) * _s20
-    _s79 = ((((_s78 + (_k34 * _s43)) * _s20) + (_k74 * _s45)) * _s20) + (_k9 * _s46)
-    _s80 = (((((_s79 * _s20) + (_k69 * _s47)) * _s20) + (_k46 * _s49)) * _s20) + (_k59 * _s50)
+    _s76 = _k222 * p_gravity
+    _s77 = _k62 * p_ring_radius
+    _s78 = (((((_k219 * _s40) * _s20) + (_k220 * _s41)) * _s20) + (_k221 * _s42)) * _s20
+    _s79 = ((((_s78 + (_k34 * _s43)) * _s20) + (_k77 * _s45)) * _s20) + (_k9 * _s46)
+    _s80 = (((((_s79 * _s20) + (_k72 * _s47)) * _s20) + (_k49 * _s49)) * _s20) + (_k62 * _s50)
     _s81 = _s38 * _s20
     _s82 = abs(sine_0) + _s81
     _s83 = (_s54 * ((((_s80 * _s20) + (_k31 * _s51)) * _s20) + _s53)) * _s82
@@ -7318,7 +7345,7 @@ def _ring_round_pace_alone(along_0: Any, along_1: Any, along_10: Any, along_11: 
     _s86 = ((((_k9 * p_ring_radius) * _s83) + (_s38 * ((_s76 * _s82) + (_s84 * _s85)))) * _s38) + (_s34 * ((_s76 * _s85) + (_s84 * _s82)))
     _s87 = -((_s75 + (cosine_0 * _s74)) + ((climb_1 * sine_0) * _s1))
     _s88 = along_1 - (omega_0 * ((climb_0 * sine_0) * _s1))
-    return _s20, _k100 * _s4, _s39 + ((_s54 * _s69) + _s73), _s69, _s39, ((p_gravity * sine_0) - _s74) - (cosine_0 * _s75), climb_0 * ((cosine_0 * _s76) + (sine_0 * (_s77 * _s11))), _s86, (_k89 * p_gravity) * (climb_0 * cosine_0), (cos_0 * _s87) - (sin_0 * _s88), (cos_0 * _s88) + (sin_0 * _s87), ((climb_1 * cosine_0) * _s1) - (sine_0 * _s74)
+    return _s20, _k103 * _s4, _s39 + ((_s54 * _s69) + _s73), _s69, _s39, ((p_gravity * sine_0) - _s74) - (cosine_0 * _s75), climb_0 * ((cosine_0 * _s76) + (sine_0 * (_s77 * _s11))), _s86, (_k92 * p_gravity) * (climb_0 * cosine_0), (cos_0 * _s87) - (sin_0 * _s88), (cos_0 * _s88) + (sin_0 * _s87), ((climb_1 * cosine_0) * _s1) - (sine_0 * _s74)
 
 
 def _ring_round_pulled_alone(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, p_gravity: Any, omega_0: Any, omega_1: Any, turn_rate_0: Any, turn_rate_1: Any) -> tuple[Any, ...]:
@@ -7328,19 +7355,19 @@ def _ring_round_pulled_alone(climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1
     _s2 = _k3 * (cosine_0 * _s1)
     _s3 = _s2 * (_k3 * ((cosine_0 * ((omega_0 * turn_rate_1) + (omega_1 * turn_rate_0))) + (cosine_1 * _s1)))
     _s4 = _k31 * ((_s0 * (_k3 * ((climb_0 * turn_rate_1) + (climb_1 * turn_rate_0)))) + _s3)
-    return (_s0 * _s0) + (_s2 * _s2), _s4, _k109, _k2
+    return (_s0 * _s0) + (_s2 * _s2), _s4, _k112, _k2
 
 
 def _ring_swung_alone(p_ball_radius: Any, berth: Any, circled: Any, climb: Any, climb_0: Any, doubt: Any, fastest: Any, force: Any, force_bend: Any, force_rate: Any, p_gravity: Any, position_error: Any, stride: Any, sway: Any, velocity_error: Any, which: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Do `ring_swung` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
     _s1 = stride * stride
-    _s2 = ((_k116 * _s0) < (berth - ((_k35 * sway) * _s1))) and ((_k221 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
+    _s2 = ((_k119 * _s0) < (berth - ((_k35 * sway) * _s1))) and ((_k224 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
     _s3 = _s2 and (which == _k43)
-    _s4 = ((climb * climb_0) < _k2) and (((_k84 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
+    _s4 = ((climb * climb_0) < _k2) and (((_k87 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
     _s5 = (_s3 and _s4) and (_k2 < circled)
     _s6 = p_gravity + ((fastest * fastest) * (_k1 / _s0))
-    _s7 = not ((_s6 * (_k222 * ((fastest * velocity_error) + (position_error * _s6)))) < ((_k116 * (p_gravity * p_gravity)) * _s0))
+    _s7 = not ((_s6 * (_k225 * ((fastest * velocity_error) + (position_error * _s6)))) < ((_k119 * (p_gravity * p_gravity)) * _s0))
     return (_k1 if _s4 else circled) if _s3 else _k2, _s5, _k2 if (_s5 and _s7) else doubt
 
 
@@ -7365,10 +7392,10 @@ def _ring_round_2_alone(along_2: Any, around_0: Any, around_1: Any, p_ball_radiu
     _s0 = p_ball_radius + p_wire_radius
     _s1 = near_0 * (along_2 - (_s0 * ((cosine_1 * omega_1) + (cosine_2 * omega_0))))
     _s2 = ((climb_0 * _s1) + (climb_1 * omega_1)) + (climb_2 * omega_0)
-    _s3 = -((_k62 * per_reach) * (((_k4 * cosine_2) * p_gravity) + (((omega_0 * tilted_2) + (omega_1 * tilted_1)) + (tilted_0 * _s1))))
-    _s4 = _k62 * ((_s0 * (((around_0 * sine_2) + (around_1 * sine_1)) + (sine_0 * _s2))) - (_k3 * (((climb_0 * turn_rate_2) + (climb_1 * turn_rate_1)) + (climb_2 * turn_rate_0))))
-    _s5 = _k62 * (((_k4 * p_ring_radius) * (((around_0 * cosine_2) + (around_1 * cosine_1)) + (cosine_0 * _s2))) + (_s0 * _s2))
-    return _s1, _s2, -(_k62 * (((climb_0 * sine_2) + (climb_1 * sine_1)) + (climb_2 * sine_0))), _k62 * (((climb_0 * cosine_2) + (climb_1 * cosine_1)) + (climb_2 * cosine_0)), _s3, _s4, (_k62 * p_ring_radius) * _s2, _s5
+    _s3 = -((_k65 * per_reach) * (((_k4 * cosine_2) * p_gravity) + (((omega_0 * tilted_2) + (omega_1 * tilted_1)) + (tilted_0 * _s1))))
+    _s4 = _k65 * ((_s0 * (((around_0 * sine_2) + (around_1 * sine_1)) + (sine_0 * _s2))) - (_k3 * (((climb_0 * turn_rate_2) + (climb_1 * turn_rate_1)) + (climb_2 * turn_rate_0))))
+    _s5 = _k65 * (((_k4 * p_ring_radius) * (((around_0 * cosine_2) + (around_1 * cosine_1)) + (cosine_0 * _s2))) + (_s0 * _s2))
+    return _s1, _s2, -(_k65 * (((climb_0 * sine_2) + (climb_1 * sine_1)) + (climb_2 * sine_0))), _k65 * (((climb_0 * cosine_2) + (climb_1 * cosine_1)) + (climb_2 * cosine_0)), _s3, _s4, (_k65 * p_ring_radius) * _s2, _s5
 
 
 def _ring_round_3_alone(along_3: Any, around_0: Any, around_1: Any, around_2: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7389,13 +7416,13 @@ def _ring_round_4_alone(along_4: Any, around_0: Any, around_1: Any, around_2: An
     _s1 = along_4 - (_s0 * ((((cosine_1 * omega_3) + (cosine_2 * omega_2)) + (cosine_3 * omega_1)) + (cosine_4 * omega_0)))
     _s2 = near_0 * _s1
     _s3 = ((((climb_0 * _s2) + (climb_1 * omega_3)) + (climb_2 * omega_2)) + (climb_3 * omega_1)) + (climb_4 * omega_0)
-    _s4 = _k66 * (((((climb_0 * sine_4) + (climb_1 * sine_3)) + (climb_2 * sine_2)) + (climb_3 * sine_1)) + (climb_4 * sine_0))
-    _s5 = _k66 * (((((climb_0 * cosine_4) + (climb_1 * cosine_3)) + (climb_2 * cosine_2)) + (climb_3 * cosine_1)) + (climb_4 * cosine_0))
+    _s4 = _k69 * (((((climb_0 * sine_4) + (climb_1 * sine_3)) + (climb_2 * sine_2)) + (climb_3 * sine_1)) + (climb_4 * sine_0))
+    _s5 = _k69 * (((((climb_0 * cosine_4) + (climb_1 * cosine_3)) + (climb_2 * cosine_2)) + (climb_3 * cosine_1)) + (climb_4 * cosine_0))
     _s6 = ((_k4 * cosine_4) * p_gravity) + (((((omega_0 * tilted_4) + (omega_1 * tilted_3)) + (omega_2 * tilted_2)) + (omega_3 * tilted_1)) + (tilted_0 * _s2))
     _s7 = _s0 * (((((around_0 * sine_4) + (around_1 * sine_3)) + (around_2 * sine_2)) + (around_3 * sine_1)) + (sine_0 * _s3))
     _s8 = _k3 * (((((climb_0 * turn_rate_4) + (climb_1 * turn_rate_3)) + (climb_2 * turn_rate_2)) + (climb_3 * turn_rate_1)) + (climb_4 * turn_rate_0))
     _s9 = (_k4 * p_ring_radius) * (((((around_0 * cosine_4) + (around_1 * cosine_3)) + (around_2 * cosine_2)) + (around_3 * cosine_1)) + (cosine_0 * _s3))
-    return _s2, _s3, -_s4, _s5, -((_k66 * per_reach) * _s6), _k66 * (_s7 - _s8), (_k66 * p_ring_radius) * _s3, _k66 * (_s9 + (_s0 * _s3))
+    return _s2, _s3, -_s4, _s5, -((_k69 * per_reach) * _s6), _k69 * (_s7 - _s8), (_k69 * p_ring_radius) * _s3, _k69 * (_s9 + (_s0 * _s3))
 
 
 def _ring_round_5_alone(along_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7410,7 +7437,7 @@ def _ring_round_5_alone(along_5: Any, around_0: Any, around_1: Any, around_2: An
     _s7 = (((((around_0 * sine_5) + (around_1 * sine_4)) + (around_2 * sine_3)) + (around_3 * sine_2)) + (around_4 * sine_1)) + (sine_0 * _s3)
     _s8 = (((((climb_0 * turn_rate_5) + (climb_1 * turn_rate_4)) + (climb_2 * turn_rate_3)) + (climb_3 * turn_rate_2)) + (climb_4 * turn_rate_1)) + (climb_5 * turn_rate_0)
     _s9 = (((((around_0 * cosine_5) + (around_1 * cosine_4)) + (around_2 * cosine_3)) + (around_3 * cosine_2)) + (around_4 * cosine_1)) + (cosine_0 * _s3)
-    return _s2, _s3, -(_k70 * _s4), _k70 * _s5, -((_k70 * per_reach) * (((_k4 * cosine_5) * p_gravity) + _s6)), _k70 * ((_s0 * _s7) - (_k3 * _s8)), (_k70 * p_ring_radius) * _s3, _k70 * (((_k4 * p_ring_radius) * _s9) + (_s0 * _s3))
+    return _s2, _s3, -(_k73 * _s4), _k73 * _s5, -((_k73 * per_reach) * (((_k4 * cosine_5) * p_gravity) + _s6)), _k73 * ((_s0 * _s7) - (_k3 * _s8)), (_k73 * p_ring_radius) * _s3, _k73 * (((_k4 * p_ring_radius) * _s9) + (_s0 * _s3))
 
 
 def _ring_round_6_alone(along_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7426,7 +7453,7 @@ def _ring_round_6_alone(along_6: Any, around_0: Any, around_1: Any, around_2: An
     _s8 = (((((around_0 * sine_6) + (around_1 * sine_5)) + (around_2 * sine_4)) + (around_3 * sine_3)) + (around_4 * sine_2)) + (around_5 * sine_1)
     _s9 = (((((climb_0 * turn_rate_6) + (climb_1 * turn_rate_5)) + (climb_2 * turn_rate_4)) + (climb_3 * turn_rate_3)) + (climb_4 * turn_rate_2)) + (climb_5 * turn_rate_1)
     _s10 = (((((around_0 * cosine_6) + (around_1 * cosine_5)) + (around_2 * cosine_4)) + (around_3 * cosine_3)) + (around_4 * cosine_2)) + (around_5 * cosine_1)
-    return _s2, _s4, -(_k72 * (_s5 + (climb_6 * sine_0))), _k72 * (_s6 + (climb_6 * cosine_0)), -((_k72 * per_reach) * (((_k4 * cosine_6) * p_gravity) + (_s7 + (tilted_0 * _s2)))), _k72 * ((_s0 * (_s8 + (sine_0 * _s4))) - (_k3 * (_s9 + (climb_6 * turn_rate_0)))), (_k72 * p_ring_radius) * _s4, _k72 * (((_k4 * p_ring_radius) * (_s10 + (cosine_0 * _s4))) + (_s0 * _s4))
+    return _s2, _s4, -(_k75 * (_s5 + (climb_6 * sine_0))), _k75 * (_s6 + (climb_6 * cosine_0)), -((_k75 * per_reach) * (((_k4 * cosine_6) * p_gravity) + (_s7 + (tilted_0 * _s2)))), _k75 * ((_s0 * (_s8 + (sine_0 * _s4))) - (_k3 * (_s9 + (climb_6 * turn_rate_0)))), (_k75 * p_ring_radius) * _s4, _k75 * (((_k4 * p_ring_radius) * (_s10 + (cosine_0 * _s4))) + (_s0 * _s4))
 
 
 def _ring_round_7_alone(along_7: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7456,16 +7483,16 @@ def _ring_round_8_alone(along_8: Any, around_0: Any, around_1: Any, around_2: An
     _s3 = (((((climb_0 * _s2) + (climb_1 * omega_7)) + (climb_2 * omega_6)) + (climb_3 * omega_5)) + (climb_4 * omega_4)) + (climb_5 * omega_3)
     _s4 = ((_s3 + (climb_6 * omega_2)) + (climb_7 * omega_1)) + (climb_8 * omega_0)
     _s5 = (((((climb_0 * sine_8) + (climb_1 * sine_7)) + (climb_2 * sine_6)) + (climb_3 * sine_5)) + (climb_4 * sine_4)) + (climb_5 * sine_3)
-    _s6 = -(_k76 * (((_s5 + (climb_6 * sine_2)) + (climb_7 * sine_1)) + (climb_8 * sine_0)))
+    _s6 = -(_k79 * (((_s5 + (climb_6 * sine_2)) + (climb_7 * sine_1)) + (climb_8 * sine_0)))
     _s7 = (((((climb_0 * cosine_8) + (climb_1 * cosine_7)) + (climb_2 * cosine_6)) + (climb_3 * cosine_5)) + (climb_4 * cosine_4)) + (climb_5 * cosine_3)
     _s8 = (((((omega_0 * tilted_8) + (omega_1 * tilted_7)) + (omega_2 * tilted_6)) + (omega_3 * tilted_5)) + (omega_4 * tilted_4)) + (omega_5 * tilted_3)
-    _s9 = (_k76 * per_reach) * (((_k4 * cosine_8) * p_gravity) + (((_s8 + (omega_6 * tilted_2)) + (omega_7 * tilted_1)) + (tilted_0 * _s2)))
+    _s9 = (_k79 * per_reach) * (((_k4 * cosine_8) * p_gravity) + (((_s8 + (omega_6 * tilted_2)) + (omega_7 * tilted_1)) + (tilted_0 * _s2)))
     _s10 = (((((around_0 * sine_8) + (around_1 * sine_7)) + (around_2 * sine_6)) + (around_3 * sine_5)) + (around_4 * sine_4)) + (around_5 * sine_3)
     _s11 = (((((climb_0 * turn_rate_8) + (climb_1 * turn_rate_7)) + (climb_2 * turn_rate_6)) + (climb_3 * turn_rate_5)) + (climb_4 * turn_rate_4)) + (climb_5 * turn_rate_3)
     _s12 = (_s0 * (((_s10 + (around_6 * sine_2)) + (around_7 * sine_1)) + (sine_0 * _s4))) - (_k3 * (((_s11 + (climb_6 * turn_rate_2)) + (climb_7 * turn_rate_1)) + (climb_8 * turn_rate_0)))
     _s13 = (((((around_0 * cosine_8) + (around_1 * cosine_7)) + (around_2 * cosine_6)) + (around_3 * cosine_5)) + (around_4 * cosine_4)) + (around_5 * cosine_3)
     _s14 = ((_k4 * p_ring_radius) * (((_s13 + (around_6 * cosine_2)) + (around_7 * cosine_1)) + (cosine_0 * _s4))) + (_s0 * _s4)
-    return _s2, _s4, _s6, _k76 * (((_s7 + (climb_6 * cosine_2)) + (climb_7 * cosine_1)) + (climb_8 * cosine_0)), -_s9, _k76 * _s12, (_k76 * p_ring_radius) * _s4, _k76 * _s14
+    return _s2, _s4, _s6, _k79 * (((_s7 + (climb_6 * cosine_2)) + (climb_7 * cosine_1)) + (climb_8 * cosine_0)), -_s9, _k79 * _s12, (_k79 * p_ring_radius) * _s4, _k79 * _s14
 
 
 def _ring_round_9_alone(along_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7477,9 +7504,9 @@ def _ring_round_9_alone(along_9: Any, around_0: Any, around_1: Any, around_2: An
     _s4 = (((((climb_0 * _s3) + (climb_1 * omega_8)) + (climb_2 * omega_7)) + (climb_3 * omega_6)) + (climb_4 * omega_5)) + (climb_5 * omega_4)
     _s5 = (((_s4 + (climb_6 * omega_3)) + (climb_7 * omega_2)) + (climb_8 * omega_1)) + (climb_9 * omega_0)
     _s6 = (((((climb_0 * sine_9) + (climb_1 * sine_8)) + (climb_2 * sine_7)) + (climb_3 * sine_6)) + (climb_4 * sine_5)) + (climb_5 * sine_4)
-    _s7 = _k200 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
+    _s7 = _k203 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
     _s8 = (((((climb_0 * cosine_9) + (climb_1 * cosine_8)) + (climb_2 * cosine_7)) + (climb_3 * cosine_6)) + (climb_4 * cosine_5)) + (climb_5 * cosine_4)
-    _s9 = _k200 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
+    _s9 = _k203 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
     _s10 = (((((omega_0 * tilted_9) + (omega_1 * tilted_8)) + (omega_2 * tilted_7)) + (omega_3 * tilted_6)) + (omega_4 * tilted_5)) + (omega_5 * tilted_4)
     _s11 = ((_k4 * cosine_9) * p_gravity) + ((((_s10 + (omega_6 * tilted_3)) + (omega_7 * tilted_2)) + (omega_8 * tilted_1)) + (tilted_0 * _s3))
     _s12 = (((((around_0 * sine_9) + (around_1 * sine_8)) + (around_2 * sine_7)) + (around_3 * sine_6)) + (around_4 * sine_5)) + (around_5 * sine_4)
@@ -7488,7 +7515,7 @@ def _ring_round_9_alone(along_9: Any, around_0: Any, around_1: Any, around_2: An
     _s15 = _k3 * ((((_s14 + (climb_6 * turn_rate_3)) + (climb_7 * turn_rate_2)) + (climb_8 * turn_rate_1)) + (climb_9 * turn_rate_0))
     _s16 = (((((around_0 * cosine_9) + (around_1 * cosine_8)) + (around_2 * cosine_7)) + (around_3 * cosine_6)) + (around_4 * cosine_5)) + (around_5 * cosine_4)
     _s17 = (_k4 * p_ring_radius) * ((((_s16 + (around_6 * cosine_3)) + (around_7 * cosine_2)) + (around_8 * cosine_1)) + (cosine_0 * _s5))
-    return _s3, _s5, -_s7, _s9, -((_k200 * per_reach) * _s11), _k200 * (_s13 - _s15), (_k200 * p_ring_radius) * _s5, _k200 * (_s17 + (_s0 * _s5))
+    return _s3, _s5, -_s7, _s9, -((_k203 * per_reach) * _s11), _k203 * (_s13 - _s15), (_k203 * p_ring_radius) * _s5, _k203 * (_s17 + (_s0 * _s5))
 
 
 def _ring_round_10_alone(along_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7511,7 +7538,7 @@ def _ring_round_10_alone(along_10: Any, around_0: Any, around_1: Any, around_2: 
     _s15 = ((((_s14 + (climb_5 * turn_rate_5)) + (climb_6 * turn_rate_4)) + (climb_7 * turn_rate_3)) + (climb_8 * turn_rate_2)) + (climb_9 * turn_rate_1)
     _s16 = (((((around_0 * cosine_10) + (around_1 * cosine_9)) + (around_2 * cosine_8)) + (around_3 * cosine_7)) + (around_4 * cosine_6)) + (around_5 * cosine_5)
     _s17 = ((((_s16 + (around_6 * cosine_4)) + (around_7 * cosine_3)) + (around_8 * cosine_2)) + (around_9 * cosine_1)) + (cosine_0 * _s5)
-    return _s3, _s5, -(_k201 * _s7), _k201 * _s9, -((_k201 * per_reach) * (((_k4 * cosine_10) * p_gravity) + _s11)), _k201 * ((_s0 * _s13) - (_k3 * _s15)), (_k201 * p_ring_radius) * _s5, _k201 * (((_k4 * p_ring_radius) * _s17) + (_s0 * _s5))
+    return _s3, _s5, -(_k204 * _s7), _k204 * _s9, -((_k204 * per_reach) * (((_k4 * cosine_10) * p_gravity) + _s11)), _k204 * ((_s0 * _s13) - (_k3 * _s15)), (_k204 * p_ring_radius) * _s5, _k204 * (((_k4 * p_ring_radius) * _s17) + (_s0 * _s5))
 
 
 def _ring_round_11_alone(along_11: Any, around_0: Any, around_1: Any, around_10: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, p_ball_radius: Any, climb_0: Any, climb_1: Any, climb_10: Any, climb_11: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_10: Any, cosine_11: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, p_gravity: Any, near_0: Any, omega_0: Any, omega_1: Any, omega_10: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, per_reach: Any, p_ring_radius: Any, sine_0: Any, sine_1: Any, sine_10: Any, sine_11: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, tilted_0: Any, tilted_1: Any, tilted_10: Any, tilted_11: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_10: Any, turn_rate_11: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -7535,7 +7562,7 @@ def _ring_round_11_alone(along_11: Any, around_0: Any, around_1: Any, around_10:
     _s16 = ((((_s15 + (climb_4 * turn_rate_7)) + (climb_5 * turn_rate_6)) + (climb_6 * turn_rate_5)) + (climb_7 * turn_rate_4)) + (climb_8 * turn_rate_3)
     _s17 = (((((around_0 * cosine_11) + (around_1 * cosine_10)) + (around_10 * cosine_1)) + (around_2 * cosine_9)) + (around_3 * cosine_8)) + (around_4 * cosine_7)
     _s18 = ((((_s17 + (around_5 * cosine_6)) + (around_6 * cosine_5)) + (around_7 * cosine_4)) + (around_8 * cosine_3)) + (around_9 * cosine_2)
-    return _s3, _s6, -(_k202 * (_s8 + (climb_9 * sine_2))), _k202 * (_s10 + (climb_9 * cosine_2)), -((_k202 * per_reach) * (((_k4 * cosine_11) * p_gravity) + (_s12 + (tilted_0 * _s3)))), _k202 * ((_s0 * (_s14 + (sine_0 * _s6))) - (_k3 * (_s16 + (climb_9 * turn_rate_2)))), (_k202 * p_ring_radius) * _s6, _k202 * (((_k4 * p_ring_radius) * (_s18 + (cosine_0 * _s6))) + (_s0 * _s6))
+    return _s3, _s6, -(_k205 * (_s8 + (climb_9 * sine_2))), _k205 * (_s10 + (climb_9 * cosine_2)), -((_k205 * per_reach) * (((_k4 * cosine_11) * p_gravity) + (_s12 + (tilted_0 * _s3)))), _k205 * ((_s0 * (_s14 + (sine_0 * _s6))) - (_k3 * (_s16 + (climb_9 * turn_rate_2)))), (_k205 * p_ring_radius) * _s6, _k205 * (((_k4 * p_ring_radius) * (_s18 + (cosine_0 * _s6))) + (_s0 * _s6))
 
 
 def _ring_enter_alone(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
@@ -7573,7 +7600,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s7 = p_ball_radius + p_board_half_width
     _s8 = _s7 if _s7 < _s2 else _s2
     _s9 = _s6 if _s6 < _s8 else _s8
-    _s10 = _k224 * _s9
+    _s10 = _k227 * _s9
     _s11 = _s2 + _s10
     _s12 = p_board_distance + _s1
     _s13 = _s12 + x
@@ -7597,7 +7624,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s31 = _s30 if _s21 < _s30 else _s21
     _s32 = _s22 + (_s25 * (_s23 - _s24))
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = (_s27 * (vz + _s28)) if _s29 else _k109
+    _s34 = (_s27 * (vz + _s28)) if _s29 else _k112
     _s35 = _k2 < _s32
     _s36 = (_s27 * (vz - _s33)) if _s35 else _s34
     _s37 = (_s18 - _s19) / _s17
@@ -7612,11 +7639,11 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k31 * (((_k225 * abs((-p_gravity))) * (p_ball_radius + (_k122 * _s9))) + (_k59 * (_s48 * _s48)))
+    _s49 = _k31 * (((_k228 * abs((-p_gravity))) * (p_ball_radius + (_k125 * _s9))) + (_k62 * (_s48 * _s48)))
     _s50 = _s7 if _s2 < _s7 else _s2
     _s51 = ((_s12 + extent) + abs((_s5 + _s3))) + (_s6 if _s50 < _s6 else _s50)
     _s52 = (_root(_k31) * _root((_s27 * (_s51 + _s9)))) + ((_k31 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k129 * (((speed * speed) * _s27) + _s51))) - (_k117 * _s9)
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k132 * (((speed * speed) * _s27) + _s51))) - (_k120 * _s9)
     return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53
 
 
@@ -7626,21 +7653,21 @@ def _backboard_margins_alone(horizon: Any, extent: Any, speed: Any, position_err
     _s1 = p_ball_radius + p_board_half_width
     _s2 = p_ball_radius + (_k0 * p_board_thickness)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k122 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k125 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
     _s7 = _k38 * _s6
     _s8 = _k31 * ((position_error + (horizon * velocity_error)) + (_k21 * _s6))
-    _s9 = ((_k232 * p_board_half_width) + _s7) + _s8
-    _s10 = _k231 * _s4
-    _s11 = (((_k232 * p_board_distance) + (_k38 * p_board_thickness)) + (_k232 * _s6)) + _s8
+    _s9 = ((_k235 * p_board_half_width) + _s7) + _s8
+    _s10 = _k234 * _s4
+    _s11 = (((_k235 * p_board_distance) + (_k38 * p_board_thickness)) + (_k235 * _s6)) + _s8
     _s12 = (((_k38 * abs(p_board_bottom)) + (_k38 * abs(p_board_top))) + _s7) + _s8
-    _s13 = ((((_k230 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k233 * horizon) * _s4) * _s5)
-    _s14 = _k236 * _s5
-    _s15 = ((((_k234 * _s4) * (velocity_error + (_k232 * _s5))) + ((_k235 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k231 * _s5
-    _s17 = ((((_k237 * _s4) * (velocity_error + (_k38 * _s5))) + ((_k238 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k233 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s13 = ((((_k233 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k236 * horizon) * _s4) * _s5)
+    _s14 = _k239 * _s5
+    _s15 = ((((_k237 * _s4) * (velocity_error + (_k235 * _s5))) + ((_k238 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k234 * _s5
+    _s17 = ((((_k240 * _s4) * (velocity_error + (_k38 * _s5))) + ((_k241 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k236 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7716,18 +7743,18 @@ def _backboard_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_m
     _s34 = p_ball_radius + p_board_half_width
     _s35 = p_ball_radius + (_k0 * p_board_thickness)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k122 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k125 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
     _s41 = -_s31
     _s42 = _s38 < _k2
     _s43 = _k31 * _s40
-    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k46 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
+    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k49 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
     _s45 = end - t
     _s46 = _s44 if _s44 < _s45 else _s45
     _s47 = ((((_k0 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
-    _s48 = (_k95 * ceiling) + (_k31 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
+    _s48 = (_k98 * ceiling) + (_k31 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
     _s49 = ((_k31 * _s48) * _s40) + (_s38 * _s38)
     _s50 = _root(_s49)
     _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if _k2 < _s48 else _k2))) if (_k2 <= _s49) else _k10
@@ -7769,18 +7796,18 @@ def _backboard_off_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distan
 
 def _backboard_tube_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_tube` for one shot."""
-    _s0 = _k83 * p_ball_radius
-    _s1 = (_s0 + (_k56 * p_board_distance)) + (_k83 * p_board_thickness)
+    _s0 = _k86 * p_ball_radius
+    _s1 = (_s0 + (_k58 * p_board_distance)) + (_k86 * p_board_thickness)
     _s2 = p_board_distance + x
     _s3 = -_s1
     _s4 = -((p_board_distance + p_board_thickness) + x)
     _s5 = _k1 if (((_s1 < _s2) or ((_s3 < _s2) and (_k2 < vx))) or ((_s1 < _s4) or ((_s3 < _s4) and (_k2 < (-vx))))) else _k2
-    _s6 = _s0 + (_k56 * p_board_half_width)
+    _s6 = _s0 + (_k58 * p_board_half_width)
     _s7 = y - p_board_half_width
     _s8 = -_s6
     _s9 = -(p_board_half_width + y)
     _s10 = _k1 if (((_s6 < _s7) or ((_s8 < _s7) and (_k2 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (_k2 < (-vy))))) else _k2
-    _s11 = (_s0 + (_k83 * abs(p_board_bottom))) + (_k83 * abs(p_board_top))
+    _s11 = (_s0 + (_k86 * abs(p_board_bottom))) + (_k86 * abs(p_board_top))
     _s12 = z - p_board_top
     _s13 = -_s11
     _s14 = p_board_bottom - z
@@ -7820,7 +7847,7 @@ def _backboard_parting_alone(p_board_bottom: Any, p_board_distance: Any, p_board
     _s27 = _s18 * _s25
     _s28 = _s20 * _s24
     _s29 = _s27 + _s28
-    _s30 = _s29 + (_s27 + (_s15 * (_k31 * (_k59 * (_s19 * _s19)))))
+    _s30 = _s29 + (_s27 + (_s15 * (_k31 * (_k62 * (_s19 * _s19)))))
     _s31 = ((_s26 * _s17) + ((_s23 * _s21) * _s15)) + (_k31 * ((((_s18 * _s18) * _s16) + ((_s18 * _s21) * _s15)) + ((_s16 * _s24) * _s15)))
     _s32 = _k0 * (_s30 + (_s29 + ((_s14 * (-_s31)) + _s28)))
     return _s21, _s26, _s32
@@ -7828,32 +7855,32 @@ def _backboard_parting_alone(p_board_bottom: Any, p_board_distance: Any, p_board
 
 def _backboard_seam0_alone(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `backboard_seam0` for one shot."""
-    return (p_board_distance + p_board_thickness) + x, vx, ((_k83 * p_ball_radius) + (_k56 * p_board_distance)) + (_k83 * p_board_thickness)
+    return (p_board_distance + p_board_thickness) + x, vx, ((_k86 * p_ball_radius) + (_k58 * p_board_distance)) + (_k86 * p_board_thickness)
 
 
 def _backboard_seam1_alone(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `backboard_seam1` for one shot."""
-    return p_board_distance + x, vx, ((_k83 * p_ball_radius) + (_k56 * p_board_distance)) + (_k83 * p_board_thickness)
+    return p_board_distance + x, vx, ((_k86 * p_ball_radius) + (_k58 * p_board_distance)) + (_k86 * p_board_thickness)
 
 
 def _backboard_seam2_alone(p_ball_radius: Any, p_board_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `backboard_seam2` for one shot."""
-    return p_board_half_width + y, vy, (_k83 * p_ball_radius) + (_k56 * p_board_half_width)
+    return p_board_half_width + y, vy, (_k86 * p_ball_radius) + (_k58 * p_board_half_width)
 
 
 def _backboard_seam3_alone(p_ball_radius: Any, p_board_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `backboard_seam3` for one shot."""
-    return y - p_board_half_width, vy, (_k83 * p_ball_radius) + (_k56 * p_board_half_width)
+    return y - p_board_half_width, vy, (_k86 * p_ball_radius) + (_k58 * p_board_half_width)
 
 
 def _backboard_seam4_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, vz: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_seam4` for one shot."""
-    return z - p_board_bottom, vz, ((_k83 * p_ball_radius) + (_k83 * abs(p_board_bottom))) + (_k83 * abs(p_board_top))
+    return z - p_board_bottom, vz, ((_k86 * p_ball_radius) + (_k86 * abs(p_board_bottom))) + (_k86 * abs(p_board_top))
 
 
 def _backboard_seam5_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, vz: Any, z: Any) -> tuple[Any, ...]:
     """Do `backboard_seam5` for one shot."""
-    return z - p_board_top, vz, ((_k83 * p_ball_radius) + (_k83 * abs(p_board_bottom))) + (_k83 * abs(p_board_top))
+    return z - p_board_top, vz, ((_k86 * p_ball_radius) + (_k86 * abs(p_board_bottom))) + (_k86 * abs(p_board_top))
 
 
 def _backboard_around_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -7909,7 +7936,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s7 = _s2 - _s6
     _s8 = _s5 if _s5 < _s7 else _s7
     _s9 = _s4 if _s4 < _s8 else _s8
-    _s10 = _k224 * _s9
+    _s10 = _k227 * _s9
     _s11 = (_s2 + _s10) - _s6
     _s12 = (_s1 + _s6) + x
     _s13 = (-_s12) if (vx < _k2) else _s12
@@ -7932,7 +7959,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s30 = _s29 if _s20 < _s29 else _s20
     _s31 = _s21 + (_s24 * (_s23 - _s22))
     _s32 = _root((_k2 if _s31 < _k2 else _s31))
-    _s33 = (_s26 * (vz + _s27)) if _s28 else _k109
+    _s33 = (_s26 * (vz + _s27)) if _s28 else _k112
     _s34 = _k2 < _s31
     _s35 = (_s26 * (vz - _s32)) if _s34 else _s33
     _s36 = (_s17 - _s18) / _s16
@@ -7947,11 +7974,11 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s45 = _s43 if _s44 < _s43 else _s44
     _s46 = _s45 if _s45 < horizon else horizon
     _s47 = speed + (p_gravity * _s46)
-    _s48 = _k31 * (((_k225 * abs((-p_gravity))) * (p_ball_radius + (_k122 * _s9))) + (_k59 * (_s47 * _s47)))
+    _s48 = _k31 * (((_k228 * abs((-p_gravity))) * (p_ball_radius + (_k125 * _s9))) + (_k62 * (_s47 * _s47)))
     _s49 = _s5 if _s7 < _s5 else _s7
     _s50 = (((_s1 + extent) + _s6) + abs((_s3 - p_wire_radius))) + (_s4 if _s49 < _s4 else _s49)
     _s51 = (_root(_k31) * _root((_s26 * (_s50 + _s9)))) + ((_k31 * speed) * _s26)
-    _s52 = ((position_error + (velocity_error * (_s51 if _s51 < horizon else horizon))) + (_k129 * (((speed * speed) * _s26) + _s50))) - (_k117 * _s9)
+    _s52 = ((position_error + (velocity_error * (_s51 if _s51 < horizon else horizon))) + (_k132 * (((speed * speed) * _s26) + _s50))) - (_k120 * _s9)
     return _s30 if _k2 < _s30 else _k2, _s40 if _s40 < horizon else horizon, _s42 if _k2 < _s42 else _k2, _s43 if _s43 < horizon else horizon, _s48, _s46, _s52
 
 
@@ -7961,21 +7988,21 @@ def _bridge_margins_alone(horizon: Any, extent: Any, speed: Any, position_error:
     _s1 = p_ball_radius + p_bridge_half_width
     _s2 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k122 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k125 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
     _s7 = _k38 * _s6
     _s8 = _k31 * ((position_error + (horizon * velocity_error)) + (_k21 * _s6))
-    _s9 = ((_k232 * p_bridge_half_width) + _s7) + _s8
-    _s10 = _k231 * _s4
+    _s9 = ((_k235 * p_bridge_half_width) + _s7) + _s8
+    _s10 = _k234 * _s4
     _s11 = (((_k33 * p_board_distance) + (_k33 * p_ring_radius)) + _s7) + _s8
-    _s12 = (((_k38 * p_bridge_depth) + (_k239 * p_wire_radius)) + (_k232 * _s6)) + _s8
-    _s13 = ((((_k230 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k233 * horizon) * _s4) * _s5)
-    _s14 = _k236 * _s5
-    _s15 = ((((_k234 * _s4) * (velocity_error + (_k232 * _s5))) + ((_k235 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k231 * _s5
-    _s17 = ((((_k237 * _s4) * (velocity_error + (_k38 * _s5))) + ((_k238 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k233 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s12 = (((_k38 * p_bridge_depth) + (_k242 * p_wire_radius)) + (_k235 * _s6)) + _s8
+    _s13 = ((((_k233 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k236 * horizon) * _s4) * _s5)
+    _s14 = _k239 * _s5
+    _s15 = ((((_k237 * _s4) * (velocity_error + (_k235 * _s5))) + ((_k238 * _s4) * _s5)) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k234 * _s5
+    _s17 = ((((_k240 * _s4) * (velocity_error + (_k38 * _s5))) + ((_k241 * _s4) * _s5)) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k236 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -8051,18 +8078,18 @@ def _bridge_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_marg
     _s34 = p_ball_radius + p_bridge_half_width
     _s35 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k122 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k125 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
     _s41 = -_s31
     _s42 = _s38 < _k2
     _s43 = _k31 * _s40
-    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k46 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
+    _s44 = _k10 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k49 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
     _s45 = end - t
     _s46 = _s44 if _s44 < _s45 else _s45
     _s47 = ((((_k0 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
-    _s48 = (_k95 * ceiling) + (_k31 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
+    _s48 = (_k98 * ceiling) + (_k31 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
     _s49 = ((_k31 * _s48) * _s40) + (_s38 * _s38)
     _s50 = _root(_s49)
     _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if _k2 < _s48 else _k2))) if (_k2 <= _s49) else _k10
@@ -8104,18 +8131,18 @@ def _bridge_off_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth:
 
 def _bridge_tube_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_tube` for one shot."""
-    _s0 = _k83 * p_ball_radius
-    _s1 = (_s0 + (_k83 * p_board_distance)) + (_k83 * p_ring_radius)
+    _s0 = _k86 * p_ball_radius
+    _s1 = (_s0 + (_k86 * p_board_distance)) + (_k86 * p_ring_radius)
     _s2 = p_ring_radius + x
     _s3 = -_s1
     _s4 = -(p_board_distance + x)
     _s5 = _k1 if (((_s1 < _s2) or ((_s3 < _s2) and (_k2 < vx))) or ((_s1 < _s4) or ((_s3 < _s4) and (_k2 < (-vx))))) else _k2
-    _s6 = _s0 + (_k56 * p_bridge_half_width)
+    _s6 = _s0 + (_k58 * p_bridge_half_width)
     _s7 = y - p_bridge_half_width
     _s8 = -_s6
     _s9 = -(p_bridge_half_width + y)
     _s10 = _k1 if (((_s6 < _s7) or ((_s8 < _s7) and (_k2 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (_k2 < (-vy))))) else _k2
-    _s11 = (_s0 + (_k83 * p_wire_radius)) + (_k83 * abs((p_bridge_depth - p_wire_radius)))
+    _s11 = (_s0 + (_k86 * p_wire_radius)) + (_k86 * abs((p_bridge_depth - p_wire_radius)))
     _s12 = z - p_wire_radius
     _s13 = -_s11
     _s14 = (p_wire_radius - p_bridge_depth) - z
@@ -8155,7 +8182,7 @@ def _bridge_parting_alone(p_board_distance: Any, p_bridge_depth: Any, p_bridge_h
     _s27 = _s18 * _s25
     _s28 = _s20 * _s24
     _s29 = _s27 + _s28
-    _s30 = _s29 + (_s27 + (_s15 * (_k31 * (_k59 * (_s19 * _s19)))))
+    _s30 = _s29 + (_s27 + (_s15 * (_k31 * (_k62 * (_s19 * _s19)))))
     _s31 = ((_s26 * _s17) + ((_s23 * _s21) * _s15)) + (_k31 * ((((_s18 * _s18) * _s16) + ((_s18 * _s21) * _s15)) + ((_s16 * _s24) * _s15)))
     _s32 = _k0 * (_s30 + (_s29 + ((_s14 * (-_s31)) + _s28)))
     return _s21, _s26, _s32
@@ -8163,32 +8190,32 @@ def _bridge_parting_alone(p_board_distance: Any, p_bridge_depth: Any, p_bridge_h
 
 def _bridge_seam0_alone(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `bridge_seam0` for one shot."""
-    return p_board_distance + x, vx, ((_k83 * p_ball_radius) + (_k83 * p_board_distance)) + (_k83 * p_ring_radius)
+    return p_board_distance + x, vx, ((_k86 * p_ball_radius) + (_k86 * p_board_distance)) + (_k86 * p_ring_radius)
 
 
 def _bridge_seam1_alone(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, vx: Any, x: Any) -> tuple[Any, ...]:
     """Do `bridge_seam1` for one shot."""
-    return p_ring_radius + x, vx, ((_k83 * p_ball_radius) + (_k83 * p_board_distance)) + (_k83 * p_ring_radius)
+    return p_ring_radius + x, vx, ((_k86 * p_ball_radius) + (_k86 * p_board_distance)) + (_k86 * p_ring_radius)
 
 
 def _bridge_seam2_alone(p_ball_radius: Any, p_bridge_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `bridge_seam2` for one shot."""
-    return p_bridge_half_width + y, vy, (_k83 * p_ball_radius) + (_k56 * p_bridge_half_width)
+    return p_bridge_half_width + y, vy, (_k86 * p_ball_radius) + (_k58 * p_bridge_half_width)
 
 
 def _bridge_seam3_alone(p_ball_radius: Any, p_bridge_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
     """Do `bridge_seam3` for one shot."""
-    return y - p_bridge_half_width, vy, (_k83 * p_ball_radius) + (_k56 * p_bridge_half_width)
+    return y - p_bridge_half_width, vy, (_k86 * p_ball_radius) + (_k58 * p_bridge_half_width)
 
 
 def _bridge_seam4_alone(p_ball_radius: Any, p_bridge_depth: Any, vz: Any, p_wire_radius: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_seam4` for one shot."""
-    return (p_bridge_depth + z) - p_wire_radius, vz, ((_k83 * p_ball_radius) + (_k83 * p_wire_radius)) + (_k83 * abs((p_bridge_depth - p_wire_radius)))
+    return (p_bridge_depth + z) - p_wire_radius, vz, ((_k86 * p_ball_radius) + (_k86 * p_wire_radius)) + (_k86 * abs((p_bridge_depth - p_wire_radius)))
 
 
 def _bridge_seam5_alone(p_ball_radius: Any, p_bridge_depth: Any, vz: Any, p_wire_radius: Any, z: Any) -> tuple[Any, ...]:
     """Do `bridge_seam5` for one shot."""
-    return z - p_wire_radius, vz, ((_k83 * p_ball_radius) + (_k83 * p_wire_radius)) + (_k83 * abs((p_bridge_depth - p_wire_radius)))
+    return z - p_wire_radius, vz, ((_k86 * p_ball_radius) + (_k86 * p_wire_radius)) + (_k86 * abs((p_bridge_depth - p_wire_radius)))
 
 
 def _bridge_around_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -8560,7 +8587,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k31, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k59, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k62, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
@@ -8627,7 +8654,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
         _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k31, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k59, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k62, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _over_, = _passing_from_alone(_z_)
         _berth_, _, = _alone_alone()
@@ -8676,7 +8703,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _mode_: Any, _p_ball_rad
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k59)
+        _beside_, = _beside_alone(_held_, _k62)
         if _beside_:
             _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
@@ -8750,7 +8777,7 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k31, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k59, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k62, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
@@ -8822,7 +8849,7 @@ def _alone13(_circled_: Any, _circling_: Any, _clock_: Any, _p_ball_radius_: Any
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
         _stride_, _which_, _, _, = _beside_body_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k31, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k59, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _, _, = _beside_gate_alone(_p_ball_radius_, _dent_, _k10, _fastest_, _gap_, _k62, _k2, _nearing_, _k2, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _over_, = _passing_from_alone(_z_)
         _berth_, _, = _alone_alone()
@@ -9224,7 +9251,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k31, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k59, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k62, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
@@ -9336,7 +9363,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
         _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k31, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k59, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k62, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _apart_, = _apart_alone(_p_ball_radius_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, _, _, _, = _neighbour_alone(_apart_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
@@ -9403,7 +9430,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_error_: Any, _dvx_: Any, _dvy_
         if _beside_:
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
-        _beside_, = _beside_alone(_held_, _k59)
+        _beside_, = _beside_alone(_held_, _k62)
         if _beside_:
             _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
             _spare_, = _spared_alone(_dent_, _gap_, _p_gravity_, _nearing_, _spare_, _vx_, _vy_, _vz_)
@@ -9489,7 +9516,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_e
             _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
             _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k31, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k59, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k62, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _here_, = _holding_alone(_held_, _k1)
         if _here_:
             _gap_, _nearing_, _near_, = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _vx_, _x_)
@@ -9606,7 +9633,7 @@ def _alone27(_circled_: Any, _circling_: Any, _clock_: Any, _clock_error_: Any, 
         _gap_, _nearing_, _dent_, = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _vx_, _vy_, _vz_, _p_wire_radius_, _x_, _y_, _z_)
         _stride_, _which_, _doubt_, _late_, = _beside_body_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k31, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _gap_, _nearing_, _dent_, = _end_beside_alone(_p_end_depth_, _vz_, _z_)
-        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k59, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
+        _stride_, _which_, _doubt_, _late_, = _beside_gate_alone(_p_ball_radius_, _dent_, _doubt_, _fastest_, _gap_, _k62, _late_, _nearing_, _position_error_, _stride_, _strongest_, _which_, _x_, _y_, _z_)
         _stride_, _which_, = _beside_time_alone(_clock_, _stride_, _time_limit_, _which_)
         _apart_, = _apart_alone(_p_ball_radius_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, _, _, _, = _neighbour_alone(_apart_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _dx_, _dy_, _dz_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _x_, _y_, _z_)
@@ -9671,7 +9698,7 @@ def permit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _p_tangential_restitution_0 = columns["p_tangential_restitution"]
     _p_wire_radius_0 = columns["p_wire_radius"]
     _allowed_0, = allowed(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _p_ring_restitution_0, _p_backboard_restitution_0, _p_bridge_restitution_0, _p_ring_friction_0, _p_backboard_friction_0, _p_bridge_friction_0, _p_tangential_restitution_0, _p_restitution_speed_0)
-    _permitted_0, = finite_parameters(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _p_ring_restitution_0, _p_backboard_restitution_0, _p_bridge_restitution_0, _p_ring_friction_0, _p_backboard_friction_0, _p_bridge_friction_0, _p_tangential_restitution_0, _p_restitution_speed_0, _allowed_0)
+    _permitted_0, = parameters_in_range(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _p_ring_restitution_0, _p_backboard_restitution_0, _p_bridge_restitution_0, _p_ring_friction_0, _p_backboard_friction_0, _p_bridge_friction_0, _p_tangential_restitution_0, _p_restitution_speed_0, _allowed_0)
     columns["permitted"] = _permitted_0
 
 
@@ -9700,7 +9727,7 @@ def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _y_0 = columns["y"]
     _z_0 = columns["z"]
     _room_0 = room(shots)
-    _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
+    _in_range_0, = state_in_range(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
     _close_0, _valid_0, *_ = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
     _rows1, _count2 = _most(_close_0, shots)
     if _count2:
@@ -9722,7 +9749,7 @@ def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _room_1 = room(_count2)
         _valid_1, *_ = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_end_depth_1, _room_1)
         _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _close_0)
-    _outcome_0, *_ = admitted(_inf, _finite_0, _permitted_0, _valid_0)
+    _outcome_0, *_ = admitted(_inf, _in_range_0, _permitted_0, _valid_0)
     _through_0, *_ = passing_start(_last_0, _outcome_0, 0.0, _x_0, _y_0, _z_0, _p_ring_radius_0, _p_end_depth_0, _room_0)
     columns["outcome"] = _outcome_0
     columns["through"] = _through_0
@@ -12320,7 +12347,7 @@ def permit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _p_tangential_restitution_0 = columns["p_tangential_restitution"]
     _p_wire_radius_0 = columns["p_wire_radius"]
     _allowed_0, = allowed(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _p_ring_restitution_0, _p_backboard_restitution_0, _p_bridge_restitution_0, _p_ring_friction_0, _p_backboard_friction_0, _p_bridge_friction_0, _p_tangential_restitution_0, _p_restitution_speed_0)
-    _permitted_0, = finite_parameters(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _p_ring_restitution_0, _p_backboard_restitution_0, _p_bridge_restitution_0, _p_ring_friction_0, _p_backboard_friction_0, _p_bridge_friction_0, _p_tangential_restitution_0, _p_restitution_speed_0, _allowed_0)
+    _permitted_0, = parameters_in_range(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _p_ring_restitution_0, _p_backboard_restitution_0, _p_bridge_restitution_0, _p_ring_friction_0, _p_backboard_friction_0, _p_bridge_friction_0, _p_tangential_restitution_0, _p_restitution_speed_0, _allowed_0)
     columns["permitted"] = _permitted_0
 
 
@@ -12349,7 +12376,7 @@ def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _y_0 = columns["y"]
     _z_0 = columns["z"]
     _room_0 = room(shots)
-    _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
+    _in_range_0, = state_in_range(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
     _close_0, _valid_0, _doubt_0 = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
     _rows1, _count2 = _most(_close_0, shots)
     if _count2:
@@ -12372,7 +12399,7 @@ def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _valid_1, _doubt_1 = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_end_depth_1, _room_1)
         _doubt_0 = _put(_doubt_0, _rows1, _doubt_1, shots, _close_0)
         _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _close_0)
-    _outcome_0, _uncertain_0 = admitted(_doubt_0, _finite_0, _permitted_0, _valid_0)
+    _outcome_0, _uncertain_0 = admitted(_doubt_0, _in_range_0, _permitted_0, _valid_0)
     _through_0, _uncertain_0 = passing_start(_last_0, _outcome_0, _uncertain_0, _x_0, _y_0, _z_0, _p_ring_radius_0, _p_end_depth_0, _room_0)
     columns["outcome"] = _outcome_0
     columns["through"] = _through_0

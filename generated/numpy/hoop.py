@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 968d841b0ede7c17,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 8b478a501bbb95cb,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -64,6 +64,27 @@ LIMITS: dict[str, tuple[float, float]] = {
 }
 """Of parameters with a largest value: between which they are."""
 
+SIZE_LIMITS: dict[str, tuple[float, float]] = {
+    "ball_radius": (9.313225746154785e-10, 1073741824.0),
+    "ring_radius": (0.0, 1073741824.0),
+    "wire_radius": (0.0, 1073741824.0),
+    "board_distance": (0.0, 1073741824.0),
+    "board_half_width": (0.0, 1073741824.0),
+    "board_bottom": (0.0, 1073741824.0),
+    "board_top": (0.0, 1073741824.0),
+    "bridge_half_width": (0.0, 1073741824.0),
+    "restitution": (0.0, 1.2676506002282294e+30),
+    "gravity": (9.313225746154785e-10, 1073741824.0),
+    "end_depth": (0.0, 1073741824.0),
+}
+"""The least and the largest size of each parameter with which no arithmetic over- or underflows."""
+
+MAX_SIZE = 1073741824.0
+"""The largest size of a component of a release."""
+
+MAX_TIME = 1099511627776.0
+"""The largest finite time limit, s."""
+
 VARIABLES: dict[str, str] = {
     "ball_radius": "p_ball_radius",
     "ring_radius": "p_ring_radius",
@@ -105,7 +126,7 @@ class Outcome(IntEnum):
     SHORT = 3
     """Can never reach an end."""
     INVALID = 4
-    """Not finite, a parameter not allowed, or a ball that starts inside a surface."""
+    """Not finite, not allowed, a size out of range, or a start inside a surface."""
     LODGED = 5
     """At rest, or wedged between bodies."""
     ENDLESS = 6
@@ -214,7 +235,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "error_bounds": ("clock_error", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "claimed_errors": ("clock_error", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "allowed": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_bridge_half_width", "p_restitution", "p_gravity", "p_end_depth",),
-    "finite_parameters": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_restitution", "p_gravity", "p_end_depth", "allowed",),
+    "parameters_in_range": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_restitution", "p_gravity", "p_end_depth", "allowed",),
     "valid": ("last", "x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_end_depth",),
     "aside": ("x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_end_depth",),
     "left": ("index", "last",),
@@ -242,7 +263,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "own_margin": ("arrival", "flat", "leaving", "tilt",),
     "landed": ("arrival",),
     "landed_surely": ("arrives", "certain", "clearance", "delay", "doubt", "time",),
-    "finite_state": ("vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
+    "state_in_range": ("vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
     "opening": ("excess", "position_error", "velocity_error",),
     "limited": ("time_limit",),
     "ticked": ("clock", "when",),
@@ -255,7 +276,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "touched": ("body", "first", "which",),
     "timed": ("claims", "index", "which",),
     "body_of": ("which",),
-    "admitted": ("doubt", "finite", "permitted", "valid",),
+    "admitted": ("doubt", "in_range", "permitted", "valid",),
     "expiry": ("clock", "doubt", "late", "time_error", "time_limit", "when", "which",),
     "departed": ("index", "which",),
     "expired": ("body", "clock", "ends", "index", "reached", "time_limit", "which",),
@@ -339,7 +360,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "error_bounds": ("position_error", "velocity_error", "spin_error", "time_error",),
     "claimed_errors": ("position_error", "velocity_error", "spin_error", "time_error",),
     "allowed": ("allowed",),
-    "finite_parameters": ("permitted",),
+    "parameters_in_range": ("permitted",),
     "valid": ("valid", "doubt",),
     "aside": ("close", "valid", "doubt",),
     "left": ("leaving",),
@@ -367,7 +388,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "own_margin": ("margin",),
     "landed": ("time",),
     "landed_surely": ("delay", "doubt",),
-    "finite_state": ("finite",),
+    "state_in_range": ("in_range",),
     "opening": ("when", "which", "late", "doubt",),
     "limited": ("limited",),
     "ticked": ("clock",),
@@ -482,8 +503,8 @@ _k8 = _scalar(_inf)
 _k9 = _float64(6.0)
 _k10 = _float64(_inf)
 _k11 = _float64(9.5367431640625e-07)
-_k12 = _scalar(2.9073548971824276e+135)
-_k13 = _float64(2.9073548971824276e+135)
+_k12 = _scalar(1.152921504606847e+18)
+_k13 = _float64(1.152921504606847e+18)
 _k14 = _scalar(1.0009765625)
 _k15 = _scalar(4.445228907190568e-16)
 _k16 = _scalar(3.0029296875)
@@ -514,108 +535,111 @@ _k40 = _scalar(_float32(16.0))
 _k41 = _float32(16.0)
 _k42 = _scalar(_float32(64.0))
 _k43 = _float32(64.0)
-_k44 = _scalar(0.5)
-_k45 = _scalar(1.0)
-_k46 = _scalar(2.0)
-_k47 = _scalar(1.7763568394002505e-15)
-_k48 = _float64(2.0)
-_k49 = _float64(4.0)
-_k50 = _float64(1.7763568394002505e-15)
-_k51 = _scalar(8.0)
-_k52 = _float64(8.0)
-_k53 = _float64(2.9802322387695312e-08)
-_k54 = _float64(2.842170943040401e-14)
-_k55 = _float64(0.03125)
-_k56 = _float64(5.960464477539063e-08)
-_k57 = _float64(-1.0)
-_k58 = _float64(3.0)
-_k59 = _scalar(9.313225746154785e-10)
-_k60 = _scalar(1.0000000000009095)
-_k61 = _float64(9.313225746154785e-10)
-_k62 = _float64(1.0000000000009095)
-_k63 = _scalar(0.6)
-_k64 = _float32(0.4)
-_k65 = _scalar(_float32(0.6))
-_k66 = _float32(0.6)
-_k67 = _float64(0.0625)
-_k68 = _scalar(4.0)
-_k69 = _float64(0.000244140625)
-_k70 = _float64(1.52587890625e-05)
-_k71 = _float64(5.820766091346741e-11)
-_k72 = _float64(1.00006103515625)
-_k73 = _float64(65536.0)
-_k74 = _float64(6.0003662109375)
-_k75 = _float64(0.0001220703125)
-_k76 = _scalar(8.881784197001252e-16)
-_k77 = _scalar(2.409919865102884e-181)
-_k78 = _scalar(-_inf)
-_k79 = _float64(8.881784197001252e-16)
-_k80 = _float64(2.409919865102884e-181)
-_k81 = _float64(-_inf)
-_k82 = _scalar(5.0)
-_k83 = _scalar(2.220446049250313e-16)
-_k84 = _scalar(3.552713678800501e-15)
-_k85 = _float64(1.3323489447131243e-15)
-_k86 = _float64(5.00030517578125)
-_k87 = _float64(3.552713678800501e-15)
-_k88 = _float64(5.0)
-_k89 = _float64(2.220446049250313e-16)
-_k90 = _scalar(9.094947017729282e-13)
-_k91 = _float64(9.094947017729282e-13)
-_k92 = _float32(1.00006103515625)
-_k93 = _scalar(_float32(4.76837158203125e-07))
-_k94 = _scalar(_float32(9.5367431640625e-07))
-_k95 = _scalar(_float32(_inf))
-_k96 = _scalar(_float32(8.673617379884035e-19))
-_k97 = _scalar(_float32(-_inf))
-_k98 = _float32(0.0001220703125)
-_k99 = _scalar(_float32(1.000000238418579))
-_k100 = _float32(32.0)
-_k101 = _float32(4096.0)
-_k102 = _float32(0.000244140625)
-_k103 = _scalar(_float32(4096.0))
-_k104 = _float32(4.76837158203125e-07)
-_k105 = _float32(9.5367431640625e-07)
-_k106 = _float32(_inf)
-_k107 = _float32(8.673617379884035e-19)
-_k108 = _float32(-_inf)
-_k109 = _float32(1.000000238418579)
-_k110 = _scalar(_float32(5.0))
-_k111 = _scalar(_float32(0.00390625))
-_k112 = _scalar(_float32(2.9802322387695312e-08))
-_k113 = _scalar(_float32(2.842170943040401e-14))
-_k114 = _float32(4.0)
-_k115 = _float32(6.0003662109375)
-_k116 = _scalar(_float32(0.5))
-_k117 = _scalar(_float32(1.0009765625))
-_k118 = _float32(5.0048828125)
-_k119 = _scalar(_float32(5.684341886080802e-14))
-_k120 = _float32(7.62939453125e-06)
-_k121 = _scalar(_float32(2.384185791015625e-07))
-_k122 = _float32(128.0)
-_k123 = _float32(2.842170943040401e-14)
-_k124 = _float32(0.00390625)
-_k125 = _float32(5.0)
-_k126 = _float32(2.9802322387695312e-08)
-_k127 = _float32(1.0009765625)
-_k128 = _float32(5.684341886080802e-14)
-_k129 = _float32(0.5)
-_k130 = _float32(2.384185791015625e-07)
-_k131 = _float32(6.0)
-_k132 = _scalar(_float32(4.0))
-_k133 = _scalar(_float32(0.0001220703125))
-_k134 = _scalar(_float32(3.814697265625e-06))
-_k135 = _scalar(_float32(3.0))
-_k136 = _scalar(_float32(0.000244140625))
-_k137 = _float32(3.814697265625e-06)
-_k138 = _float32(3.0)
-_k139 = _scalar(2.222614453595284e-16)
-_k140 = _scalar(2.001953125)
-_k141 = _float64(6.667843360785852e-16)
-_k142 = _float64(8.890457814381136e-16)
-_k143 = _float64(2.222614453595284e-16)
-_k144 = _float64(2.001953125)
-_k145 = _float64(7.105427357601002e-15)
+_k44 = _float64(1073741824.0)
+_k45 = _float64(9.313225746154785e-10)
+_k46 = _float64(1.2676506002282294e+30)
+_k47 = _scalar(0.5)
+_k48 = _scalar(1.0)
+_k49 = _scalar(2.0)
+_k50 = _scalar(1.7763568394002505e-15)
+_k51 = _float64(2.0)
+_k52 = _float64(4.0)
+_k53 = _float64(1.7763568394002505e-15)
+_k54 = _scalar(8.0)
+_k55 = _float64(8.0)
+_k56 = _float64(2.9802322387695312e-08)
+_k57 = _float64(2.842170943040401e-14)
+_k58 = _float64(0.03125)
+_k59 = _float64(5.960464477539063e-08)
+_k60 = _scalar(1073741824.0)
+_k61 = _float64(-1.0)
+_k62 = _float64(3.0)
+_k63 = _scalar(9.313225746154785e-10)
+_k64 = _scalar(1.0000000000009095)
+_k65 = _float64(1.0000000000009095)
+_k66 = _scalar(0.6)
+_k67 = _float32(0.4)
+_k68 = _scalar(_float32(0.6))
+_k69 = _float32(0.6)
+_k70 = _float64(0.0625)
+_k71 = _scalar(4.0)
+_k72 = _float64(0.000244140625)
+_k73 = _float64(1.52587890625e-05)
+_k74 = _float64(5.820766091346741e-11)
+_k75 = _float64(1.00006103515625)
+_k76 = _float64(65536.0)
+_k77 = _float64(6.0003662109375)
+_k78 = _float64(0.0001220703125)
+_k79 = _scalar(8.881784197001252e-16)
+_k80 = _scalar(2.409919865102884e-181)
+_k81 = _scalar(-_inf)
+_k82 = _float64(8.881784197001252e-16)
+_k83 = _float64(2.409919865102884e-181)
+_k84 = _float64(-_inf)
+_k85 = _scalar(5.0)
+_k86 = _scalar(2.220446049250313e-16)
+_k87 = _scalar(3.552713678800501e-15)
+_k88 = _float64(1.3323489447131243e-15)
+_k89 = _float64(5.00030517578125)
+_k90 = _float64(3.552713678800501e-15)
+_k91 = _float64(5.0)
+_k92 = _float64(2.220446049250313e-16)
+_k93 = _scalar(9.094947017729282e-13)
+_k94 = _float64(9.094947017729282e-13)
+_k95 = _float32(1.00006103515625)
+_k96 = _scalar(_float32(4.76837158203125e-07))
+_k97 = _scalar(_float32(9.5367431640625e-07))
+_k98 = _scalar(_float32(_inf))
+_k99 = _scalar(_float32(8.673617379884035e-19))
+_k100 = _scalar(_float32(-_inf))
+_k101 = _float32(0.0001220703125)
+_k102 = _scalar(_float32(1.000000238418579))
+_k103 = _float32(32.0)
+_k104 = _float32(4096.0)
+_k105 = _float32(0.000244140625)
+_k106 = _scalar(_float32(4096.0))
+_k107 = _float32(4.76837158203125e-07)
+_k108 = _float32(9.5367431640625e-07)
+_k109 = _float32(_inf)
+_k110 = _float32(8.673617379884035e-19)
+_k111 = _float32(-_inf)
+_k112 = _float32(1.000000238418579)
+_k113 = _scalar(_float32(5.0))
+_k114 = _scalar(_float32(0.00390625))
+_k115 = _scalar(_float32(2.9802322387695312e-08))
+_k116 = _scalar(_float32(2.842170943040401e-14))
+_k117 = _float32(4.0)
+_k118 = _float32(6.0003662109375)
+_k119 = _scalar(_float32(0.5))
+_k120 = _scalar(_float32(1.0009765625))
+_k121 = _float32(5.0048828125)
+_k122 = _scalar(_float32(5.684341886080802e-14))
+_k123 = _float32(7.62939453125e-06)
+_k124 = _scalar(_float32(2.384185791015625e-07))
+_k125 = _float32(128.0)
+_k126 = _float32(2.842170943040401e-14)
+_k127 = _float32(0.00390625)
+_k128 = _float32(5.0)
+_k129 = _float32(2.9802322387695312e-08)
+_k130 = _float32(1.0009765625)
+_k131 = _float32(5.684341886080802e-14)
+_k132 = _float32(0.5)
+_k133 = _float32(2.384185791015625e-07)
+_k134 = _float32(6.0)
+_k135 = _scalar(_float32(4.0))
+_k136 = _scalar(_float32(0.0001220703125))
+_k137 = _scalar(_float32(3.814697265625e-06))
+_k138 = _scalar(_float32(3.0))
+_k139 = _scalar(_float32(0.000244140625))
+_k140 = _float32(3.814697265625e-06)
+_k141 = _float32(3.0)
+_k142 = _scalar(2.222614453595284e-16)
+_k143 = _scalar(2.001953125)
+_k144 = _float64(6.667843360785852e-16)
+_k145 = _float64(8.890457814381136e-16)
+_k146 = _float64(2.222614453595284e-16)
+_k147 = _float64(2.001953125)
+_k148 = _float64(7.105427357601002e-15)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -776,25 +800,17 @@ def horizon(t: Any, speed: Any, p_gravity: Any) -> tuple[Any, ...]:
 
 
 def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Sums of the sizes of the coordinates and of the velocities; excess over the largest.
+    """Sums of the sizes of place and velocity; by how much a flight exceeds the largest.
 
-    what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections.
+    what rounding errors are measured by. 18 operations: 4 additions, 1 subtraction, 2 multiplications, 1 division, 6 absolute values, 2 comparisons, 2 selections.
     Returns extent, speed, excess.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
-    _s0 = _absolute(x, _r0)
-    _s1 = _absolute(y, _r1)
-    _s2 = _absolute(z, _r2)
-    _s3 = _absolute(vx, _r3)
-    _s4 = _absolute(vy, _r4)
-    _s5 = _absolute(vz, _r5)
-    _s6 = 1.0 / p_gravity
-    _s7 = _select(_s6 < _s0, _s0, _s6, _r6)
-    _s8 = _select(_s7 < _s1, _s1, _s7, _r7)
-    _s9 = _select(_s8 < _s2, _s2, _s8, _r8)
-    _s10 = _select(_s9 < _s3, _s3, _s9, _r9)
-    _s11 = _select(_s10 < _s4, _s4, _s10, _r10)
-    return _add(_s0, _s1, _r11) + _s2, _add(_s3, _s4, _r11) + _s5, _select(_s11 < _s5, _s5, _s11, _r11) - _k12
+    _r0, _r1, _r2 = _room[:3]
+    _s0 = _add(_absolute(x, _r0), _absolute(y, _r1), _r1) + _absolute(z, _r0)
+    _s1 = _add(_absolute(vx, _r0), _absolute(vy, _r1), _r1) + _absolute(vz, _r0)
+    _s2 = _select(_s0 < _s1, _s1, _s0, _r0)
+    _s3 = _multiply(1.0 / p_gravity, _multiply(_s1, _s1, _r1), _r1)
+    return _s0, _s1, _select(_s2 < _s3, _s3, _s2, _r2) - _k12
 
 
 def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1004,15 +1020,18 @@ def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_
     return _where((0.0 < p_end_depth), _where((0.0 < p_gravity), _where((p_restitution <= 1.0), _s1, 0.0), 0.0), 0.0),
 
 
-def finite_parameters(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any, allowed: Any) -> tuple[Any, ...]:
-    """Where the parameters are finite and allowed.
+def parameters_in_range(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any, allowed: Any) -> tuple[Any, ...]:
+    """Where the parameters are allowed, and no arithmetic with them over- or underflows.
 
-    IEEE 754. 34 operations: 11 absolute values, 12 comparisons, 11 conjunctions.
+    the range of numbers. 38 operations: 11 absolute values, 14 comparisons, 13 conjunctions.
     Returns permitted.
     """
-    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((0.0 < allowed), (_absolute(p_ball_radius) < _inf)), (_absolute(p_ring_radius) < _inf)), (_absolute(p_wire_radius) < _inf)), (_absolute(p_board_distance) < _inf))
-    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(p_board_half_width) < _inf)), (_absolute(p_board_bottom) < _inf)), (_absolute(p_board_top) < _inf)), (_absolute(p_bridge_half_width) < _inf))
-    return _logical_and(_logical_and(_logical_and(_s1, (_absolute(p_restitution) < _inf)), (_absolute(p_gravity) < _inf)), (_absolute(p_end_depth) < _inf)),
+    _s0 = _absolute(p_ball_radius)
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_logical_and((0.0 < allowed), (_s0 <= 1073741824.0)), (9.313225746154785e-10 <= _s0)), (_absolute(p_ring_radius) <= 1073741824.0)), (_absolute(p_wire_radius) <= 1073741824.0)), (_absolute(p_board_distance) <= 1073741824.0))
+    _s2 = _logical_and(_logical_and(_logical_and(_logical_and(_s1, (_absolute(p_board_half_width) <= 1073741824.0)), (_absolute(p_board_bottom) <= 1073741824.0)), (_absolute(p_board_top) <= 1073741824.0)), (_absolute(p_bridge_half_width) <= 1073741824.0))
+    _s3 = _absolute(p_gravity)
+    _s4 = _logical_and(_logical_and(_logical_and(_logical_and(_s2, (_absolute(p_restitution) <= 1.2676506002282294e+30)), (_s3 <= 1073741824.0)), (9.313225746154785e-10 <= _s3)), (_absolute(p_end_depth) <= 1073741824.0))
+    return _s4,
 
 
 def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1026,8 +1045,8 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = p_ball_radius + p_wire_radius
     _s3 = _subtract(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _s2 * _s2, _r0)
-    _s4 = _absolute(last, _r2) < _k44
-    _s5 = _select(_s4, _k45, _select(_k6 <= _s3, _k45, _k6, _r2), _r3)
+    _s4 = _absolute(last, _r2) < _k47
+    _s5 = _select(_s4, _k48, _select(_k6 <= _s3, _k48, _k6, _r2), _r3)
     _s6 = p_ball_radius - p_board_distance
     _s7 = _subtract(x, _s6, _r4)
     _s8 = 2.0 * p_ball_radius
@@ -1041,7 +1060,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s16 = _select(_s14 < _s15, _s15, _s14, _r12)
     _s17 = _subtract(z, p_board_top, _r13)
     _s18 = _select(_s16 < _s17, _s17, _s16, _r14)
-    _s19 = _absolute(_subtract(last, _k45, _r15), _r15) < _k44
+    _s19 = _absolute(_subtract(last, _k48, _r15), _r15) < _k47
     _s20 = _select(_s19, _s5, _select(_k6 <= _s18, _s5, _k6, _r15), _r16)
     _s21 = _subtract(z, _s2, _r17)
     _s22 = _subtract((_s2 - _s8) - (2.0 * p_wire_radius), z, _r18)
@@ -1055,13 +1074,13 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s30 = _select(_s29 < x, x, _s29, _r25)
     _s31 = _negative(_add(p_board_distance, x, _r26), _r26)
     _s32 = _select(_s30 < _s31, _s31, _s30, _r27)
-    _s33 = _absolute(_subtract(last, _k46, _r28), _r28) < _k44
+    _s33 = _absolute(_subtract(last, _k49, _r28), _r28) < _k47
     _s34 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_top)) + _absolute(p_bridge_half_width)
     _s35 = _add(_add(((_s34 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius), _absolute(x, _r28), _r28), _absolute(y, _r29), _r29)
-    _s36 = _multiply(_k47, _add(_s35, _absolute(z, _r28), _r28), _r28)
-    _s37 = _select(_s4, _k6, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), _k45, _k6, _r29), _r0)
-    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, _k45, _s37, _r14), _r13)
-    return _result(_s33, _s20, _select(_k6 <= _s32, _s20, _k6, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, _k45, _s38, _r27), _r0)
+    _s36 = _multiply(_k50, _add(_s35, _absolute(z, _r28), _r28), _r28)
+    _s37 = _select(_s4, _k6, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), _k48, _k6, _r29), _r0)
+    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, _k48, _s37, _r14), _r13)
+    return _result(_s33, _s20, _select(_k6 <= _s32, _s20, _k6, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, _k48, _s38, _r27), _r0)
 
 
 def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1074,7 +1093,7 @@ def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire
     _s0 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_top)) + _absolute(p_bridge_half_width)
     _s1 = _absolute(x, _r0)
     _s2 = _add(_add(((_s0 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius), _s1, _r1), _absolute(y, _r2), _r2)
-    _s3 = _multiply(_k51, _multiply(_k47, _add(_s2, _absolute(z, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k54, _multiply(_k50, _add(_s2, _absolute(z, _r1), _r1), _r1), _r1)
     _s4 = p_ball_radius - p_board_distance
     _s5 = _logical_and((_s3 < _subtract(_s1, (p_ball_radius + p_ring_radius) + p_wire_radius, _r0)), _logical_or((_s3 < _subtract(x, _s4, _r0)), (_s3 < _subtract(_s4 - (2.0 * p_ball_radius), x, _r0))))
     _s6 = _logical_not(_logical_and(_s5, _logical_or((_s3 < x), (_s3 < _negative(_add(p_board_distance, x, _r0), _r0)))))
@@ -1325,15 +1344,15 @@ def landed_surely(arrives: Any, certain: Any, clearance: Any, delay: Any, doubt:
     return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (time < doubt)), time, doubt)
 
 
-def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Where every number of a state is finite.
+def state_in_range(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where no number of a release is so large that arithmetic with it could overflow.
 
     Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions.
-    Returns finite.
+    Returns in_range.
     """
     _r0, = _room[:1]
-    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) < _k8), (_absolute(y, _r0) < _k8)), (_absolute(z, _r0) < _k8)), (_absolute(vx, _r0) < _k8)), (_absolute(vy, _r0) < _k8))
-    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) < _k8)), (_absolute(wx, _r0) < _k8)), (_absolute(wy, _r0) < _k8)), (_absolute(wz, _r0) < _k8))
+    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) <= _k60), (_absolute(y, _r0) <= _k60)), (_absolute(z, _r0) <= _k60)), (_absolute(vx, _r0) <= _k60)), (_absolute(vy, _r0) <= _k60))
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) <= _k60)), (_absolute(wx, _r0) <= _k60)), (_absolute(wy, _r0) <= _k60)), (_absolute(wz, _r0) <= _k60))
     return _s1,
 
 
@@ -1446,13 +1465,13 @@ def body_of(which: Any) -> tuple[Any, ...]:
     return which,
 
 
-def admitted(doubt: Any, finite: Any, permitted: Any, valid: Any) -> tuple[Any, ...]:
+def admitted(doubt: Any, in_range: Any, permitted: Any, valid: Any) -> tuple[Any, ...]:
     """Whether a shot can start, and whether that is in doubt.
 
     Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections.
     Returns outcome, uncertain.
     """
-    _s0 = _logical_and(permitted, finite)
+    _s0 = _logical_and(permitted, in_range)
     return _where(_logical_and(_s0, (0.0 < valid)), -1.0, 4.0), _where(_logical_and(_s0, (0.0 < doubt)), 1.0, 0.0)
 
 
@@ -1548,15 +1567,15 @@ def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: An
     Returns reachable.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
-    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k59, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k63, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
     _s1 = _select(pad < late, _k8, _s0, _r0)
     _s2 = _add(x, _multiply(horizon, vx, _r2), _r2)
     _s3 = _select(_s2 < x, _s2, x, _r3)
-    _s4 = _subtract(p_ring_radius, _multiply(_k46, _s1, _r4), _r4)
+    _s4 = _subtract(p_ring_radius, _multiply(_k49, _s1, _r4), _r4)
     _s5 = -p_board_distance
     _s6 = _select(_s3 < _s5, _s5, _s3, _r5)
     _s7 = _select(_k6 < _s6, _k6, _s6, _r6)
-    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k6 < _s4), (_multiply(_k60, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
+    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k6 < _s4), (_multiply(_k64, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
     return _logical_not(_s8),
 
 
@@ -1569,9 +1588,9 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = 0.4 * p_ball_radius
     _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
-    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k63, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
-    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k63, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
-    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k63, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
+    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k66, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
+    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k66, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
+    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k66, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
     _s5 = _add(_add(_multiply(nx, wx, _r4), _multiply(ny, wy, _r5), _r5), _multiply(nz, wz, _r4), _r4)
     _s6 = 1.0 / p_ball_radius
     return _s2 - _multiply(_multiply(nx, p_restitution, _r5), _s1, _r5), _s3 - _multiply(_multiply(ny, p_restitution, _r5), _s1, _r5), _s4 - _multiply(_multiply(nz, p_restitution, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
@@ -1606,11 +1625,11 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     p_ball_radius = _single(p_ball_radius)
     p_restitution = _single(p_restitution)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24 = _halves(_room[:25])
-    _s0 = _k64 * p_ball_radius
+    _s0 = _k67 * p_ball_radius
     _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
     _s2 = _add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dvx, nx, _r2), _r2), _add(_multiply(dny, vy, _r1), _multiply(dvy, ny, _r3), _r3), _r3), _add(_multiply(dnz, vz, _r2), _multiply(dvz, nz, _r1), _r1), _r1)
     _s3 = _add(_multiply(dnx, _s1, _r3), _multiply(nx, _s2, _r2), _r2)
-    _s4 = _add(_multiply(_s0, _subtract(_add(_multiply(dnz, wy, _r3), _multiply(dwy, nz, _r4), _r4), _add(_multiply(dny, wz, _r3), _multiply(dwz, ny, _r5), _r5), _r5), _r5), _multiply(_k65, _subtract(dvx, _s3, _r4), _r4), _r4)
+    _s4 = _add(_multiply(_s0, _subtract(_add(_multiply(dnz, wy, _r3), _multiply(dwy, nz, _r4), _r4), _add(_multiply(dny, wz, _r3), _multiply(dwz, ny, _r5), _r5), _r5), _r5), _multiply(_k68, _subtract(dvx, _s3, _r4), _r4), _r4)
     _s5 = _subtract(_s4, _multiply(p_restitution, _s3, _r2), _r2)
     _s6 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r5), _absolute(wy, _r3), _r3), _absolute(wz, _r5), _r5), _r5), _absolute(vx, _r3), _r3), _absolute(vy, _r5), _r5)
     _s7 = _add(_s6, _absolute(vz, _r3), _r3)
@@ -1627,18 +1646,18 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     _s18 = _multiply(_add(_add(_multiply(p_ball_radius, _select(_s12 < _s13, _s13, _s12, _r15), _r15), _multiply(turn, _s7, _r3), _r3), _select(_s16 < _s17, _s17, _s16, _r15), _r15), _divide(_k26, _add(_k27, _multiply(_k27, contacts, _r14), _r14), _r14), _r14)
     _s19 = _select(_s9 < _s18, _s18, _s9, _r15)
     _s20 = _add(_multiply(dny, _s1, _r13), _multiply(ny, _s2, _r12), _r12)
-    _s21 = _add(_multiply(_s0, _subtract(_add(_multiply(dnx, wz, _r13), _multiply(dwz, nx, _r11), _r11), _add(_multiply(dnz, wx, _r13), _multiply(dwx, nz, _r3), _r3), _r3), _r3), _multiply(_k65, _subtract(dvy, _s20, _r11), _r11), _r11)
+    _s21 = _add(_multiply(_s0, _subtract(_add(_multiply(dnx, wz, _r13), _multiply(dwz, nx, _r11), _r11), _add(_multiply(dnz, wx, _r13), _multiply(dwx, nz, _r3), _r3), _r3), _r3), _multiply(_k68, _subtract(dvy, _s20, _r11), _r11), _r11)
     _s22 = _subtract(_s21, _multiply(p_restitution, _s20, _r12), _r12)
     _s23 = _add(_absolute(_s22, _r3), _s8, _r3)
     _s24 = _select(_s23 < _s18, _s18, _s23, _r13)
     _s25 = _add(_multiply(dnz, _s1, _r10), _multiply(nz, _s2, _r1), _r1)
-    _s26 = _add(_multiply(_s0, _subtract(_add(_multiply(dny, wx, _r10), _multiply(dwx, ny, _r9), _r9), _add(_multiply(dnx, wy, _r10), _multiply(dwy, nx, _r8), _r8), _r8), _r8), _multiply(_k65, _subtract(dvz, _s25, _r9), _r9), _r9)
+    _s26 = _add(_multiply(_s0, _subtract(_add(_multiply(dny, wx, _r10), _multiply(dwx, ny, _r9), _r9), _add(_multiply(dnx, wy, _r10), _multiply(dwy, nx, _r8), _r8), _r8), _r8), _multiply(_k68, _subtract(dvz, _s25, _r9), _r9), _r9)
     _s27 = _subtract(_s26, _multiply(p_restitution, _s25, _r1), _r1)
     _s28 = _add(_absolute(_s27, _r8), _s8, _r8)
     _s29 = _select(_s28 < _s18, _s18, _s28, _r10)
     _s30 = _k34 / p_ball_radius
-    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r16), _r16), _r16), _multiply(_k65, _subtract(vz, _multiply(nz, _s1, _r7), _r7), _r7), _r7)
-    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r16), _multiply(nz, wx, _r17), _r17), _r17), _multiply(_k65, _subtract(vy, _multiply(ny, _s1, _r16), _r16), _r16), _r16)
+    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r16), _r16), _r16), _multiply(_k68, _subtract(vz, _multiply(nz, _s1, _r7), _r7), _r7), _r7)
+    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r16), _multiply(nz, wx, _r17), _r17), _r17), _multiply(_k68, _subtract(vy, _multiply(ny, _s1, _r16), _r16), _r16), _r16)
     _s33 = _add(_add(_multiply(nx, wx, _r17), _multiply(ny, wy, _r18), _r18), _multiply(nz, wz, _r17), _r17)
     _s34 = _add(_add(_add(_multiply(dnx, wx, _r18), _multiply(dwx, nx, _r19), _r19), _add(_multiply(dny, wy, _r18), _multiply(dwy, ny, _r20), _r20), _r20), _add(_multiply(dnz, wz, _r19), _multiply(dwz, nz, _r18), _r18), _r18)
     _s35 = _add(_multiply(_s30, _subtract(_add(_multiply(dny, _s31, _r20), _multiply(ny, _s26, _r19), _r19), _add(_multiply(dnz, _s32, _r20), _multiply(nz, _s21, _r21), _r21), _r21), _r21), _add(_multiply(dnx, _s33, _r19), _multiply(nx, _s34, _r20), _r20), _r20)
@@ -1646,7 +1665,7 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     _s37 = _add(_absolute(_s35, _r21), _s36, _r21)
     _s38 = _multiply(_s30, _s18, _r19)
     _s39 = _select(_s37 < _s38, _s38, _s37, _r22)
-    _s40 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r23), _multiply(ny, wz, _r24), _r24), _r24), _multiply(_k65, _subtract(vx, _multiply(nx, _s1, _r0), _r0), _r0), _r0)
+    _s40 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r23), _multiply(ny, wz, _r24), _r24), _r24), _multiply(_k68, _subtract(vx, _multiply(nx, _s1, _r0), _r0), _r0), _r0)
     _s41 = _add(_multiply(_s30, _subtract(_add(_multiply(dnz, _s40, _r24), _multiply(nz, _s4, _r23), _r23), _add(_multiply(dnx, _s31, _r7), _multiply(nx, _s26, _r9), _r9), _r9), _r9), _add(_multiply(dny, _s33, _r23), _multiply(ny, _s34, _r7), _r7), _r7)
     _s42 = _add(_absolute(_s41, _r9), _s36, _r9)
     _s43 = _select(_s42 < _s38, _s38, _s42, _r23)
@@ -1711,7 +1730,7 @@ def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, 
     _r0, _r1 = _room[:2]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(_k45, _s1, _r1), _r0)
+    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(_k48, _s1, _r1), _r0)
     return x * _s2, y * _s2, z * _s0
 
 
@@ -1788,16 +1807,16 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s24 = _where(_s22 < _s23, _s23, _s22)
     _s25 = _s24 * _s24
     _s26 = _s24 * _s25
-    _s27 = _multiply(_subtract(_add(_add(_multiply(_k46, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(_k46, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
+    _s27 = _multiply(_subtract(_add(_add(_multiply(_k49, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(_k49, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
     _s28 = _subtract(_multiply(vy, x, _r12), _multiply(vx, y, _r15), _r15)
     _s29 = _multiply(_s28, _s28, _r15)
     _s30 = _subtract(_s27, _multiply(2.0 * p_ring_radius, _s29, _r12), _r12)
     _s31 = _add(_multiply(_s16, _add(_multiply(vx, _s12, _r6), _multiply(vy, _s13, _r7), _r7), _r7), _multiply(_multiply(_s17, _subtract(vz, _multiply(p_gravity, _s11, _r10), _r10), _r10), _s15, _r10), _r10)
     _s32 = _add(x, _multiply(horizon, vx, _r7), _r7)
     _s33 = _add(y, _multiply(horizon, vy, _r8), _r8)
-    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k6, _k45, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k6, _k45, _k6, _r8), _r15)
-    _s35 = _select(_subtract(_multiply(_multiply(_k68, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k46, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k6, _s34, _k6, _r7)
-    _s36 = _select(horizon < _subtract(_s11, _multiply(_k59, horizon, _r10), _r10), _k45, _select(_k6 < _s20, _select(_k6 < _s30, _s35, _k6, _r12), _k6, _r13), _r10)
+    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k6, _k48, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k6, _k48, _k6, _r8), _r15)
+    _s35 = _select(_subtract(_multiply(_multiply(_k71, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k49, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k6, _s34, _k6, _r7)
+    _s36 = _select(horizon < _subtract(_s11, _multiply(_k63, horizon, _r10), _r10), _k48, _select(_k6 < _s20, _select(_k6 < _s30, _s35, _k6, _r12), _k6, _r13), _r10)
     _s37 = _add(_multiply(vx, x, _r4), _multiply(vy, y, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
     _s39 = _select(_s38 < _k6, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, _k6, _r4), _k6, _r14)
@@ -1814,7 +1833,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35 = _room[:36]
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
-    _s2 = _add(_multiply(_k46, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k46, _s1, _r1)
+    _s2 = _add(_multiply(_k49, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k49, _s1, _r1)
     _s3 = _subtract(_multiply(vy, x, _r1), _multiply(vx, y, _r3), _r3)
     _s4 = _multiply(_s3, _s3, _r1)
     _s5 = (2.0 * p_ring_radius) * _s4
@@ -1822,36 +1841,36 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = _multiply(_k76, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s10 = _multiply(_k79, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
     _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
-    _s14 = _multiply(_k47, _add(_absolute(vz, _r8), _s13, _r8), _r8)
+    _s14 = _multiply(_k50, _add(_absolute(vz, _r8), _s13, _r8), _r8)
     _s15 = _k6 <= _s11
     _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _k8, _r9)
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = _multiply(_multiply(_k47, _s1, _r10), _add(_s18, _s6, _r11), _r10)
+    _s19 = _multiply(_multiply(_k50, _s1, _r10), _add(_s18, _s6, _r11), _r10)
     _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
     _s21 = _add(_multiply(vx, x, _r12), _multiply(vy, y, _r13), _r13)
     _s22 = _sqrt(_s20, _r12)
-    _s23 = _multiply(_k47, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
-    _s24 = _divide(_k45, _s1, _r14)
+    _s23 = _multiply(_k50, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
+    _s24 = _divide(_k48, _s1, _r14)
     _s25 = _k6 <= _s20
-    _s26 = _k77 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k78, _r16)
+    _s26 = _k80 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k81, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k6, _k6, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k78, _r10), _k8, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k81, _r10), _k8, _r18)
     _s35 = _k6 < _select(_s26, _s32, _k6, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k6, _k6, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k78, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k81, _r0)
     _s40 = _k6 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -1872,7 +1891,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s57 = _select(_s56 < _s53, _s53, _s56, _r33)
     _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s12, _add(_add(2.0 * p_ball_radius, extent, _r34), 2.0 * p_wire_radius, _r34), _r34), _r34), _r34)
-    _s60 = _add(_s59, _multiply(_multiply(_k46, speed, _r35), _s12, _r35), _r35)
+    _s60 = _add(_s59, _multiply(_multiply(_k49, speed, _r35), _s12, _r35), _r35)
     _s61 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s60 < horizon, _s60, horizon, _r34), _r34), _r34), 1.52587890625e-05 * p_ball_radius, _r34), 1.52587890625e-05 * p_wire_radius, _r34)
     return _s2, _s5, _sqrt(_s6), _result(_k6 < _s28, _s28, _k6, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(_k6 < _s50, _s50, _k6, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(_k6 < _s52, _s52, _k6, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s61, _s61, _s58, _r0)
 
@@ -1895,9 +1914,9 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(_k82, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k83, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k14 * _add(_add(_multiply(_multiply(_k84, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
-    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k84, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k85, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k86, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k14 * _add(_add(_multiply(_multiply(_k87, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
+    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k87, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1911,12 +1930,12 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s1 = _add(y, _multiply(t, vy, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _add(rho_start, _s2, _r2)
-    _s4 = _divide(_k45, _multiply(_s3, _s2, _r4), _r4)
+    _s4 = _divide(_k48, _multiply(_s3, _s2, _r4), _r4)
     _s5 = _subtract(_s2, p_ring_radius, _r5)
     _s6 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r6), _r6)
     _s7 = _add(z, _multiply(t, _s6, _r7), _r7)
-    _s8 = _k46 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_subtract(vz, _multiply(p_gravity, t, _r2), _r2), _s7, _r2), _r2)
-    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k46, _add(_multiply(vx, x, _r2), _multiply(vy, y, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
+    _s8 = _k49 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_subtract(vz, _multiply(p_gravity, t, _r2), _r2), _s7, _r2), _r2)
+    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k49, _add(_multiply(vx, x, _r2), _multiply(vy, y, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = _result(_k6 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r0)
     return t - _divide(_s11, _s8, _r7), _s11, _s8
@@ -1934,8 +1953,8 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _subtract(_s2, p_ring_radius, _r2)
     _s4 = _add(rho_start, _s2, _r4)
-    _s5 = _divide(_k45, _multiply(_s4, _s2, _r5), _r5)
-    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k46, _add(_multiply(vx, x, _r6), _multiply(vy, y, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
+    _s5 = _divide(_k48, _multiply(_s4, _s2, _r5), _r5)
+    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k49, _add(_multiply(vx, x, _r6), _multiply(vy, y, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
     _s7 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r7), _r7)
     _s8 = _add(z, _multiply(t, _s7, _r6), _r6)
     _s9 = p_ball_radius + p_wire_radius
@@ -1943,7 +1962,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s11 = _multiply(_s4, _s5, _r5)
     _s12 = _multiply(_s11, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
     _s13 = _subtract(vz, _multiply(p_gravity, t, _r0), _r0)
-    _s14 = _k46 * _add(_multiply(_s12, _s3, _r2), _multiply(_s13, _s8, _r4), _r4)
+    _s14 = _k49 * _add(_multiply(_s12, _s3, _r2), _multiply(_s13, _s8, _r4), _r4)
     _s15 = 6.0 * p_gravity
     _s16 = _multiply(_s15, _s8, _r4)
     _s17 = _multiply(swing, _multiply(_s11, _multiply(_s11, _s11, _r2), _r2), _r2)
@@ -1954,8 +1973,8 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s22 = _select(_s21 < _k6, _k6, _s21, _r9)
     _s23 = _subtract(_add(_s16, _s17, _r8), steady, _r8)
     _s24 = _s20 < _k6
-    _s25 = _multiply(_k46, _s22, _r10)
-    _s26 = _select(_k6 < _select(_k6 <= _s20, _s22, _k6, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k68, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k6 < _s23, _s23, _k6, _r14), _r15), _r12), _r11)
+    _s25 = _multiply(_k49, _s22, _r10)
+    _s26 = _select(_k6 < _select(_k6 <= _s20, _s22, _k6, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k71, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k6 < _s23, _s23, _k6, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
     _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k6, _k6, _s13, _r8), _r8), _s8, _r8), _r8)
@@ -1964,15 +1983,15 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s32 = p_ring_radius - _s18
     _s33 = 0.0001220703125 * p_ring_radius
     _s34 = _where(_s32 < _s33, _s33, _s32)
-    _s35 = _divide(_k45, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
+    _s35 = _divide(_k48, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k90, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
-    _s38 = _add(_multiply(_multiply(_k46, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k93, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
+    _s38 = _add(_multiply(_multiply(_k49, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
     _s40 = _select(_k6 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k6 < _s37, _s37, _k6, _r5), _r1), _r7), _k8, _r9)
     _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
     _s42 = _negative(_add(rate_margin, _s14, _r1), _r1)
-    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(_k6 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k51, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
+    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(_k6 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k54, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
 
 
 def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1996,54 +2015,54 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     p_gravity = _single(p_gravity)
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k92 * (p_ball_radius + p_wire_radius)
+    _s1 = _k95 * (p_ball_radius + p_wire_radius)
     _s2 = _k33 * p_gravity
-    _s3 = _multiply(_k93, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k96, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
     _s5 = _k34 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k94, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s7 = _multiply(_k97, _add(_absolute(vz, _r4), _s6, _r4), _r4)
     _s8 = _k25 <= _s4
-    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k95, _r5)
+    _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k98, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k94, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k97, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k94, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s19 = _multiply(_k97, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
     _s20 = _divide(_k26, _s10, _r13)
     _s21 = _k25 <= _s16
-    _s22 = _k96 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k95, _r14), _k97, _r15)
+    _s22 = _k99 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k98, _r14), _k100, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
     _s25 = _select(_k25 < _s24, _s24, _k25, _r17)
     _s26 = _select(_k25 < _s25, _s25, _k25, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k98 * p_ring_radius
+    _s28 = _k101 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
     _s31 = _sqrt(_select(_s30 < _k25, _k25, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k97, _r6), _k95, _r19)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k100, _r6), _k98, _r19)
     _s33 = _k25 < _select(_s22, _s30, _k25, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
     _s36 = _sqrt(_select(_s35 < _k25, _k25, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k97, _r0)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k100, _r0)
     _s38 = _k25 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k99, horizon, _r24)
+    _s41 = _multiply(_k102, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
-    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k95, _r13)
+    _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k98, _r13)
     _s45 = _select(_s44 < _s34, _s34, _s44, _r8)
     _s46 = _select(_s9 < _s45, _s45, _s9, _r12)
     _s47 = _select(_s32 < _s39, _s32, _s39, _r26)
-    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k95, _r4)
+    _s48 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s36, _r1), _s7, _r1), _r1), _k98, _r4)
     _s49 = _select(_s48 < _s39, _s39, _s48, _r27)
     _s50 = _s46 <= _s47
     _s51 = _select(_s50, _s46, _select(_s49 < _s23, _s23, _s49, _r28), _r29)
@@ -2061,8 +2080,8 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s63 = _select(_k25 < _s40, _s40, _k25, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k100 * _s29)), (_s11 <= ((_k100 * p_ball_radius) + (_k100 * p_wire_radius)))), (_s11 <= _k101)), (_k102 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k25, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k25, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k101)), (_k102 <= p_gravity)), (extent <= _k103)), (speed <= _k103))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k103 * _s29)), (_s11 <= ((_k103 * p_ball_radius) + (_k103 * p_wire_radius)))), (_s11 <= _k104)), (_k105 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k25, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k25, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k104)), (_k105 <= p_gravity)), (extent <= _k106)), (speed <= _k106))
 
 
 def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2097,30 +2116,30 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     _s0 = _k25 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k92 * _s2
+    _s3 = _k95 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k98 * p_ring_radius
+    _s5 = _k101 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
     _s8 = _where(_k34 < _s7, _s7, _k34)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k110, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k111, parting, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k112, _s12, _k112, _r5)
-    _s14 = _result(_s0, _select(_k113 < _s13, _s13, _k113, _r6), _k112, _r0)
-    _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k114 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k113, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k114, parting, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k115, _s12, _k115, _r5)
+    _s14 = _result(_s0, _select(_k116 < _s13, _s13, _k116, _r6), _k115, _r0)
+    _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k117 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
     _s17 = (_k33 * p_ring_radius) * _multiply(_s16, _s16, _r8)
     _s18 = _k34 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k115 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k118 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k94, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k116, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k117 * _s20, (_k118 * _s2) * _s24, _result(_s0, _multiply(_k117, _add(_multiply(_k93, _absolute(parting, _r12), _r12), _multiply(_add(_k119, _s14, _r2), _s11, _r2), _r2), _r2), _k95, _r0), _k117 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k120 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k110 * _add(_multiply(_multiply(_k117, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k121, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k122 * p_ball_radius) + (_k122 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k25))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k97, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k119, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k120 * _s20, (_k121 * _s2) * _s24, _result(_s0, _multiply(_k120, _add(_multiply(_k96, _absolute(parting, _r12), _r12), _multiply(_add(_k122, _s14, _r2), _s11, _r2), _r2), _r2), _k98, _r0), _k120 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k123 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k113 * _add(_multiply(_multiply(_k120, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k124, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k125 * p_ball_radius) + (_k125 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k25))
 
 
 def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2170,7 +2189,7 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s10 = _divide(_k26, _multiply(_s9, _s8, _r8), _r8)
     _s11 = _multiply(_s8, _s10, _r9)
     _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_k22, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
-    _s13 = _subtract(vz, _multiply(_k129 * p_gravity, t, _r10), _r10)
+    _s13 = _subtract(vz, _multiply(_k132 * p_gravity, t, _r10), _r10)
     _s14 = _add(_add(_multiply(_multiply(_multiply(_k22, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
     _s15 = _add(parting, _multiply(t, _subtract(_s14, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
     _s16 = _multiply(_s9, _s10, _r8)
@@ -2187,36 +2206,36 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s27 = _select(_s26 < _k25, _k25, _s26, _r15)
     _s28 = _multiply(_k22, _add(_multiply(_k22, _s24, _r12), _s27, _r12), _r12)
     _s29 = _subtract(_s21, _s22, _r2)
-    _s30 = _k131 * p_gravity
+    _s30 = _k134 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(swing, _multiply(_s16, _multiply(_s16, _s16, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), steady, _r17)
     _s34 = _s29 < _k25
     _s35 = _multiply(_k22, _s27, _r18)
-    _s36 = _select(_k25 < _select(_k25 <= _s29, _s27, _k25, _r19), _k95, _divide(_select(_s34, _add(_multiply(_k27, _s24, _r19), _s35, _r19), _multiply(_k132, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k25 < _s33, _s33, _k25, _r23), _r24), _r21), _r20)
+    _s36 = _select(_k25 < _select(_k25 <= _s29, _s27, _k25, _r19), _k98, _divide(_select(_s34, _add(_multiply(_k27, _s24, _r19), _s35, _r19), _multiply(_k135, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k25 < _s33, _s33, _k25, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k92 * _s25
-    _s40 = _add((_k98 * p_ball_radius) + (_k98 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k25, _k25, _s19, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k95 * _s25
+    _s40 = _add((_k101 * p_ball_radius) + (_k101 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k25, _k25, _s19, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k25 < _s17, _k25, _s17, _r23), _r23), _s8, _r23), _multiply(_k133, _s42, _r7), _r7), _k105 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k25 < _s17, _k25, _s17, _r23), _r23), _s8, _r23), _multiply(_k136, _s42, _r7), _r7), _k108 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k98 * p_ring_radius
+    _s45 = _k101 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
     _s47 = _divide(_k26, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(swing, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(steady, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k134, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k137, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
     _s51 = _negative(_s19, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k102 * p_ball_radius) + (_k102 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k25, _k25, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k135, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(steady, _add(_s52, _multiply(_k136, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k105 * p_ball_radius) + (_k105 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k25, _k25, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k138, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(steady, _add(_s52, _multiply(_k139, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
     _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k27, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
     _s56 = _k25 < _select(_k25 < _s23, _s55, _s23, _r16)
     _s57 = _add(_multiply(_multiply(_k22, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
-    _s59 = _select(_k25 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k25 < _s50, _s50, _k25, _r2), _r4), _r8), _k95, _r15)
+    _s59 = _select(_k25 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k25 < _s50, _s50, _k25, _r2), _r4), _r8), _k98, _r15)
     _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
     _s61 = _add(t, _s60, _r2)
     _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _k25), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
@@ -2226,7 +2245,7 @@ def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s66 = _s65 < high1
     _s67 = _select(end < low2, low2, end, _r15)
     _s68 = _s67 < high2
-    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k95, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k98, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2238,7 +2257,7 @@ def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radiu
     _r0, _r1 = _room[:2]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1))
     _s1 = _add(_multiply(vx, x, _r1), _multiply(vy, y, _r0), _r0) / _s0
-    return _s0, _k46 * _add(_multiply(vz, z, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
+    return _s0, _k49 * _add(_multiply(vz, z, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
 
 
 def ring_lost(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2251,7 +2270,7 @@ def ring_lost(horizon: Any, extent: Any, speed: Any, position_error: Any, veloci
     _s0 = (0.000244140625 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = 1.0 / p_gravity
     _s2 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s1, _add(_add(2.0 * p_ball_radius, extent, _r0), 2.0 * p_wire_radius, _r0), _r0), _r0), _r0)
-    _s3 = _add(_s2, _multiply(_multiply(_k46, speed, _r1), _s1, _r1), _r1)
+    _s3 = _add(_s2, _multiply(_multiply(_k49, speed, _r1), _s1, _r1), _r1)
     _s4 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s3 < horizon, _s3, horizon, _r0), _r0), _r0), 1.52587890625e-05 * p_ball_radius, _r0), 1.52587890625e-05 * p_wire_radius, _r0)
     return _result(_s0 < _s4, _s4, _s0, _r0),
 
@@ -2335,7 +2354,7 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k139, _s0, _r1), _r1) + _multiply(_k140, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k142, _s0, _r1), _r1) + _multiply(_k143, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
@@ -2426,7 +2445,7 @@ def bridge_arrival(leaving: Any, z: Any, vz: Any, p_ball_radius: Any, p_wire_rad
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
     _s4 = vz < _k6
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(_k46, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
+    return _select(_s4, _multiply(_k49, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
 
 
 def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2437,7 +2456,7 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k139, _s0, _r1), _r1) + _multiply(_k140, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k142, _s0, _r1), _r1) + _multiply(_k143, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -2519,7 +2538,7 @@ def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any,
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
     _s4 = vz < _k6
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(_k46, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
+    return _select(_s4, _multiply(_k49, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
 
 
 def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2530,7 +2549,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k139, _s0, _r1), _r1) + _multiply(_k140, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k142, _s0, _r1), _r1) + _multiply(_k143, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -2868,7 +2887,7 @@ def _sooner_alone(arrives: Any, index: Any, time: Any, when: Any, which: Any) ->
 
 def _beginning_alone() -> tuple[Any, ...]:
     """Do `beginning` for one shot."""
-    return _k53, _k10, False
+    return _k56, _k10, False
 
 
 def _beyond_alone(doubt: Any, excess: Any, late: Any, lost: Any, pad: Any) -> tuple[Any, ...]:
@@ -2891,7 +2910,7 @@ def _opened_alone(horizon: Any, time: Any) -> tuple[Any, ...]:
 def _coarse_alone(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any, share: Any, sound: Any) -> tuple[Any, ...]:
     """Do `coarse` for one shot."""
     _s0 = (searching and sound) and fits
-    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else _k53
+    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else _k56
 
 
 def _leapt_alone(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
@@ -2912,7 +2931,7 @@ def _struck_alone(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, r
 
 def _finer_alone(share: Any) -> tuple[Any, ...]:
     """Do `finer` for one shot."""
-    return (_k55 * share) if (_k54 < share) else _k2,
+    return (_k58 * share) if (_k57 < share) else _k2,
 
 
 def _exceeded_alone(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
@@ -2935,7 +2954,7 @@ def _found_alone(arrival: Any) -> tuple[Any, ...]:
 
 def _polished_alone(arrival: Any, ceiling: Any, certain: Any, gap: Any, rate: Any, refined: Any) -> tuple[Any, ...]:
     """Do `polished` for one shot."""
-    return refined if certain else arrival, certain and ((_k56 * (rate * rate)) < (ceiling * abs(gap)))
+    return refined if certain else arrival, certain and ((_k59 * (rate * rate)) < (ceiling * abs(gap)))
 
 
 def _own_margin_alone(arrival: Any, flat: Any, leaving: Any, tilt: Any) -> tuple[Any, ...]:
@@ -2958,44 +2977,44 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     """Do `ring_prepare` for one shot."""
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
-    _s2 = ((_k48 * _s0) + ((_k49 * p_gravity) * z)) + (_k48 * _s1)
+    _s2 = ((_k51 * _s0) + ((_k52 * p_gravity) * z)) + (_k51 * _s1)
     _s3 = (vy * x) - (vx * y)
     _s4 = _s3 * _s3
-    _s5 = (_k48 * p_ring_radius) * _s4
+    _s5 = (_k51 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k72 * _s7
-    _s9 = _k48 * p_gravity
-    _s10 = _k79 * (_s0 + (_s9 * (abs(z) + _s8)))
+    _s8 = _k75 * _s7
+    _s9 = _k51 * p_gravity
+    _s10 = _k82 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
     _s12 = _k1 / p_gravity
     _s13 = _root(_s11)
-    _s14 = _k50 * (abs(vz) + _s13)
+    _s14 = _k53 * (abs(vz) + _s13)
     _s15 = _k2 <= _s11
     _s16 = (_s12 * ((vz - _s13) - _s14)) if _s15 else _k10
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = (_k50 * _s1) * (_s18 + _s6)
+    _s19 = (_k53 * _s1) * (_s18 + _s6)
     _s20 = ((_s18 * _s1) + _s19) - _s4
     _s21 = (vx * x) + (vy * y)
     _s22 = _root(_s20)
-    _s23 = _k50 * ((abs(_s21) + abs(_s3)) + _s22)
+    _s23 = _k53 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k80 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k81
+    _s26 = _k83 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k84
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k75 * p_ring_radius
+    _s30 = _k78 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k81) if _s26 else _k10
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k84) if _s26 else _k10
     _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
     _s38 = _root((_k2 if _s37 < _k2 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k81
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k84
     _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
@@ -3014,29 +3033,29 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k69 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = _root(_k48) * _root((_s12 * (((_k48 * p_ball_radius) + extent) + (_k48 * p_wire_radius))))
-    _s60 = _s59 + ((_k48 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k70 * p_ball_radius)) - (_k70 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k74 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s58 = (_k72 * p_ring_radius) - (p_ring_radius - _s7)
+    _s59 = _root(_k51) * _root((_s12 * (((_k51 * p_ball_radius) + extent) + (_k51 * p_wire_radius))))
+    _s60 = _s59 + ((_k51 * speed) * _s12)
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k73 * p_ball_radius)) - (_k73 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k77 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_margins` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k72 * _s0
+    _s2 = _k75 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k21 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k75 * p_ring_radius
+    _s8 = _k78 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
-    _s11 = _k88 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k89 * _s1))))
-    _s12 = _k18 * ((((_k87 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
-    return _k18 * ((((_k21 * horizon) * _s3) + ((_k85 * _s0) * _s4)) + ((_k86 * _s0) * _s6)), _s12, _k18 * ((_k87 * (_s4 * _s1)) + _s11)
+    _s11 = _k91 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k92 * _s1))))
+    _s12 = _k18 * ((((_k90 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
+    return _k18 * ((((_k21 * horizon) * _s3) + ((_k88 * _s0) * _s4)) + ((_k89 * _s0) * _s6)), _s12, _k18 * ((_k90 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3049,8 +3068,8 @@ def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy
     _s5 = _s2 - p_ring_radius
     _s6 = vz - ((_k0 * p_gravity) * t)
     _s7 = z + (t * _s6)
-    _s8 = _k48 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
-    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k48 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
+    _s8 = _k51 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
+    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k51 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = (t * (_s9 + ((z + _s7) * _s6))) if (_k2 < leaving) else (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))
     return t - (_s11 / _s8), _s11, _s8
@@ -3064,7 +3083,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s3 = _s2 - p_ring_radius
     _s4 = rho_start + _s2
     _s5 = _k1 / (_s4 * _s2)
-    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k48 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
+    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k51 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
     _s7 = vz - ((_k0 * p_gravity) * t)
     _s8 = z + (t * _s7)
     _s9 = p_ball_radius + p_wire_radius
@@ -3072,89 +3091,89 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s11 = _s4 * _s5
     _s12 = _s11 * ((vx * _s0) + (vy * _s1))
     _s13 = vz - (p_gravity * t)
-    _s14 = _k48 * ((_s12 * _s3) + (_s13 * _s8))
+    _s14 = _k51 * ((_s12 * _s3) + (_s13 * _s8))
     _s15 = _k9 * p_gravity
     _s16 = _s15 * _s8
     _s17 = swing * (_s11 * (_s11 * _s11))
-    _s18 = _k72 * _s9
-    _s19 = _k91 * (p_ring_radius + _s18)
+    _s18 = _k75 * _s9
+    _s19 = _k94 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
     _s22 = _k2 if _s21 < _k2 else _s21
     _s23 = (_s16 + _s17) - steady
     _s24 = _s20 < _k2
-    _s25 = _k48 * _s22
-    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k49 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
+    _s25 = _k51 * _s22
+    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k52 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
     _s27 = end - t
     _s28 = _s26 if _s26 < _s27 else _s27
     _s29 = _s19 + ((_s28 * (_k2 if _s13 < _k2 else _s13)) + _s8)
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k75 * p_ring_radius
+    _s33 = _k78 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = swing * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (_k91 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
-    _s38 = ((_k48 * _s37) * _s22) + (_s20 * _s20)
+    _s37 = ((_s30 + _s36) + (_k94 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
+    _s38 = ((_k51 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
     _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k10
     _s41 = _s40 if _s40 < _s28 else _s28
     _s42 = -(rate_margin + _s14)
-    return _s10, _s14, (steady - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k52 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
+    return _s10, _s14, (steady - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k55 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
 
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_opened` for one shot."""
     _s0 = vz * vz
-    _s1 = _k92 * (p_ball_radius + p_wire_radius)
+    _s1 = _k95 * (p_ball_radius + p_wire_radius)
     _s2 = _k33 * p_gravity
-    _s3 = _k104 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s3 = _k107 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
     _s5 = _k34 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k105 * (abs(vz) + _s6)
+    _s7 = _k108 * (abs(vz) + _s6)
     _s8 = _k30 <= _s4
-    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k106
+    _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k109
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k105 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k108 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (vy * x) - (vx * y)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (vx * x) + (vy * y)
     _s18 = _root(_s16)
-    _s19 = _k105 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s19 = _k108 * ((abs(_s17) + abs(_s14)) + _s18)
     _s20 = _k34 / _s10
     _s21 = _k30 <= _s16
-    _s22 = _k107 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k106) if _s22 else _k108
+    _s22 = _k110 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k109) if _s22 else _k111
     _s24 = _s23 if _s9 < _s23 else _s9
     _s25 = _s24 if _k30 < _s24 else _k30
     _s26 = _s25 if _k30 < _s25 else _k30
     _s27 = p_ring_radius - _s1
-    _s28 = _k98 * p_ring_radius
+    _s28 = _k101 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
     _s31 = _root((_k30 if _s30 < _k30 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k108) if _s22 else _k106
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k111) if _s22 else _k109
     _s33 = _k30 < (_s30 if _s22 else _k30)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
     _s36 = _root((_k30 if _s35 < _k30 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k108
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k111
     _s38 = _k30 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k109 * horizon
+    _s41 = _k112 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
-    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k106
+    _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k109
     _s45 = _s34 if _s44 < _s34 else _s44
     _s46 = _s45 if _s9 < _s45 else _s9
     _s47 = _s32 if _s32 < _s39 else _s39
-    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k106
+    _s48 = (_s5 * ((vz + _s36) - _s7)) if _s38 else _k109
     _s49 = _s39 if _s48 < _s39 else _s48
     _s50 = _s46 <= _s47
     _s51 = _s46 if _s50 else (_s23 if _s49 < _s23 else _s49)
@@ -3172,8 +3191,8 @@ def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, v
     _s63 = _s40 if _k30 < _s40 else _k30
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k100 * _s29)) and (_s11 <= ((_k100 * p_ball_radius) + (_k100 * p_wire_radius)))) and (_s11 <= _k101)) and (_k102 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k30)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k30)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k101)) and (_k102 <= p_gravity)) and (extent <= _k101)) and (speed <= _k101)
+    _s66 = (((_s11 <= (_k103 * _s29)) and (_s11 <= ((_k103 * p_ball_radius) + (_k103 * p_wire_radius)))) and (_s11 <= _k104)) and (_k105 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k30)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k30)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k104)) and (_k105 <= p_gravity)) and (extent <= _k104)) and (speed <= _k104)
 
 
 def _ring_grain_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3181,30 +3200,30 @@ def _ring_grain_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: A
     _s0 = _k30 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k92 * _s2
+    _s3 = _k95 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k98 * p_ring_radius
+    _s5 = _k101 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
     _s8 = _s7 if _k34 < _s7 else _k34
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k125 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k124 * parting) / _s11
-    _s13 = _s12 if _s12 < _k126 else _k126
-    _s14 = (_s13 if _k123 < _s13 else _k123) if _s0 else _k126
-    _s15 = ((_k33 * (vz * vz)) + ((_k114 * p_gravity) * z)) + (_k33 * ((vx * vx) + (vy * vy)))
+    _s11 = _k128 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k127 * parting) / _s11
+    _s13 = _s12 if _s12 < _k129 else _k129
+    _s14 = (_s13 if _k126 < _s13 else _k126) if _s0 else _k129
+    _s15 = ((_k33 * (vz * vz)) + ((_k117 * p_gravity) * z)) + (_k33 * ((vx * vx) + (vy * vy)))
     _s16 = (vy * x) - (vx * y)
     _s17 = (_k33 * p_ring_radius) * (_s16 * _s16)
     _s18 = _k34 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k115 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k118 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k105 * (_s22 + _s23))
-    _s25 = (_k129 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k127 * _s20, (_k118 * _s2) * _s24, (_k127 * ((_k104 * abs(parting)) + ((_k128 + _s14) * _s11))) if _s0 else _k106, _k127 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k120 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k125 * (((_k127 * _s9) * _s24) + (((_k130 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k122 * p_ball_radius) + (_k122 * p_wire_radius))) and ((leaving * t) <= _k30)
+    _s24 = (_s10 * _s14) + (_k108 * (_s22 + _s23))
+    _s25 = (_k132 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
+    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k130 * _s20, (_k121 * _s2) * _s24, (_k130 * ((_k107 * abs(parting)) + ((_k131 + _s14) * _s11))) if _s0 else _k109, _k130 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k123 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k128 * (((_k130 * _s9) * _s24) + (((_k133 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k125 * p_ball_radius) + (_k125 * p_wire_radius))) and ((leaving * t) <= _k30)
 
 
 def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3222,7 +3241,7 @@ def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s10 = _k34 / (_s9 * _s8)
     _s11 = _s8 * _s10
     _s12 = _s11 * ((t * _s5) + (_k33 * ((vx * x) + (vy * y))))
-    _s13 = vz - ((_k129 * p_gravity) * t)
+    _s13 = vz - ((_k132 * p_gravity) * t)
     _s14 = ((((_k33 * (rho_start - p_ring_radius)) * (_s5 - (drift * _s12))) * _s11) + (_s12 * _s12)) + (_s13 * _s13)
     _s15 = parting + (t * (_s14 - (p_gravity * z)))
     _s16 = _s9 * _s10
@@ -3239,36 +3258,36 @@ def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s27 = _k30 if _s26 < _k30 else _s26
     _s28 = _k33 * ((_k33 * _s24) + _s27)
     _s29 = _s21 - _s22
-    _s30 = _k131 * p_gravity
+    _s30 = _k134 * p_gravity
     _s31 = _s30 * _s20
     _s32 = swing * (_s16 * (_s16 * _s16))
     _s33 = (_s31 + _s32) - steady
     _s34 = _s29 < _k30
     _s35 = _k33 * _s27
-    _s36 = _k106 if (_k30 < (_s27 if (_k30 <= _s29) else _k30)) else ((((_k35 * _s24) + _s35) if _s34 else (_k114 * _s29)) / ((-_s29) if _s34 else (_s33 if _k30 < _s33 else _k30)))
+    _s36 = _k109 if (_k30 < (_s27 if (_k30 <= _s29) else _k30)) else ((((_k35 * _s24) + _s35) if _s34 else (_k117 * _s29)) / ((-_s29) if _s34 else (_s33 if _k30 < _s33 else _k30)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k92 * _s25
-    _s40 = ((_k98 * p_ball_radius) + (_k98 * p_wire_radius)) + ((_s38 * (_k30 if _s19 < _k30 else _s19)) + _s20)
+    _s39 = _k95 * _s25
+    _s40 = ((_k101 * p_ball_radius) + (_k101 * p_wire_radius)) + ((_s38 * (_k30 if _s19 < _k30 else _s19)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k30 if _k30 < _s17 else _s17)) + _s8) - (_k98 * _s42)) - (_k105 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k30 if _k30 < _s17 else _s17)) + _s8) - (_k101 * _s42)) - (_k108 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k98 * p_ring_radius
+    _s45 = _k101 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
     _s47 = _k34 / (_s46 if _s43 < _s46 else _s43)
     _s48 = swing * (_s47 * (_s47 * _s47))
     _s49 = abs(steady)
-    _s50 = ((_s41 + _s48) + (_k137 * ((_s48 + _s49) + abs(_s41)))) - steady
+    _s50 = ((_s41 + _s48) + (_k140 * ((_s48 + _s49) + abs(_s41)))) - steady
     _s51 = -_s19
-    _s52 = (_s30 * (((_k102 * p_ball_radius) + (_k102 * p_wire_radius)) + (((p_gravity * _s38) + (_k30 if _s51 < _k30 else _s51)) * _s38))) + ((_k138 * (_s32 * _s16)) * _s42)
-    _s53 = steady + (_s52 + (_k102 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k105 * p_ball_radius) + (_k105 * p_wire_radius)) + (((p_gravity * _s38) + (_k30 if _s51 < _k30 else _s51)) * _s38))) + ((_k141 * (_s32 * _s16)) * _s42)
+    _s53 = steady + (_s52 + (_k105 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
     _s55 = (_s23 * _s23) - ((_k35 * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling)) * _s28)
     _s56 = _k30 < (_s55 if (_k30 < _s23) else _s23)
     _s57 = ((_k33 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
-    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k30 < _s50 else _k30))) if (_k30 <= _s57) else _k106
+    _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k30 < _s50 else _k30))) if (_k30 <= _s57) else _k109
     _s60 = _s59 if _s59 < _s38 else _s38
     _s61 = t + _s60
     _s62 = (not _s56) and (((_s21 < _k30) and (_s26 <= _s24)) or ((t < end) and (not (t < _s61))))
@@ -3278,23 +3297,23 @@ def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s66 = _s65 < high1
     _s67 = low2 if end < low2 else end
     _s68 = _s67 < high2
-    return (_s65 if _s66 else (_s67 if _s68 else _k106)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
+    return (_s65 if _s66 else (_s67 if _s68 else _k109)) if _s64 else (t if _s62 else _s61), (high1 if _s66 else (high2 if _s68 else end)) if _s64 else end, _s56, _s63 and ((not _s64) or ((False or _s68) or _s66))
 
 
 def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any) -> tuple[Any, ...]:
     """Do `ring_started` for one shot."""
     _s0 = _root(((x * x) + (y * y)))
     _s1 = ((vx * x) + (vy * y)) / _s0
-    return _s0, _k48 * ((vz * z) + (_s1 * (_s0 - p_ring_radius))), _s1
+    return _s0, _k51 * ((vz * z) + (_s1 * (_s0 - p_ring_radius))), _s1
 
 
 def _ring_lost_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Do `ring_lost` for one shot."""
-    _s0 = (_k69 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k72 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
-    _s2 = _root(_k48) * _root((_s1 * (((_k48 * p_ball_radius) + extent) + (_k48 * p_wire_radius))))
-    _s3 = _s2 + ((_k48 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k70 * p_ball_radius)) - (_k70 * p_wire_radius)
+    _s2 = _root(_k51) * _root((_s1 * (((_k51 * p_ball_radius) + extent) + (_k51 * p_wire_radius))))
+    _s3 = _s2 + ((_k51 * speed) * _s1)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k73 * p_ball_radius)) - (_k73 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 
@@ -3560,7 +3579,7 @@ def permit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _p_ring_radius_0 = columns["p_ring_radius"]
     _p_wire_radius_0 = columns["p_wire_radius"]
     _allowed_0, = allowed(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0)
-    _permitted_0, = finite_parameters(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0, _allowed_0)
+    _permitted_0, = parameters_in_range(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0, _allowed_0)
     columns["permitted"] = _permitted_0
 
 
@@ -3587,7 +3606,7 @@ def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _y_0 = columns["y"]
     _z_0 = columns["z"]
     _room_0 = room(shots)
-    _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
+    _in_range_0, = state_in_range(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
     _close_0, _valid_0, *_ = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
     _rows1, _count2 = _most(_close_0, shots)
     if _count2:
@@ -3607,7 +3626,7 @@ def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _room_1 = room(_count2)
         _valid_1, *_ = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _room_1)
         _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _close_0)
-    _outcome_0, *_ = admitted(_inf, _finite_0, _permitted_0, _valid_0)
+    _outcome_0, *_ = admitted(_inf, _in_range_0, _permitted_0, _valid_0)
     columns["outcome"] = _outcome_0
 
 
@@ -4345,7 +4364,7 @@ def permit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _p_ring_radius_0 = columns["p_ring_radius"]
     _p_wire_radius_0 = columns["p_wire_radius"]
     _allowed_0, = allowed(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0)
-    _permitted_0, = finite_parameters(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0, _allowed_0)
+    _permitted_0, = parameters_in_range(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0, _allowed_0)
     columns["permitted"] = _permitted_0
 
 
@@ -4372,7 +4391,7 @@ def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _y_0 = columns["y"]
     _z_0 = columns["z"]
     _room_0 = room(shots)
-    _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
+    _in_range_0, = state_in_range(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
     _close_0, _valid_0, _doubt_0 = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
     _rows1, _count2 = _most(_close_0, shots)
     if _count2:
@@ -4393,7 +4412,7 @@ def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _valid_1, _doubt_1 = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _room_1)
         _doubt_0 = _put(_doubt_0, _rows1, _doubt_1, shots, _close_0)
         _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _close_0)
-    _outcome_0, _uncertain_0 = admitted(_doubt_0, _finite_0, _permitted_0, _valid_0)
+    _outcome_0, _uncertain_0 = admitted(_doubt_0, _in_range_0, _permitted_0, _valid_0)
     columns["outcome"] = _outcome_0
     columns["uncertain"] = _uncertain_0
 

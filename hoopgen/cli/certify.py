@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,12 +22,19 @@ from hoopgen.cli.options import (
 from hoopgen.cli.own import engine_of, max_contacts_of, own_options, parameters_of, released
 from hoopgen.cli.types import FILE, whole
 from hoopgen.layout import table
+from hoopgen.phrases import counted
 
 if TYPE_CHECKING:
     from hoopgen.engines import Engine
     from hoopgen.judge import Proof
 
 __all__ = ["certify"]
+
+CLOSE = 1e-3
+"""s before the last event of a shot: what happens on one body since then is one line of the log."""
+
+FEW = 3
+"""Events on one body, one soon after another, that have a line each."""
 
 
 @click.command(
@@ -68,8 +76,10 @@ def certify(
     """Prove what one shot does: its contacts, their order, its outcome.
 
     The shot is that of FILE, as `hoopgen shot --json` writes it, or that of the options. It is
-    flown in ball arithmetic with more and more bits, until every decision is proved. Exit status 1
-    if one cannot be: two contacts at once, an exact touch, an exact edge.
+    simulated in ball arithmetic with more and more bits, until every decision is proved. Exit
+    status 1 if the outcome is not proved: two contacts at once, an exact touch, an exact edge; or
+    a ball whose bounces accumulate, so that it rolls, which the judge does not follow. It then says
+    how far the proof goes.
     """
     from hoopgen.judge import certify as prove
     from hoopgen.study.named import in_units
@@ -126,21 +136,48 @@ def _outcome(proof: Proof, engine: Engine) -> str:
     return engine.outcomes(proof.outcome).name.lower() if proof.decided else "undecided"
 
 
+def _together(proof: Proof) -> int:
+    """Return how many events at the end are on one body and soon after one another, if many are."""
+    events = reversed(list(zip(proof.surfaces, proof.times, strict=True)))
+    run = takewhile(lambda e: e[0] == proof.surfaces[-1] and e[1] >= proof.until - CLOSE, events)
+    found = sum(1 for _ in run)
+    return found if found > FEW else 0
+
+
 def _summary(proof: Proof, engine: Engine) -> str:
     from hoopgen.cli.report import surface_name
 
+    alone = len(proof.events) - _together(proof)
     rows = [
         [str(number), surface_name(event.surface, engine.surfaces), str(event.time)]
-        for number, event in enumerate(proof.events, 1)
+        for number, event in enumerate(proof.events[:alone], 1)
     ]
+    if alone < len(proof.events):
+        first, last = proof.events[alone], len(proof.events)
+        within = _duration(proof.times[-1] - proof.times[alone])
+        name = surface_name(first.surface, engine.surfaces)
+        rows.append([f"{alone + 1:,}-{last:,}", name, f"{first.time}, all within {within}"])
     lines = (
         [table(["#", "surface", "time (s), as far as proved"], rows, right=[0]), ""] if rows else []
     )
-    if not proof.decided:
-        lines.append(f"undecided  at {proof.bits} bits: {proof.question}")
-        return "\n".join(lines)
-    lines += [f"outcome    {_outcome(proof, engine)}", f"proved     with {proof.bits} bits"]
+    impacts = counted(sum(k < len(engine.surfaces) for k in proof.surfaces), "impact")
+    if proof.decided:
+        lines += [f"outcome    {_outcome(proof, engine)}", f"proved     with {proof.bits} bits"]
+    else:
+        why = "not proved: " if proof.accumulates else f"at {proof.bits} bits: "
+        lines += [
+            f"{'outcome  ' if proof.accumulates else 'undecided'}  {why}{proof.question}",
+            f"proved     {impacts}, until {proof.until:.6f} s, with {proof.bits} bits",
+        ]
     return "\n".join(lines)
+
+
+def _duration(seconds: float) -> str:
+    """Say a short time in a unit in which it has few digits."""
+    for size, unit in ((1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns")):
+        if seconds >= size:
+            return f"{seconds / size:.3g} {unit}"
+    return "1 ns"
 
 
 def _record(proof: Proof, engine: Engine) -> dict[str, Any]:
@@ -160,6 +197,9 @@ def _record(proof: Proof, engine: Engine) -> dict[str, Any]:
         "outcome": _outcome(proof, engine),
         "bits": proof.bits,
         "question": proof.question,
+        "impacts": sum(k < len(engine.surfaces) for k in proof.surfaces),
+        "until_s": proof.until,
+        "accumulates": proof.accumulates,
         "events": events,
         "components": COMPONENTS,
     }

@@ -113,11 +113,8 @@ def shot(
         record=True,
     )
     if shots.outcome[0] == shots.scene.outcomes["INVALID"]:
-        hoop = ", is too big for the ring, or a size or gravity is not above zero"
-        raise click.ClickException(
-            "this shot is invalid: the ball starts inside a surface"
-            f"{hoop if engine.has_hoop else ', or a parameter is not allowed'}"
-        )
+        (why,) = hoopgen.why_invalid(state.reshape(1, 9), parameters, scene=engine)
+        raise click.ClickException(f"this shot is invalid: {why}")
     if picture is not None:
         _draw(shots, picture)
     if page is not None:

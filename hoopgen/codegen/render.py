@@ -16,11 +16,13 @@ import jinja2
 from hoopgen.derive.follow.fields import EVENTS, Result
 from hoopgen.derive.ground.choice import Truth
 from hoopgen.derive.ground.kernel import Kernel
+from hoopgen.derive.ground.number_range import MAX_SIZE, MAX_TIME
 from hoopgen.derive.ground.symbols import STATE
 from hoopgen.derive.model import Model, build
 from hoopgen.derive.scenes import SCENES
 from hoopgen.derive.scenes.ends import meanings
 from hoopgen.derive.scenes.scene import Scene
+from hoopgen.derive.scenes.validity import size_limits
 from hoopgen.outputs import write
 
 from .alone import Alone
@@ -266,6 +268,9 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
     context: dict[str, Any] = {
         "scene": scene,
         "parameters": [identifier(symbol) for symbol in scene.symbols],
+        "size_limits": [size_limits(scene, parameter) for parameter in scene.parameters],
+        "max_size": MAX_SIZE,
+        "max_time": MAX_TIME,
         "kernels": list(views.values()),
         "normals": _normals(model),
         "state": tuple(symbol.name for symbol in STATE),

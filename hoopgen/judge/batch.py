@@ -28,14 +28,17 @@ from hoopgen.parameters import resolve
 from hoopgen.scene.definition import definition, table_of, usual_contacts, usual_limit
 
 from .certificate import UNDECIDED, Certificate, Proof, ProvedEvent, doubles, enclosure
-from .flight import Flown, Undecided, fly
+from .flight import Flown, fly
 from .formulas import formulas
+from .roots import Undecided
 
 FIRST_BITS = 128
 MAX_BITS = 4096
 
 CHUNK = 64
 """Shots that a process takes at a time; fewer are not worth another process."""
+
+_ROLLS = "from there the ball rolls, which the judge does not follow"
 
 _FORKS = sys.platform == "linux"
 """Whether processes begin at once, with all that is compiled here, and no script runs anew."""
@@ -58,7 +61,8 @@ def certify(
     Every shot is flown from its exact doubles, with twice as many bits each time, until every
     decision (is there an arrival, which is first, is it within the bounds, is it made) is proved,
     and the final time and state are known to more than a double's digits. A true tie, an exact
-    touch or an exact edge is undecidable at any precision and reported as such.
+    touch or an exact edge is undecidable at any precision and reported as such. In a scene where
+    balls roll, impacts are proved until bounces accumulate: no outcome is proved of such a shot.
 
     Parameters
     ----------
@@ -76,7 +80,7 @@ def certify(
     Returns
     -------
     Certificate
-        Outcomes, sequences, and times and states with radii, by shot.
+        Outcomes, sequences, and times and states with radii, by shot, and how far each is proved.
 
     Raises
     ------
@@ -181,6 +185,9 @@ class _Task:
         times, radii = doubles([event.time for event in flown.events])
         final = [flown.time, *flown.state]
         values, away = doubles(final)
+        if flown.hops >= 0:
+            body = self.scene.bodies[flown.events[-1].surface].name
+            question = f"the bounces on the {body} accumulate; {_ROLLS}"
         if question or self._invalid(flown):
             values = away = [math.nan] * len(final)
         events: tuple[ProvedEvent, ...] = ()
@@ -206,6 +213,7 @@ class _Task:
             values[1:],
             away[1:],
             events,
+            flown.hops,
         )
 
 

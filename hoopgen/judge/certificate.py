@@ -82,7 +82,8 @@ class Proof:
     bits
         The precision at which every decision was proved; if undecided, the last one tried.
     question
-        What could not be decided, else empty.
+        Why the proof ends before the shot does: what could not be decided, or that bounces
+        accumulate and the ball rolls from there. Empty if every decision was proved.
     surfaces, times, time_radii
         Of the events, as far as they are proved, the end included: index of the surface, the
         double nearest to the time (s), and how far the truth can be from that.
@@ -92,6 +93,9 @@ class Proof:
         As `Shots.state`, likewise.
     events
         With record: the events with all digits.
+    hops
+        Where bounces accumulate: the index of the first event of a run of hops that are too small
+        to be told from rolling; else -1.
     """
 
     outcome: int
@@ -105,11 +109,22 @@ class Proof:
     state: list[float]
     state_radii: list[float]
     events: tuple[ProvedEvent, ...]
+    hops: int = -1
 
     @property
     def decided(self) -> bool:
-        """True if every decision was proved."""
+        """True if every decision was proved, and so is the outcome."""
         return self.outcome != UNDECIDED
+
+    @property
+    def accumulates(self) -> bool:
+        """True if the proof ends because bounces accumulate: from there the ball rolls."""
+        return self.hops >= 0
+
+    @property
+    def until(self) -> float:
+        """The time of the last event that is proved, s since the release; 0 if there is none."""
+        return self.times[-1] if self.times else 0.0
 
 
 class Certificate:
@@ -129,8 +144,13 @@ class Certificate:
         uint8 (n,), an `Outcome`, or `UNDECIDED`.
     contacts, counts, first
         As in `Shots`; of an undecided shot, as far as it is proved.
+    until
+        float64 (n,), s since the release: the time of the last event that is proved, 0 if none is.
+    accumulates
+        bool (n,), the proof ends because bounces accumulate: from there the ball rolls, which the
+        judge does not follow. Such a shot is undecided; `Proof.question` says on what it rolls.
     rolls, slip_left, grip_lost
-        As in `Shots`: the judge bounces on, so that no ball rolls or ends with slip left.
+        As in `Shots`: no ball rolls or ends with slip left of whose shot the outcome is proved.
     time, time_radius
         float64 (n,), s: the doubles nearest to the proved times, and how far the truth can be from
         those. NaN where undecided or invalid.
@@ -154,6 +174,8 @@ class Certificate:
         self.contacts: NDArray[np.int32] = self.counts.sum(axis=1, dtype=np.int32)
         first = [p.surfaces[0] if p.surfaces else -1 for p in proofs]
         self.first = np.array([-1 if k == bodies else k for k in first], np.int8)
+        self.until: NDArray[np.float64] = np.array([p.until for p in proofs], float)
+        self.accumulates: NDArray[np.bool_] = np.array([p.accumulates for p in proofs], np.bool_)
         # What the judge has proved to an end has bounced all the way.
         self.rolls = np.zeros(shots, np.int32)
         self.slip_left = np.zeros(shots, np.bool_)
@@ -166,6 +188,9 @@ class Certificate:
     def agrees(self, shots: Shots) -> NDArray[np.bool_]:
         """Return where shots are as it is proved here, or marked as uncertain.
 
+        A shot that rolls, or whose bounces have ended with slip left, is compared as far as both
+        go: until it rolls, and until the proof ends (`until`). No outcome is proved of it.
+
         Parameters
         ----------
         shots
@@ -175,9 +200,8 @@ class Certificate:
         -------
         ndarray
             bool (n,): the same surfaces in the same order, and the same outcome; or uncertain. Of
-            an undecided proof, that it is uncertain. The judge bounces on where a ball rolls, or
-            its bounces have ended with slip left: such a shot agrees if its contacts until then
-            are those proved, as far as the proof goes.
+            an undecided proof, that the shot is uncertain; of one that ends because bounces
+            accumulate, that the shot's impacts are those proved, as far as both go.
 
         Raises
         ------
@@ -201,8 +225,9 @@ class Certificate:
             begun = np.flatnonzero(one["kind"] == Event.ROLL)
             if not len(begun) and slipping[shot]:
                 begun = np.array([len(one)])
-            if len(begun) and (not self.decided[shot] or self.outcome[shot] == capped):
-                until = min(int(begun[0]), len(own))
+            given_up = not self.decided[shot] or self.outcome[shot] == capped
+            if self.accumulates[shot] or (len(begun) and given_up):
+                until = min(int(begun[0]) if len(begun) else len(one), len(own))
                 right[shot] = list(one["surface"][:until]) == own[:until]
         return np.asarray(right | shots.uncertain)
 
@@ -229,4 +254,7 @@ class Certificate:
         return self.proofs[shot]
 
     def __repr__(self) -> str:
-        return f"Certificate({counted(len(self), 'shot')}, {int(self.decided.sum()):,} decided)"
+        rolling = int(self.accumulates.sum())
+        until_rolling = f", {rolling:,} until they roll" if rolling else ""
+        decided = f"{int(self.decided.sum()):,} decided"
+        return f"Certificate({counted(len(self), 'shot')}, {decided}{until_rolling})"

@@ -18,13 +18,11 @@ from hoopgen.derive.scenes.passage import FALLEN
 
 from . import passage
 from .formulas import Formulas, Function, SurfaceFormulas
-from .roots import Arrival, descent, first_arrival, possible_from, root_bound, sign
+from .hops import Hops
+from .roots import Arrival, Undecided, descent, first_arrival, possible_from, root_bound, sign
+from .validity import valid
 
 _NEVER = arb.pos_inf()
-
-
-class Undecided(Exception):
-    """A decision that the balls do not make at this precision; the message says which."""
 
 
 @dataclass(frozen=True)
@@ -39,12 +37,20 @@ class Event:
 
 @dataclass
 class Flown:
-    """A shot as far as it is proved."""
+    """A shot as far as it is proved.
+
+    Attributes
+    ----------
+    hops
+        Of a ball whose bounces accumulate: the index of the first event of them; else -1. It has no
+        outcome then.
+    """
 
     outcome: int
     time: arb
     state: list[arb]
     events: list[Event] = field(default_factory=list)
+    hops: int = -1
 
 
 def fly(
@@ -68,7 +74,7 @@ def fly(
     now = [arb(component) for component in state]
     flown = Flown(formulas.outcomes["short"], arb(0), now)
     try:
-        if not _valid(formulas, now, values, leaving):
+        if not valid(formulas, now, values, leaving):
             return Flown(formulas.outcomes["invalid"], arb.nan(), [arb.nan()] * len(now))
         _follow(formulas, values, max_contacts, leaving, time_limit, flown)
     except Undecided as question:
@@ -88,6 +94,7 @@ def _follow(
     last = left_by(formulas, flown.state, values, leaving)
     own = formulas.passage
     sizes = None if own is None else own(values)
+    hops = None if formulas.hop is None else Hops(formulas.hop)
     through = 1 if sizes is None else passage.at_start(sizes, flown.state, leaving)
     while True:
         if through is None:
@@ -115,7 +122,14 @@ def _follow(
         after = _bounce(formulas.surfaces[last], before, values)
         flown.state = after
         flown.events.append(Event(formulas.surfaces[last].body, flown.time, before, after))
-        if len(flown.events) >= max_contacts:
+        full = len(flown.events) >= max_contacts
+        if hops is not None:
+            surface = formulas.surfaces[last]
+            hops.add(surface, _restitution(surface, before, values), after, values)
+            flown.hops = hops.begin(len(flown.events), full)
+            if flown.hops >= 0:
+                return
+        if full:
             flown.outcome = formulas.outcomes["capped"]
             return
 
@@ -171,42 +185,6 @@ def _holds(bounds: Function, state: list[arb], values: list[arb]) -> bool | None
     if 1 in sides:
         return False
     return None if None in sides else True
-
-
-def _valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> bool:
-    """Decide whether parameters are allowed and the ball is inside no surface."""
-    if not all(component.is_finite() for component in state):
-        return False
-    if not all(_allowed(formulas, index, value) for index, value in enumerate(values)):
-        return False
-    for requirement in formulas.requirements(values):
-        side = sign(requirement)
-        if side is None:
-            raise Undecided("the parameters are on the edge of what is allowed")
-        if side <= 0:
-            return False
-    others = [k for k in range(len(formulas.solids)) if k != leaving]
-    return not any(_overlaps(formulas, k, state, values) for k in others)
-
-
-def _allowed(formulas: Formulas, index: int, value: arb) -> bool:
-    """Return whether a parameter has one of the values that it may have, which are exact."""
-    if value.is_nan() or not (formulas.infinite[index] or value.is_finite()):
-        return False
-    sign, lower, upper = formulas.signs[index], formulas.lowers[index], formulas.uppers[index]
-    if not (value > 0 if sign == "positive" else sign == "any" or value >= 0):
-        return False
-    return (lower is None or value >= lower) and (upper is None or value <= upper)
-
-
-def _overlaps(formulas: Formulas, face: int, state: list[arb], values: list[arb]) -> bool:
-    sides = [sign(part) for part in formulas.solids[face](state, values)]
-    if any(side is not None and side >= 0 for side in sides):
-        return False
-    if None in sides:
-        name = next(surface.name for surface in formulas.surfaces if surface.face == face)
-        raise Undecided(f"the ball starts on the edge of the {name}")
-    return True
 
 
 def _next(

@@ -14,6 +14,7 @@ from typing import Any
 import sympy as sp
 from flint import arb, fmpq
 
+from hoopgen.derive.follow.settling import keeps_ball, small_hop
 from hoopgen.derive.ground.choice import Held, IfAtMost, IfLess
 from hoopgen.derive.ground.symbols import (
     NORMAL,
@@ -27,6 +28,7 @@ from hoopgen.derive.ground.symbols import (
 )
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
+from hoopgen.derive.scenes.validity import condition_scales, plain, size_limits
 from hoopgen.derive.search.events import event_coefficients
 from hoopgen.derive.surfaces import Box, Gate, Plane, Surface
 
@@ -173,6 +175,8 @@ class SurfaceFormulas:
     ends
         Where a shot ends: in order, each end's name, the number of its outcome, its bounds, and
         whether it is for a ball alone that has fallen through the scene's passage.
+    keeps_ball
+        Whether a ball whose bounces accumulate there rolls, in a scene in which balls do.
     """
 
     name: str
@@ -189,6 +193,7 @@ class SurfaceFormulas:
     impact: Function | None
     restitution: Function | None
     ends: tuple[tuple[str, int, Function, bool], ...]
+    keeps_ball: bool
 
 
 @dataclass(frozen=True)
@@ -210,13 +215,18 @@ class Formulas:
         In which they are searched: planes first, whose arrivals then limit the others' search.
     flight
         (state, parameters, (time,)) to position and velocity.
+    hop
+        (state, parameters, normal): of a ball that leaves a surface, two numbers of which the first
+        is less where the hop is too small to be told from rolling; None where no ball rolls.
     passage
         (parameters,) to radius and depth of the scene's passage and gravity; None without one.
     requirements
         (parameters,): each must be positive.
-    names, signs, lowers, uppers, infinite
+    names, signs, lowers, uppers, sizes
         Of the parameters, in order: name, allowed sign, smallest and largest value or None, and
-        whether it may be infinite.
+        least and largest size.
+    scales
+        (parameters,) to the largest coefficient of each polynomial of the scene's own.
     """
 
     surfaces: tuple[SurfaceFormulas, ...]
@@ -226,13 +236,15 @@ class Formulas:
     outcomes: dict[str, int]
     order: tuple[int, ...]
     flight: Function
+    hop: Function | None
     passage: Function | None
     requirements: Function
     names: tuple[str, ...]
     signs: tuple[str, ...]
     lowers: tuple[float | None, ...]
     uppers: tuple[float | None, ...]
-    infinite: tuple[bool, ...]
+    sizes: tuple[tuple[float, float], ...]
+    scales: Function
 
 
 def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFormulas:
@@ -274,11 +286,19 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
         impact,
         restitution,
         tuple(ends),
+        face < len(scene.surfaces) and keeps_ball(scene.surfaces[face], scene.flight),
     )
 
 
 def _solid(surface: Surface) -> tuple[sp.Expr, ...]:
     return box_solid(surface) if isinstance(surface, Box) else surface.inside
+
+
+def _hop(scene: Scene) -> Function | None:
+    if not scene.rolls:
+        return None
+    sides = small_hop(scene.flight.strength, scene.ball_radius)
+    return compiled(sides, (*POSITION, *VELOCITY, *SPIN), scene.symbols, NORMAL)
 
 
 @cache
@@ -304,11 +324,16 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         scene.outcomes,
         tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),
         compiled([e for vector in there for e in vector], state, parameters, (t,)),
+        _hop(scene),
         None if passage is None else compiled([*passage.sizes, scene.gravity], parameters),
         compiled(scene.requirements, parameters),
         tuple(p.name for p in scene.parameters),
         tuple(p.sign for p in scene.parameters),
         tuple(p.lower for p in scene.parameters),
         tuple(p.upper for p in scene.parameters),
-        tuple(p.infinite for p in scene.parameters),
+        tuple(
+            (float(least), float(most))
+            for least, most in (size_limits(scene, p) for p in scene.parameters)
+        ),
+        compiled(condition_scales(scene), [plain(symbol) for symbol in parameters]),
     )

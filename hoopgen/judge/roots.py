@@ -19,6 +19,10 @@ _SPLIT = 0.48828125
 _MAP = arb_poly([1, 1])
 
 
+class Undecided(Exception):
+    """A decision that the balls do not make at this precision; the message says which."""
+
+
 @dataclass(frozen=True)
 class Arrival:
     """A time at which there is an arrival, or, if not certain, may be one.

@@ -64,8 +64,6 @@ def settle(
         processes=processes,
     )
     proved = certificate.decided
-    if scene.rolls:  # the judge bounces on where a ball rolls
-        proved = proved & (np.asarray(certificate.outcome) != scene.outcomes["CAPPED"])
     settled = rows[proved]
     for name in scene.layout.results.keys() & fields.keys():
         fields[name][settled] = getattr(certificate, name)[proved]

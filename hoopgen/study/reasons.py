@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from hoopgen.brief import brief, cut
 from hoopgen.engines import Engine
+from hoopgen.invalid import allowed, reason
 from hoopgen.variables import Releases
 
 from .columns import Column, numbers
-from .tallies import allowed, not_allowed
 
 __all__ = ["InvalidRows", "cause", "reasons", "shot_reason"]
 
@@ -130,42 +130,12 @@ def _cell(column: str, cell: Any) -> str:
 
 
 def shot_reason(releases: Releases, row: int, scene: Engine) -> str:
-    """Say what is wrong with a shot all of whose cells are numbers, as the loop begins it."""
-    state = releases.states[row]
+    """Return what is wrong with a shot all of whose cells are numbers."""
     own = {
         name: np.float64(np.broadcast_to(value, len(releases))[row])
         for name, value in releases.parameters.items()
     }
-    wrong = [
-        n
-        for n, value in own.items()
-        if not np.isfinite(value) and not (n in scene.infinite and value == np.inf)
-    ]
-    if wrong:
-        return f"not finite: {', '.join(wrong)}"
-    if not allowed(scene, own):
-        named = [f"{name} {own[name]:g}" for name in not_allowed(scene, own)]
-        return f"parameter not allowed: {', '.join(named) or 'several'}"
     speed = releases.columns.get("speed")
-    if speed is not None and np.isnan(speed[row]):
+    if speed is not None and np.isnan(speed[row]) and allowed(scene, own):
         return "no speed brings the ball down through the point aimed at"
-    if not np.isfinite(state).all():
-        return "not finite: the release"
-    outside = [
-        surface
-        for index, surface in enumerate(scene.surfaces)
-        if _valid(float(index), state, own, scene)  # as if it left that one
-    ]
-    return f"inside the {outside[0]}" if len(outside) == 1 else "inside several surfaces"
-
-
-def _valid(
-    last: float, state: NDArray[np.float64], parameters: Mapping[str, Any], scene: Engine
-) -> bool:
-    kernels = scene.kernels
-    inputs = map(np.float64, scene.table.inputs(parameters))
-    given = dict(zip(kernels.VARIABLES.values(), inputs, strict=True))
-    given |= {"last": np.float64(last), **dict(zip("xyz", state[:3], strict=True))}
-    with np.errstate(all="ignore"):
-        found = kernels.valid(*(given[name] for name in kernels.ARGUMENTS["valid"]))
-    return bool(found[0] > 0.0)
+    return reason(releases.states[row], own, scene)

@@ -14,6 +14,7 @@ from hoopgen.brief import brief, listed
 from hoopgen.engines import HOOP, Engine
 from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.inputs import check_contacts, is_whole
+from hoopgen.invalid import allowed, not_allowed, out_of_range
 from hoopgen.parameters import resolve
 from hoopgen.results import Shots
 
@@ -178,26 +179,15 @@ def check_scene(parameters: Mapping[str, Any] | None, scene: Engine = HOOP) -> d
         if scene.is_hoop:
             why = "a size or gravity is not above zero, or the ball is too big for the ring"
         raise ValueError(f"parameters: no shot can be simulated with these: {why}")
+    if sizes := out_of_range(scene, values):
+        raise ValueError(
+            f"parameters: no shot can be simulated with these: out of range: {'; '.join(sizes)}"
+        )
     return {name: float(value) for name, value in values.items()}
 
 
 def _infinite(scene: Engine, name: str, value: Any) -> bool:
     return name in scene.infinite and bool(value == np.inf)
-
-
-def allowed(scene: Engine, parameters: Mapping[str, Any]) -> bool:
-    """Return whether a scene allows all of its parameters, in their order, one number each."""
-    given = dict(zip(scene.kernels.VARIABLES.values(), scene.table.inputs(parameters), strict=True))
-    kernel = scene.kernels.allowed
-    with np.errstate(all="ignore"):
-        asked = (np.float64(given[name]) for name in scene.kernels.ARGUMENTS["allowed"])
-        return bool(kernel(*asked)[0])
-
-
-def not_allowed(scene: Engine, parameters: Mapping[str, Any]) -> list[str]:
-    """Return the parameters with the usual value of any of which the others would be allowed."""
-    usual = scene.table.defaults
-    return [n for n in parameters if allowed(scene, {**parameters, n: np.float64(usual[n])})]
 
 
 def contacts_of(max_contacts: int | None, scene: Engine) -> int:

@@ -1,0 +1,51 @@
+"""Whether a shot can be simulated: its parameters, its sizes and its start, decided in balls."""
+
+from __future__ import annotations
+
+from flint import arb
+
+from hoopgen.derive.ground.number_range import MAX_COEFFICIENT, MAX_SIZE
+
+from .formulas import Formulas
+from .roots import Undecided, sign
+
+_MAX_SIZE, _MIN_SCALE = arb(float(MAX_SIZE)), 1 / arb(float(MAX_COEFFICIENT))
+
+
+def valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> bool:
+    """Decide whether parameters are allowed and the ball is inside no surface."""
+    if not all(abs(component) <= _MAX_SIZE for component in state):
+        return False
+    if not all(_allowed(formulas, index, value) for index, value in enumerate(values)):
+        return False
+    if not all(scale >= _MIN_SCALE for scale in formulas.scales(values)):
+        return False
+    for requirement in formulas.requirements(values):
+        side = sign(requirement)
+        if side is None:
+            raise Undecided("the parameters are on the edge of what is allowed")
+        if side <= 0:
+            return False
+    others = [k for k in range(len(formulas.solids)) if k != leaving]
+    return not any(_overlaps(formulas, k, state, values) for k in others)
+
+
+def _allowed(formulas: Formulas, index: int, value: arb) -> bool:
+    """Return whether a parameter has one of the values that it may have, which are exact."""
+    least, most = formulas.sizes[index]
+    if not least <= abs(value) <= most:
+        return False
+    sign, lower, upper = formulas.signs[index], formulas.lowers[index], formulas.uppers[index]
+    if not (value > 0 if sign == "positive" else sign == "any" or value >= 0):
+        return False
+    return (lower is None or value >= lower) and (upper is None or value <= upper)
+
+
+def _overlaps(formulas: Formulas, face: int, state: list[arb], values: list[arb]) -> bool:
+    sides = [sign(part) for part in formulas.solids[face](state, values)]
+    if any(side is not None and side >= 0 for side in sides):
+        return False
+    if None in sides:
+        name = next(surface.name for surface in formulas.surfaces if surface.face == face)
+        raise Undecided(f"the ball starts on the edge of the {name}")
+    return True
