@@ -4037,7 +4037,7 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
     LANES(court_plain_permitted)(lists, 0);
     LANES(court_plain_fix)(lists);
     for (;;) {
-        if (job->stop && *job->stop)
+        if (stopped(job))
             return;
         if (begun == end && end < job->shots)
             begun = court_take(job, &end);
@@ -11536,7 +11536,7 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
     LANES(court_bounded_permitted)(lists, 0);
     LANES(court_bounded_fix)(lists);
     for (;;) {
-        if (job->stop && *job->stop)
+        if (stopped(job))
             return;
         if (begun == end && end < job->shots)
             begun = court_take(job, &end);

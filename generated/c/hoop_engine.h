@@ -915,9 +915,8 @@ static void LANES(hoop_plain_fix_f88)(LANES(hoop_plain_lists) *lists, size_t i)
 
 /* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
    No errors are bounded: the same path, with less work. */
-static void LANES(hoop_plain)(const hoop_job *job)
+static void LANES(hoop_plain)(const hoop_job *job, LANES(hoop_plain_lists) *const restrict lists)
 {
-    LANES(hoop_plain_lists) all, *const lists = &all;
     const V most_contacts = K((double)job->max_contacts);
     const V time_limit = K(job->time_limit);
     const size_t varying = job->varying ? ~(size_t)0 : 0;
@@ -941,7 +940,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
     LANES(hoop_plain_permitted)(lists, 0);
     LANES(hoop_plain_fix)(lists);
     for (;;) {
-        if (job->stop && *job->stop)
+        if (stopped(job))
             return;
         if (begun == end && end < job->shots)
             begun = hoop_take(job, &end);
@@ -3147,9 +3146,8 @@ static void LANES(hoop_bounded_fix_f118)(LANES(hoop_bounded_lists) *lists, size_
 
 /* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
    Errors are bounded. */
-static void LANES(hoop_bounded)(const hoop_job *job)
+static void LANES(hoop_bounded)(const hoop_job *job, LANES(hoop_bounded_lists) *const restrict lists)
 {
-    LANES(hoop_bounded_lists) all, *const lists = &all;
     const V most_contacts = K((double)job->max_contacts);
     const V time_limit = K(job->time_limit);
     const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
@@ -3174,7 +3172,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
     LANES(hoop_bounded_permitted)(lists, 0);
     LANES(hoop_bounded_fix)(lists);
     for (;;) {
-        if (job->stop && *job->stop)
+        if (stopped(job))
             return;
         if (begun == end && end < job->shots)
             begun = hoop_take(job, &end);
@@ -4731,10 +4729,17 @@ static int LANES(hoop_run)(const hoop_job *job)
 {
     const hoop_results *out = job->results;
     const int bounds = out->time_error || out->state_error || out->uncertain;
+    /* Not on the stack: they may be megabytes, and threads have little of it. */
+    const size_t size = bounds ? sizeof(LANES(hoop_bounded_lists)) : sizeof(LANES(hoop_plain_lists));
+    void *const room = malloc(size + 63);
+    if (room == NULL)
+        return 0;
+    void *const lists = (void *)(((uintptr_t)room + 63) / 64 * 64);
     if (bounds)
-        LANES(hoop_bounded)(job);
+        LANES(hoop_bounded)(job, lists);
     else
-        LANES(hoop_plain)(job);
+        LANES(hoop_plain)(job, lists);
+    free(room);
     return 1;
 }
 
