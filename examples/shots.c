@@ -35,8 +35,12 @@ int main(void)
 
     for (int k = 0; k < HOOP_PARAMETERS; k++)
         parameters[k] = &hoop[k];
-    if (hoop_simulate(SHOTS, shots[0], parameters, strides, NULL, 40, INFINITY, 0, NULL, &results) < 0)
+    const int width = hoop_simulate(SHOTS, shots[0], parameters, strides, NULL, 40, INFINITY, 0, NULL,
+                                    &results);
+    if (width < 0) { /* a HOOP_ERROR_*, as hoop.h explains */
+        fprintf(stderr, "hoop_simulate: %d\n", width);
         return 1;
+    }
     for (int k = 0; k < SHOTS; k++)
         printf("%-8s %2d contacts %.17g s\n", words[outcome[k]], (int)contacts[k], time[k]);
     return 0;

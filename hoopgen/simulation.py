@@ -47,7 +47,15 @@ AT_ONCE = 1 << 17
 C so many more ask one more."""
 
 AT_ONCE_IN_C = 1 << 20
-"""The same for one thread in C; of several the caller's is one, up to so many."""
+"""The same for one thread in C, as `_is_brief` counts; of several the caller's is one, up to so
+many."""
+
+STEPS = 1 << 8
+"""Most steps that a ball takes in a second of rolling: a few times what swirls in the ring take. A
+step costs about what a contact does."""
+
+BODIES = 3
+"""With so many a contact costs what `AT_ONCE_IN_C` stands for; each may have to be looked at."""
 
 
 @dataclass(frozen=True)
@@ -265,7 +273,7 @@ def _share(batch: _Batch, out: Raw, threads: int) -> None:
     """Run the batch in C: the threads share its shots."""
     contacts = len(batch.states) * batch.max_contacts
     # A caller waits less for itself than for a thread to wake.
-    here = contacts <= AT_ONCE_IN_C or not _interruptible()
+    here = _is_brief(batch) or not _interruptible()
     others = min(threads, contacts // AT_ONCE + 1) - here
     if not others:
         batch.run(out, batch.max_contacts)
@@ -301,13 +309,29 @@ def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[An
         size = max(1, min(size, ROOM // (first + 1)))
     starts = range(0, shots, size)
     last = numpy_backend.Last(len(starts), shots)
-    alone = AT_ONCE_IN_C if threads == 1 and in_c else AT_ONCE
-    if shots * batch.max_contacts <= alone or (threads == 1 and not _interruptible()):
+    contacts = shots * batch.max_contacts
+    if in_c:
+        here = _is_brief(batch) and (threads == 1 or contacts <= AT_ONCE)
+    else:
+        here = contacts <= AT_ONCE
+    if here or (threads == 1 and not _interruptible()):
         logs = [work(start) for start in starts]
     else:
         with _pool(batch, threads) as pool:
             logs = list(pool.map(work, starts))
     return [log for log in logs if log is not None]
+
+
+def _is_brief(batch: _Batch) -> bool:
+    """Return whether one thread in C takes some hundredths of a second, whatever the shots do.
+
+    Few shots take as long as the lanes have room for; one may have many contacts, bodies to pass
+    and seconds to roll.
+    """
+    lanes = len(batch.states) + native.WIDTHS[-1] - 1
+    steps = batch.max_contacts + (STEPS * batch.time_limit if batch.scene.rolls else 0)
+    bodies = max(1, len(batch.scene.surfaces) / BODIES)
+    return lanes * steps * bodies <= AT_ONCE_IN_C
 
 
 def _interruptible() -> bool:

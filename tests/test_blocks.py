@@ -5,6 +5,8 @@ import os
 import sys
 import threading
 from collections.abc import Iterator
+from types import FrameType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -124,6 +126,57 @@ def test_threads_take_and_leave_at_the_same_time() -> None:
     assert failed == []
     assert unraised == []
     assert kept() <= blocks.KEPT
+
+
+def test_a_collection_of_garbage_may_leave_blocks_at_any_line_of_the_bookkeeping() -> None:
+    """At each line another array goes, as if a collection took it there, of a size not yet kept."""
+    sizes = iter(range(2, 400))
+    waiting = [blocks.empty((next(sizes) * blocks.LEAST // 64,), DOUBLE) for _ in range(300)]
+    unraised: list[object] = []
+    before, sys.unraisablehook = sys.unraisablehook, unraised.append
+    lines = 0
+
+    def collect(frame: FrameType, event: str, argument: object) -> Any:
+        nonlocal lines
+        if frame.f_code.co_filename != blocks.__file__:
+            return None
+        if event == "line" and waiting:
+            lines += 1
+            waiting.pop()
+        return collect
+
+    traced = sys.gettrace()
+    sys.settrace(collect)
+    try:
+        for _ in range(20):
+            first, second = (blocks.empty(LARGE, DOUBLE) for _ in range(2))
+            first[:] = 1.0
+            second[:] = 2.0
+            assert (first == 1.0).all()
+            del first, second
+    finally:
+        sys.settrace(traced)
+        sys.unraisablehook = before
+    assert unraised == []
+    assert lines > 100
+    assert not blocks._LEFT  # what came meanwhile was sorted, too
+    assert not blocks._LOCK.locked()
+    assert 0 < kept() <= blocks.KEPT
+    assert len({id(block) for free in blocks._FREE.values() for block in free}) == sum(
+        map(len, blocks._FREE.values())
+    )
+
+
+def test_a_thread_that_is_at_the_blocks_holds_nobody_up() -> None:
+    array = blocks.empty(LARGE, DOUBLE)
+    with blocks._LOCK:
+        del array
+        assert blocks.empty(LARGE, DOUBLE).shape == LARGE
+    assert kept() == 0
+    array = blocks.empty(LARGE, DOUBLE)
+    del array
+    assert len(blocks._LEFT) == 0
+    assert kept() > 0
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork here")

@@ -9,6 +9,7 @@ import sys
 
 import pytest
 
+from hoopgen.court import COURT
 from hoopgen.engines import HOOP
 
 BOUNCING = """
@@ -24,13 +25,50 @@ except KeyboardInterrupt:
 """
 
 
-@pytest.mark.skipif(os.name == "nt", reason="no SIGINT can be sent to another process")
+ROLLING = """
+import hoopgen
+
+states = [[4.191, 0.0, -0.6096, -4.416290204654659, 0.07983296977604547, 5.210307727362474,
+           0.34068644728053055, 18.846476890492195, 0.0]] * %d  # it comes to swirl in the ring
+soft = {f"{body}_restitution": 0.2 for body in hoopgen.COURT.surfaces}
+options = {"scene": hoopgen.COURT, "time_limit": 1e12, "backend": "%s", "threads": %s}
+hoopgen.simulate(states, hoopgen.PAPER_COURT | soft, **options | {"time_limit": 1.0})
+try:
+    print("begun", flush=True)
+    hoopgen.simulate(states, hoopgen.PAPER_COURT | soft, **options, record=%s)
+except KeyboardInterrupt:
+    print("stopped", flush=True)
+"""
+
+needs_signals = pytest.mark.skipif(
+    os.name == "nt", reason="no SIGINT can be sent to another process"
+)
+
+
+@needs_signals
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_ctrl_c_stops_a_long_batch(backend: str, threads: int) -> None:
     if backend == "c" and HOOP.library is None:
         pytest.skip("the C engine was not built")
-    command = [sys.executable, "-c", BOUNCING % (backend, threads)]
+    assert_stops(BOUNCING % (backend, threads))
+
+
+@needs_signals
+@pytest.mark.parametrize("record", [False, True])
+@pytest.mark.parametrize("threads", [1, None])
+@pytest.mark.parametrize("shots", [1, 3])
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_ctrl_c_stops_a_few_shots_that_roll(
+    backend: str, shots: int, threads: int | None, record: bool
+) -> None:
+    if backend == "c" and COURT.library is None:
+        pytest.skip("the C engine was not built")
+    assert_stops(ROLLING % (shots, backend, threads, record))
+
+
+def assert_stops(script: str) -> None:
+    command = [sys.executable, "-c", script]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "begun\n"

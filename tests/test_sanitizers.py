@@ -1,22 +1,26 @@
-"""The C engine under AddressSanitizer and UndefinedBehaviorSanitizer: no input makes it misbehave.
+"""The C engine under sanitizers: no input makes it misbehave, nor do threads.
 
 A driver in C hands it shots of every kind, garbage included, in buffers of exactly the documented
-sizes. Whatever a sanitizer finds ends the driver with a report.
+sizes, under AddressSanitizer and UndefinedBehaviorSanitizer. Another has threads share shots, under
+ThreadSanitizer and MemorySanitizer, which Clang has. Whatever a sanitizer finds ends the driver
+with a report.
 """
 
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pytest
-from compiled import ROOT, SANITIZERS, compiles, needs_compiler
+from compiled import ROOT, SANITIZERS, WIDTHS, compiles, needs_compiler
+from court_shots import all_kinds
 
 from benchmarks.workloads import WORKLOADS
-from hoopgen import PAPER
+from hoopgen import NBA_COURT, PAPER
 from hoopgen.engine import native
 from hoopgen.engine.sources import FLAGS
 
@@ -292,6 +296,161 @@ def test_the_sanitizers_are_at_work(tmp_path: Path, wrong: str, report: str) -> 
     source, program = tmp_path / "wrong.c", tmp_path / "wrong"
     source.write_text(f"#include <stdlib.h>\nint main(void) {{ {wrong} }}\n", encoding="utf-8")
     compiles(*FLAGS, *SANITIZERS, source, "-o", program)
+    run = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
+    assert run.returncode != 0
+    assert report in run.stderr
+
+
+# ------------------------------------------------------------------------- threads, and memory
+
+SHARING = r"""
+#include "SCENE.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define CHECK(c) ((c) ? (void)0 : (fprintf(stderr, "line %d: %s\n", __LINE__, #c), exit(3)))
+
+static double states[SCENE_STATE << 12], usual[SCENE_PARAMETERS];
+static const double *parameters[SCENE_PARAMETERS];
+static int64_t strides[SCENE_PARAMETERS];
+static size_t shots, next;
+static int width;
+static int32_t stop;
+static SCENE_results out;
+
+static void *work(void *status)
+{
+    *(int *)status = SCENE_share(shots, states, parameters, strides, NULL, 100, 4.0, width, &stop,
+                                 &out, &next, 8);
+    return NULL;
+}
+
+/* Run all shots by two threads; return how many have results that make sense. */
+static size_t run(int stopped)
+{
+    /* Not initialised: MemorySanitizer sees whether all of it is written. */
+    out.outcome = malloc(shots * sizeof *out.outcome);
+    out.contacts = malloc(shots * sizeof *out.contacts);
+    out.time = malloc(shots * sizeof *out.time);
+    out.state = malloc(SCENE_STATE * shots * sizeof *out.state);
+    CHECK(out.outcome && out.contacts && out.time && out.state);
+    pthread_t threads[2];
+    int status[2];
+    next = 0;
+    atomic_store((_Atomic int32_t *)&stop, 0);
+    for (int k = 0; k < 2; k++)
+        CHECK(!pthread_create(&threads[k], NULL, work, &status[k]));
+    if (stopped)
+        atomic_store((_Atomic int32_t *)&stop, 1);
+    for (int k = 0; k < 2; k++) {
+        CHECK(!pthread_join(threads[k], NULL));
+        CHECK(status[k] == width);
+    }
+    size_t good = 0;
+    for (size_t i = 0; !stopped && i < shots; i++)
+        good += out.outcome[i] <= SCENE_OUTCOME_ENDLESS && out.contacts[i] <= 100 &&
+                !(out.time[i] < 0.0) && !(out.state[SCENE_STATE * i + 2] > 1e300);
+    free(out.outcome), free(out.contacts), free(out.time), free(out.state);
+    return good;
+}
+
+/* driver WIDTH < parameters, then releases: doubles. Many shots, and so few that lanes idle. */
+int main(int argc, char **argv)
+{
+    CHECK(argc == 2);
+    width = atoi(argv[1]);
+    CHECK(fread(usual, sizeof *usual, SCENE_PARAMETERS, stdin) == SCENE_PARAMETERS);
+    const size_t all = fread(states, SCENE_STATE * sizeof *states, 1 << 12, stdin);
+    for (int k = 0; k < SCENE_PARAMETERS; k++)
+        parameters[k] = &usual[k];
+    for (shots = all; shots; shots /= 7) {
+        out.uncertain = NULL, out.time_error = NULL;
+        CHECK(run(0) == shots);
+        out.uncertain = malloc(shots * sizeof *out.uncertain);
+        out.time_error = malloc(shots * sizeof *out.time_error);
+        CHECK(out.uncertain && out.time_error);
+        CHECK(run(0) == shots);
+        run(1);
+        free(out.uncertain), free(out.time_error);
+    }
+    return 0;
+}
+"""
+
+CLANG = shutil.which("clang")
+
+
+def sanitized(sanitizer: str) -> list[str]:
+    """Return Clang and its flags for a sanitizer."""
+    return [CLANG or "clang", "-O1", "-g", "-w", f"-fsanitize={sanitizer}", "-pthread"]
+
+
+@pytest.fixture(scope="module", params=["thread", "memory"])
+def sanitizer(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> str:
+    """A sanitizer of Clang's whose programs run here."""
+    name = str(request.param)
+    if CLANG is None:
+        pytest.skip(f"no clang, and so no sanitizer of {name}")
+    folder = tmp_path_factory.mktemp(name)
+    source, program = folder / "nothing.c", folder / "nothing"
+    source.write_text("int main(void) { return 0; }\n", encoding="utf-8")
+    for command in ([*sanitized(name), source, "-o", program], [program]):
+        ran = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+        if ran.returncode:
+            pytest.skip(f"clang's sanitizer of {name} does not work here: {ran.stderr[:200]}")
+    return name
+
+
+@pytest.mark.parametrize("scene", ["hoop", "court"])
+def test_threads_that_share_shots_make_no_other_sanitizer_speak(
+    sanitizer: str, scene: str, tmp_path: Path
+) -> None:
+    """The flag to stop is set meanwhile; lanes that idle compute with numbers, too."""
+    if (sanitizer, scene) == ("thread", "court"):
+        pytest.skip("what threads have in common is the same in every scene")
+    generated = ROOT / "generated" / "c"
+    source, program = tmp_path / "sharing.c", tmp_path / "sharing"
+    text = SHARING
+    for word in ("_STATE", "_PARAMETERS", "_OUTCOME"):
+        text = text.replace(f"SCENE{word}", f"{scene.upper()}{word}")
+    source.write_text(text.replace("SCENE", scene), encoding="utf-8")
+    flags = [f for f in FLAGS if f.startswith(("-std", "-ffp"))]
+    only = f"-D{scene.upper()}_ONLY={WIDTHS[-1]}"
+    command = [*sanitized(sanitizer), *flags, only, f"-I{generated}"]
+    files = [str(source), str(generated / f"{scene}.c"), "-o", str(program), "-lm"]
+    made = subprocess.run([*command, *files], capture_output=True, text=True, check=False)
+    assert made.returncode == 0, made.stderr
+    values = list((PAPER if scene == "hoop" else NBA_COURT).values())
+    states = np.concatenate([*(w.make(100) for w in WORKLOADS), all_kinds(20)])
+    given = np.array(values, np.float64).tobytes() + states.tobytes()
+    run = subprocess.run(
+        [program, str(WIDTHS[-1])], input=given, capture_output=True, check=False, timeout=600
+    )
+    assert run.returncode == 0, run.stderr.decode()
+    assert run.stderr == b""
+
+
+WRONG = {
+    "thread": (
+        "#include <pthread.h>\nint a;\nvoid *f(void *b) { a++; return b; }\n"
+        "int main(void) { pthread_t t; pthread_create(&t, 0, f, 0); a++; pthread_join(t, 0); }",
+        "data race",
+    ),
+    "memory": (
+        "#include <stdlib.h>\nint main(void) { volatile int *a = malloc(4); if (*a) abort(); }",
+        "use-of-uninitialized-value",
+    ),
+}
+
+
+def test_the_other_sanitizers_are_at_work(sanitizer: str, tmp_path: Path) -> None:
+    source, program = tmp_path / "wrong.c", tmp_path / "wrong"
+    text, report = WRONG[sanitizer]
+    source.write_text(text + "\n", encoding="utf-8")
+    subprocess.run([*sanitized(sanitizer), source, "-o", program], check=True)
     run = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
     assert run.returncode != 0
     assert report in run.stderr

@@ -10,6 +10,7 @@ import stat
 import subprocess
 import sys
 import threading
+import types
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -429,3 +430,15 @@ def test_of_numbers_that_are_none_neither_sign_nor_rest_is_compared() -> None:
     assert not trust._same(numbers, np.array([1.0 + 2.0**-52, np.nan, 0.0]))
     assert not trust._same(numbers, np.array([np.nan, np.nan, 0.0]))
     assert not trust._same(np.array([1, 2]), np.array([1, 3]))
+
+
+def test_shots_compared_leave_surfaces_that_there_are() -> None:
+    """One byte says which: of two hundred surfaces the last are none that can be left."""
+    for many in (1, 3, 128, 129, 200):
+        kernels: Any = types.SimpleNamespace(
+            PARAMETERS={}, LOG_ROWS=1, BODIES=[f"body_{k}" for k in range(many)]
+        )
+        left = trust.batches(kernels, np.zeros((1000, 9)))[2][2]
+        assert left is not None
+        assert left.min() == -1
+        assert left.max() == min(many, 128) - 1

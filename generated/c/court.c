@@ -101,11 +101,22 @@ typedef struct {
 #define LANES_INLINE static inline
 #endif
 
-/* Shots in flight at once: what the stages read and write of them stays in the nearest caches. */
-/* Where balls roll there are more: what few shots need at a time then fills more lanes. */
+/* Shots in flight at once: what the stages read and write of them stays in the nearer caches, and
+   what few shots need at a time fills lanes. */
 #define LANES_SHOTS 256
 /* Behind them are the rows of those that stay in contact. */
 #define LANES_ROWS (2 * LANES_SHOTS)
+
+/* Whether the caller wants no more; another thread may say so at any time. */
+static int stopped(const court_job *job)
+{
+#if defined(_MSC_VER) && !defined(__clang__)
+    return job->stop != NULL && *job->stop != 0;
+#else
+    return job->stop != NULL &&
+           atomic_load_explicit((const volatile _Atomic int32_t *)job->stop, memory_order_relaxed) != 0;
+#endif
+}
 
 /* Whether a number that threads have in common was still *seen, and is `then` now; else *seen is
    what it is. */
@@ -226,6 +237,53 @@ static int widest(void)
 #endif
 }
 
+/* Return what is wrong with the arguments, 0 if nothing is: nothing is read yet that they point to
+   but what is looked at here. */
+static int court_error(const court_job *job)
+{
+    const court_results *out = job->results;
+    const int surfaces = COURT_SURFACES;
+    if (job->shots > PTRDIFF_MAX / (COURT_STATE * sizeof(double)))
+        return COURT_ERROR_SHOTS;
+    if (job->shots != 0 && job->states == NULL)
+        return COURT_ERROR_STATES;
+    for (int k = 0; k < COURT_PARAMETERS; k++) {
+        if (job->parameters == NULL || job->parameters[k] == NULL)
+            return COURT_ERROR_PARAMETERS;
+        if (job->strides == NULL || (job->strides[k] != 0 && job->strides[k] != 1))
+            return COURT_ERROR_STRIDES;
+    }
+    if (job->leaving) {
+        int wrong = 0;
+        for (size_t shot = 0; shot < job->shots; shot++) {
+            const int surface = job->leaving[shot];
+            wrong |= (surface < -1) | (surface >= surfaces);
+        }
+        if (wrong)
+            return COURT_ERROR_LEAVING;
+    }
+    if (job->max_contacts < 1)
+        return COURT_ERROR_MAX_CONTACTS;
+    if (!(job->time_limit > 0.0))
+        return COURT_ERROR_TIME_LIMIT;
+    if (out == NULL)
+        return COURT_ERROR_RESULTS;
+    if ((out->events == NULL) != (out->event_counts == NULL))
+        return COURT_ERROR_EVENTS;
+    if (out->events) {
+        if (job->max_contacts > (INT32_MAX - 1) / COURT_LOG_ROWS)
+            return COURT_ERROR_EVENTS;
+        const size_t rows = COURT_LOG_ROWS * (size_t)job->max_contacts + 1;
+        if (job->shots > PTRDIFF_MAX / sizeof *out->events / rows)
+            return COURT_ERROR_EVENTS;
+    }
+    if (job->next == NULL)
+        return COURT_ERROR_NEXT;
+    if (job->parts < 1)
+        return COURT_ERROR_PARTS;
+    return 0;
+}
+
 const char *court_sources(void) { return TEXT(COURT_SOURCES); }
 
 int court_simulate(size_t shots, const double *states, const double *const *parameters,
@@ -245,19 +303,21 @@ int court_share(size_t shots, const double *states, const double *const *paramet
 {
     court_job job = {shots, states, parameters, strides, leaving, 0, max_contacts, time_limit,
                               stop, next, parts, results};
-    const int most = widest();
+    const int most = widest(), error = court_error(&job);
+    if (error)
+        return error;
     for (int k = 0; k < COURT_PARAMETERS; k++)
         job.varying |= strides[k] != 0;
     if (width == 0)
         width = most;
-    if (width > most || max_contacts < 1 || parts < 1)
-        return -1;
+    if (width > most)
+        return COURT_ERROR_WIDTH;
 #define RUN(width) \
     case width: \
         if (!court_exact_w##width()) \
-            return -2; \
+            return COURT_ERROR_ARITHMETIC; \
         if (!court_run_w##width(&job)) \
-            return -3; \
+            return COURT_ERROR_MEMORY; \
         streamed(); \
         return width;
     switch (width) {
@@ -274,6 +334,6 @@ int court_share(size_t shots, const double *states, const double *const *paramet
         RUN(16)
 #endif
     default:
-        return -1;
+        return COURT_ERROR_WIDTH;
     }
 }

@@ -93,7 +93,8 @@ typedef struct {
     int64_t kind;    /* as numbered above */
 } court_event;
 
-/* Where the results go, by shot; what is NULL is not written. */
+/* Where the results go, by shot; what is NULL is not written. `events` and `event_counts` go
+   together: without the counts nobody could tell which rows of the log are used. */
 typedef struct {
     uint8_t *outcome; /* how it ended */
     int32_t *contacts; /* contacts before the end */
@@ -111,22 +112,43 @@ typedef struct {
     int32_t *event_counts;   /* rows of `events` used, by shot */
 } court_results;
 
+/* Why nothing was run: what a call returns instead of the width. */
+enum {
+    COURT_ERROR_WIDTH = -1,         /* this processor or build has not that width */
+    COURT_ERROR_ARITHMETIC = -2,    /* doubles are not computed as IEEE 754 says: flags of the
+                                   compiler (-ffp-contract=fast, parts of fast-math), or this thread
+                                   rounds otherwise than to nearest or makes subnormals zero */
+    COURT_ERROR_MEMORY = -3,        /* there is no memory for the shots in flight */
+    COURT_ERROR_SHOTS = -4,         /* more shots than an array can hold: a negative number, say */
+    COURT_ERROR_STATES = -5,        /* NULL, with shots */
+    COURT_ERROR_PARAMETERS = -6,    /* NULL, or one of the pointers is */
+    COURT_ERROR_STRIDES = -7,       /* NULL, or one of them is neither 0 nor 1 */
+    COURT_ERROR_LEAVING = -8,       /* less than -1, or no surface */
+    COURT_ERROR_MAX_CONTACTS = -9,  /* less than 1 */
+    COURT_ERROR_TIME_LIMIT = -10,   /* NaN, or not more than 0 */
+    COURT_ERROR_RESULTS = -11,      /* NULL */
+    COURT_ERROR_EVENTS = -12,       /* `events` without `event_counts`, or these without those;
+                                   or a log that no array can hold, or no count */
+    COURT_ERROR_NEXT = -13,         /* NULL */
+    COURT_ERROR_PARTS = -14         /* less than 1 */
+};
+
 /* Simulate `shots` shots.
 
-   states       [shot][COURT_STATE]
+   states       [shot][COURT_STATE]; may be NULL where there are no shots
    parameters   one pointer each, to one value or to one value per shot
    strides      by parameter: 0 for one value, 1 for one per shot
    leaving      NULL, or by shot the surface that the ball touches at the start and leaves, -1: none
    max_contacts at least 1
-   time_limit   s since the release at which a shot ends; INFINITY: none
+   time_limit   s since the release at which a shot ends, more than 0; INFINITY: none
    width        vector lanes: 1, 4, 8 or 16; 0 for the widest that this processor has
    stop         NULL, or a flag: when it becomes nonzero, the run ends, its results unfinished,
-                event_counts too
+                event_counts too. Another thread that sets it does so by an atomic store
+   results      where they go; itself it must not be NULL
 
-   Returns the width that was used; or, with nothing run, -1 if that width is not there, -2 if
-   doubles are not computed as IEEE 754 says: flags of the compiler (-ffp-contract=fast, parts of
-   fast-math), or this thread rounds otherwise than to nearest or makes subnormals zero, -3
-   if there is no memory for the shots in flight. */
+   Returns the width that was used; or, with nothing run and nothing written, a COURT_ERROR:
+   -1 if that width is not there, and so on. Of several faults any may be returned. The shots in
+   flight are in memory from malloc: of the stack a call takes some tens of kilobytes. */
 HOOPGEN_API int court_simulate(size_t shots, const double *states,
                               const double *const *parameters, const int64_t *strides,
                               const int8_t *leaving, int32_t max_contacts, double time_limit,
@@ -135,9 +157,10 @@ HOOPGEN_API int court_simulate(size_t shots, const double *states,
 
 /* The same, by several threads that call it with the same arguments: each shot is simulated by one.
 
-   next   the first shot that none has begun, in common; 0 before each batch
+   next   the first shot that none has begun, in common; 0 before each batch. From `shots` on
+          there is nothing left to run
    parts  which part of the shots that are left a thread takes at a time: some times as many as
-          there are threads, at least 1; else it returns -1 */
+          there are threads, at least 1 */
 HOOPGEN_API int court_share(size_t shots, const double *states,
                            const double *const *parameters, const int64_t *strides,
                            const int8_t *leaving, int32_t max_contacts, double time_limit,

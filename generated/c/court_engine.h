@@ -544,11 +544,63 @@ LANES_INLINE void LANES(court_plain_permitted)(LANES(court_plain_lists) *lists, 
     lanes_store(lists->permitted + row, lanes_select(LANES(court_permit)(lanes_load(lists->p_ball_radius + row), lanes_load(lists->p_ring_radius + row), lanes_load(lists->p_wire_radius + row), lanes_load(lists->p_board_distance + row), lanes_load(lists->p_board_half_width + row), lanes_load(lists->p_board_bottom + row), lanes_load(lists->p_board_top + row), lanes_load(lists->p_board_thickness + row), lanes_load(lists->p_bridge_half_width + row), lanes_load(lists->p_bridge_depth + row), lanes_load(lists->p_gravity + row), lanes_load(lists->p_end_depth + row), lanes_load(lists->p_ring_restitution + row), lanes_load(lists->p_backboard_restitution + row), lanes_load(lists->p_bridge_restitution + row), lanes_load(lists->p_ring_friction + row), lanes_load(lists->p_backboard_friction + row), lanes_load(lists->p_bridge_friction + row), lanes_load(lists->p_tangential_restitution + row), lanes_load(lists->p_restitution_speed + row)), K(1.0), K(0.0)));
 }
 
+/* Have zeros in the lanes behind the last row, which are computed with, too: not what memory held. */
+LANES_INLINE void LANES(court_plain_fill)(LANES(court_plain_lists) *lists, size_t row, int varying)
+{
+    lanes_store(lists->x + row, K(0.0));
+    lanes_store(lists->y + row, K(0.0));
+    lanes_store(lists->z + row, K(0.0));
+    lanes_store(lists->vx + row, K(0.0));
+    lanes_store(lists->vy + row, K(0.0));
+    lanes_store(lists->vz + row, K(0.0));
+    lanes_store(lists->wx + row, K(0.0));
+    lanes_store(lists->wy + row, K(0.0));
+    lanes_store(lists->wz + row, K(0.0));
+    lanes_store(lists->clock + row, K(0.0));
+    lanes_store(lists->first + row, K(0.0));
+    lanes_store(lists->contacts + row, K(0.0));
+    lanes_store(lists->count_0 + row, K(0.0));
+    lanes_store(lists->count_1 + row, K(0.0));
+    lanes_store(lists->count_2 + row, K(0.0));
+    lanes_store(lists->held + row, K(0.0));
+    lanes_store(lists->mode + row, K(0.0));
+    lanes_store(lists->circled + row, K(0.0));
+    lanes_store(lists->rolls + row, K(0.0));
+    lanes_store(lists->slip_left + row, K(0.0));
+    lanes_store(lists->through + row, K(0.0));
+    lanes_store(lists->outcome + row, K(0.0));
+    lanes_store(lists->last + row, K(0.0));
+    if (varying) {
+        lanes_store(lists->p_ball_radius + row, K(0.0));
+        lanes_store(lists->p_ring_radius + row, K(0.0));
+        lanes_store(lists->p_wire_radius + row, K(0.0));
+        lanes_store(lists->p_board_distance + row, K(0.0));
+        lanes_store(lists->p_board_half_width + row, K(0.0));
+        lanes_store(lists->p_board_bottom + row, K(0.0));
+        lanes_store(lists->p_board_top + row, K(0.0));
+        lanes_store(lists->p_board_thickness + row, K(0.0));
+        lanes_store(lists->p_bridge_half_width + row, K(0.0));
+        lanes_store(lists->p_bridge_depth + row, K(0.0));
+        lanes_store(lists->p_gravity + row, K(0.0));
+        lanes_store(lists->p_end_depth + row, K(0.0));
+        lanes_store(lists->p_ring_restitution + row, K(0.0));
+        lanes_store(lists->p_backboard_restitution + row, K(0.0));
+        lanes_store(lists->p_bridge_restitution + row, K(0.0));
+        lanes_store(lists->p_ring_friction + row, K(0.0));
+        lanes_store(lists->p_backboard_friction + row, K(0.0));
+        lanes_store(lists->p_bridge_friction + row, K(0.0));
+        lanes_store(lists->p_tangential_restitution + row, K(0.0));
+        lanes_store(lists->p_restitution_speed + row, K(0.0));
+        lanes_store(lists->permitted + row, K(0.0));
+    }
+}
+
 /* Put the next shots into rows, from one on. */
 LANES_INLINE void LANES(court_plain_begin)(LANES(court_plain_lists) *lists, size_t row, size_t shots, const court_job *job, size_t start)
 {
     const double *state = job->states + COURT_STATE * start;
     size_t k = 0;
+    LANES(court_plain_fill)(lists, row + shots, job->varying);
     for (; k + LANES_WIDTH <= shots; k += LANES_WIDTH) {
         double *const columns[] = {
             lists->x + row + k,
@@ -782,6 +834,7 @@ LANES_INLINE size_t LANES(court_plain_resume)(LANES(court_plain_lists) *lists, s
 {
     const size_t room = LANES_ROWS - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
+    LANES(court_plain_fill)(lists, row + shots, job->varying);
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
     memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof *lists->x);
     memcpy(lists->y + row, lists->waiting_y + from, shots * sizeof *lists->y);
@@ -2641,6 +2694,43 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             kept_rolling_shots += lanes_many(packed);
         }
     }
+    if (kept_rolling_shots) {
+        lanes_store(lists->kept_rolling_row + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_bent_x + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_bent_y + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_bent_z + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_clock + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_held + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_nx + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_ny + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_nz + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_per_reach + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_through + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_vx + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_vy + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_vz + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_which + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_wx + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_wy + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_wz + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_x + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_y + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_z + kept_rolling_shots, K(0.0));
+        if (LANES_SELDOM(varying)) {
+            lanes_store(lists->kept_rolling_p_ball_radius + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_board_bottom + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_board_distance + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_board_half_width + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_board_thickness + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_board_top + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_bridge_depth + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_bridge_half_width + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_end_depth + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_gravity + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_ring_radius + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_wire_radius + kept_rolling_shots, K(0.0));
+        }
+    }
     {
         size_t taken = 0, busy = 0;
         M active = lanes_nowhere();
@@ -3193,6 +3283,36 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
             kept_circling_shots += lanes_many(packed);
         }
     }
+    if (kept_circling_shots) {
+        lanes_store(lists->kept_circling_row + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_circled + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_clock + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_through + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_vx + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_vy + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_vz + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_which + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_wx + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_wy + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_wz + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_x + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_y + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_z + kept_circling_shots, K(0.0));
+        if (LANES_SELDOM(varying)) {
+            lanes_store(lists->kept_circling_p_ball_radius + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_board_bottom + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_board_distance + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_board_half_width + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_board_thickness + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_board_top + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_bridge_depth + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_bridge_half_width + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_end_depth + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_gravity + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_ring_radius + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_wire_radius + kept_circling_shots, K(0.0));
+        }
+    }
     {
         size_t taken = 0, busy = 0;
         M active = lanes_nowhere();
@@ -3611,6 +3731,34 @@ static void LANES(court_plain_kept)(LANES(court_plain_lists) *lists, size_t kept
                 lanes_pack(lists->kept_leaves_p_wire_radius + kept_leaves_shots, packed, lanes_load(varying ? lists->kept_p_wire_radius + i : lists->p_wire_radius));
             }
             kept_leaves_shots += lanes_many(packed);
+        }
+    }
+    if (kept_leaves_shots) {
+        lanes_store(lists->kept_leaves_row + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_held + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_lift + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_per_reach + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_snap + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_surge + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_vx + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_vy + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_vz + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_x + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_y + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_z + kept_leaves_shots, K(0.0));
+        if (LANES_SELDOM(varying)) {
+            lanes_store(lists->kept_leaves_p_ball_radius + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_board_bottom + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_board_distance + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_board_half_width + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_board_thickness + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_board_top + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_bridge_depth + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_bridge_half_width + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_end_depth + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_gravity + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_ring_radius + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_wire_radius + kept_leaves_shots, K(0.0));
         }
     }
     if (kept_leaves_shots)
@@ -4037,7 +4185,7 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
     LANES(court_plain_permitted)(lists, 0);
     LANES(court_plain_fix)(lists);
     for (;;) {
-        if (job->stop && *job->stop)
+        if (stopped(job))
             return;
         if (begun == end && end < job->shots)
             begun = court_take(job, &end);
@@ -4206,6 +4354,27 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                 open_shots += lanes_many(packed);
             }
         }
+        if (open_shots) {
+            lanes_store(lists->open_row + open_shots, K(0.0));
+            lanes_store(lists->open_extent + open_shots, K(0.0));
+            lanes_store(lists->open_last + open_shots, K(0.0));
+            lanes_store(lists->open_speed + open_shots, K(0.0));
+            lanes_store(lists->open_until + open_shots, K(0.0));
+            lanes_store(lists->open_vx + open_shots, K(0.0));
+            lanes_store(lists->open_vy + open_shots, K(0.0));
+            lanes_store(lists->open_vz + open_shots, K(0.0));
+            lanes_store(lists->open_when + open_shots, K(0.0));
+            lanes_store(lists->open_which + open_shots, K(0.0));
+            lanes_store(lists->open_x + open_shots, K(0.0));
+            lanes_store(lists->open_y + open_shots, K(0.0));
+            lanes_store(lists->open_z + open_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_p_ball_radius + open_shots, K(0.0));
+                lanes_store(lists->open_p_gravity + open_shots, K(0.0));
+                lanes_store(lists->open_p_ring_radius + open_shots, K(0.0));
+                lanes_store(lists->open_p_wire_radius + open_shots, K(0.0));
+            }
+        }
         {
         size_t open_leaping_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
@@ -4343,6 +4512,38 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                     lanes_pack(lists->open_leaping_p_wire_radius + open_leaping_shots, packed, lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius));
                 }
                 open_leaping_shots += lanes_many(packed);
+            }
+        }
+        if (open_leaping_shots) {
+            lanes_store(lists->open_leaping_row + open_leaping_shots, K(0.0));
+            singles_store(lists->open_leaping_short_ceiling + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_drift + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_end + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_flat + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_grit + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_high1 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_high2 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_jerk + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_low1 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_low2 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_parting + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_rate_margin + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_rho_start + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_steady + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_swing + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_t + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_tilt + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_vx + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_vy + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_vz + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_x + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_y + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_z + open_leaping_shots, KS(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_leaping_p_ball_radius + open_leaping_shots, K(0.0));
+                lanes_store(lists->open_leaping_p_gravity + open_leaping_shots, K(0.0));
+                lanes_store(lists->open_leaping_p_ring_radius + open_leaping_shots, K(0.0));
+                lanes_store(lists->open_leaping_p_wire_radius + open_leaping_shots, K(0.0));
             }
         }
         {
@@ -4490,6 +4691,29 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                 open_searching_shots += lanes_many(packed);
             }
         }
+        if (open_searching_shots) {
+            lanes_store(lists->open_searching_row + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_arrival + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_certain + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_extent + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_last + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_share + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_speed + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_t + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_until + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_vx + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_vy + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_vz + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_x + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_y + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_z + open_searching_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_searching_p_ball_radius + open_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_p_gravity + open_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_p_ring_radius + open_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_p_wire_radius + open_searching_shots, K(0.0));
+            }
+        }
         {
         size_t open_searching_searching_shots = 0;
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
@@ -4579,6 +4803,43 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                     lanes_pack(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, packed, lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius));
                 }
                 open_searching_searching_shots += lanes_many(packed);
+            }
+        }
+        if (open_searching_searching_shots) {
+            lanes_store(lists->open_searching_searching_row + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_arrival + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_ceiling + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_certain + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_end + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_extent + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_flat + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_high0 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_high1 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_high2 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_last + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_latest + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_low0 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_low1 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_low2 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_rate_slack + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_rho_start + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_share + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_speed + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_steady + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_swing + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_t + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_tilt + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_vx + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_vy + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_vz + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_x + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_y + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_z + open_searching_searching_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_searching_searching_p_ball_radius + open_searching_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_searching_p_gravity + open_searching_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_searching_p_ring_radius + open_searching_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, K(0.0));
             }
         }
         {
@@ -4815,6 +5076,26 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                 open_refining_shots += lanes_many(packed);
             }
         }
+        if (open_refining_shots) {
+            lanes_store(lists->open_refining_row + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_arrival + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_ceiling + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_certain + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_leaving + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_rho_start + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_vx + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_vy + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_vz + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_x + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_y + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_z + open_refining_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_refining_p_ball_radius + open_refining_shots, K(0.0));
+                lanes_store(lists->open_refining_p_gravity + open_refining_shots, K(0.0));
+                lanes_store(lists->open_refining_p_ring_radius + open_refining_shots, K(0.0));
+                lanes_store(lists->open_refining_p_wire_radius + open_refining_shots, K(0.0));
+            }
+        }
         {
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
@@ -4972,6 +5253,29 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                 reachable_shots += lanes_many(packed);
             }
         }
+        if (reachable_shots) {
+            lanes_store(lists->reachable_row + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_extent + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_last + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_speed + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_vx + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_vy + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_vz + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_when + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_which + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_x + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_y + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_z + reachable_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->reachable_p_ball_radius + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_board_bottom + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_board_distance + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_board_half_width + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_board_thickness + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_board_top + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_gravity + reachable_shots, K(0.0));
+            }
+        }
         {
         size_t reachable_searching_shots = 0;
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
@@ -5109,6 +5413,41 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                     lanes_pack(lists->reachable_searching_p_gravity + reachable_searching_shots, packed, lanes_load(varying ? lists->reachable_p_gravity + i : lists->p_gravity));
                 }
                 reachable_searching_shots += lanes_many(packed);
+            }
+        }
+        if (reachable_searching_shots) {
+            lanes_store(lists->reachable_searching_row + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_arrival + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_ceiling + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_certain + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_end + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_extent + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_flat + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_high0 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_high1 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_last + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_latest + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_low0 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_low1 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_rate_slack + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_share + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_speed + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_t + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_tilt + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_vx + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_vy + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_vz + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_x + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_y + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_z + reachable_searching_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->reachable_searching_p_ball_radius + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_board_bottom + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_board_distance + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_board_half_width + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_board_thickness + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_board_top + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_gravity + reachable_searching_shots, K(0.0));
             }
         }
         {
@@ -5326,6 +5665,28 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                 reachable_refining_shots += lanes_many(packed);
             }
         }
+        if (reachable_refining_shots) {
+            lanes_store(lists->reachable_refining_row + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_arrival + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_ceiling + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_certain + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_leaving + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_vx + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_vy + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_vz + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_x + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_y + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_z + reachable_refining_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->reachable_refining_p_ball_radius + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_board_bottom + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_board_distance + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_board_half_width + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_board_thickness + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_board_top + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_gravity + reachable_refining_shots, K(0.0));
+            }
+        }
         {
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
@@ -5481,6 +5842,29 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                 reachable_shots += lanes_many(packed);
             }
         }
+        if (reachable_shots) {
+            lanes_store(lists->reachable_row + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_extent + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_last + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_speed + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_vx + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_vy + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_vz + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_when + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_which + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_x + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_y + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_z + reachable_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->reachable_p_ball_radius + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_board_distance + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_bridge_depth + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_bridge_half_width + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_gravity + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_ring_radius + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_wire_radius + reachable_shots, K(0.0));
+            }
+        }
         {
         size_t reachable_searching_shots = 0;
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
@@ -5618,6 +6002,41 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                     lanes_pack(lists->reachable_searching_p_wire_radius + reachable_searching_shots, packed, lanes_load(varying ? lists->reachable_p_wire_radius + i : lists->p_wire_radius));
                 }
                 reachable_searching_shots += lanes_many(packed);
+            }
+        }
+        if (reachable_searching_shots) {
+            lanes_store(lists->reachable_searching_row + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_arrival + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_ceiling + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_certain + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_end + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_extent + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_flat + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_high0 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_high1 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_last + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_latest + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_low0 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_low1 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_rate_slack + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_share + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_speed + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_t + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_tilt + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_vx + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_vy + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_vz + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_x + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_y + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_z + reachable_searching_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->reachable_searching_p_ball_radius + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_board_distance + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_bridge_depth + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_bridge_half_width + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_gravity + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_ring_radius + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_wire_radius + reachable_searching_shots, K(0.0));
             }
         }
         {
@@ -5835,6 +6254,28 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                 reachable_refining_shots += lanes_many(packed);
             }
         }
+        if (reachable_refining_shots) {
+            lanes_store(lists->reachable_refining_row + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_arrival + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_ceiling + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_certain + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_leaving + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_vx + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_vy + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_vz + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_x + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_y + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_z + reachable_refining_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->reachable_refining_p_ball_radius + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_board_distance + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_bridge_depth + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_bridge_half_width + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_gravity + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_ring_radius + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_wire_radius + reachable_refining_shots, K(0.0));
+            }
+        }
         {
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
@@ -5993,6 +6434,39 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                     lanes_pack(lists->kept_p_wire_radius + kept_shots, packed, lanes_load(lists->p_wire_radius + (i & varying)));
                 }
                 kept_shots += lanes_many(packed);
+            }
+        }
+        if (kept_shots) {
+            lanes_store(lists->kept_row + kept_shots, K(0.0));
+            lanes_store(lists->kept_circled + kept_shots, K(0.0));
+            lanes_store(lists->kept_clock + kept_shots, K(0.0));
+            lanes_store(lists->kept_held + kept_shots, K(0.0));
+            lanes_store(lists->kept_mode + kept_shots, K(0.0));
+            lanes_store(lists->kept_rests + kept_shots, K(0.0));
+            lanes_store(lists->kept_through + kept_shots, K(0.0));
+            lanes_store(lists->kept_vx + kept_shots, K(0.0));
+            lanes_store(lists->kept_vy + kept_shots, K(0.0));
+            lanes_store(lists->kept_vz + kept_shots, K(0.0));
+            lanes_store(lists->kept_when + kept_shots, K(0.0));
+            lanes_store(lists->kept_wx + kept_shots, K(0.0));
+            lanes_store(lists->kept_wy + kept_shots, K(0.0));
+            lanes_store(lists->kept_wz + kept_shots, K(0.0));
+            lanes_store(lists->kept_x + kept_shots, K(0.0));
+            lanes_store(lists->kept_y + kept_shots, K(0.0));
+            lanes_store(lists->kept_z + kept_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->kept_p_ball_radius + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_board_bottom + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_board_distance + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_board_half_width + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_board_thickness + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_board_top + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_bridge_depth + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_bridge_half_width + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_end_depth + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_gravity + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_ring_radius + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_wire_radius + kept_shots, K(0.0));
             }
         }
         if (kept_shots)
@@ -6300,6 +6774,43 @@ static void LANES(court_plain)(const court_job *job, LANES(court_plain_lists) *c
                     lanes_pack(lists->slow_p_wire_radius + slow_shots, packed, lanes_load(lists->p_wire_radius + (i & varying)));
                 }
                 slow_shots += lanes_many(packed);
+            }
+        }
+        if (slow_shots) {
+            lanes_store(lists->slow_row + slow_shots, K(0.0));
+            lanes_store(lists->slow_held + slow_shots, K(0.0));
+            lanes_store(lists->slow_mode + slow_shots, K(0.0));
+            lanes_store(lists->slow_outcome + slow_shots, K(0.0));
+            lanes_store(lists->slow_slip_left + slow_shots, K(0.0));
+            lanes_store(lists->slow_vx + slow_shots, K(0.0));
+            lanes_store(lists->slow_vy + slow_shots, K(0.0));
+            lanes_store(lists->slow_vz + slow_shots, K(0.0));
+            lanes_store(lists->slow_which + slow_shots, K(0.0));
+            lanes_store(lists->slow_wx + slow_shots, K(0.0));
+            lanes_store(lists->slow_wy + slow_shots, K(0.0));
+            lanes_store(lists->slow_wz + slow_shots, K(0.0));
+            lanes_store(lists->slow_x + slow_shots, K(0.0));
+            lanes_store(lists->slow_y + slow_shots, K(0.0));
+            lanes_store(lists->slow_z + slow_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->slow_p_backboard_friction + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_backboard_restitution + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_ball_radius + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_board_bottom + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_board_distance + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_board_half_width + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_board_thickness + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_board_top + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_bridge_depth + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_bridge_friction + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_bridge_half_width + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_bridge_restitution + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_end_depth + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_gravity + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_ring_friction + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_ring_radius + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_ring_restitution + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_wire_radius + slow_shots, K(0.0));
             }
         }
         if (slow_shots)
@@ -6970,11 +7481,83 @@ LANES_INLINE void LANES(court_bounded_permitted)(LANES(court_bounded_lists) *lis
     lanes_store(lists->permitted + row, lanes_select(LANES(court_permit)(lanes_load(lists->p_ball_radius + row), lanes_load(lists->p_ring_radius + row), lanes_load(lists->p_wire_radius + row), lanes_load(lists->p_board_distance + row), lanes_load(lists->p_board_half_width + row), lanes_load(lists->p_board_bottom + row), lanes_load(lists->p_board_top + row), lanes_load(lists->p_board_thickness + row), lanes_load(lists->p_bridge_half_width + row), lanes_load(lists->p_bridge_depth + row), lanes_load(lists->p_gravity + row), lanes_load(lists->p_end_depth + row), lanes_load(lists->p_ring_restitution + row), lanes_load(lists->p_backboard_restitution + row), lanes_load(lists->p_bridge_restitution + row), lanes_load(lists->p_ring_friction + row), lanes_load(lists->p_backboard_friction + row), lanes_load(lists->p_bridge_friction + row), lanes_load(lists->p_tangential_restitution + row), lanes_load(lists->p_restitution_speed + row)), K(1.0), K(0.0)));
 }
 
+/* Have zeros in the lanes behind the last row, which are computed with, too: not what memory held. */
+LANES_INLINE void LANES(court_bounded_fill)(LANES(court_bounded_lists) *lists, size_t row, int varying)
+{
+    lanes_store(lists->x + row, K(0.0));
+    lanes_store(lists->y + row, K(0.0));
+    lanes_store(lists->z + row, K(0.0));
+    lanes_store(lists->vx + row, K(0.0));
+    lanes_store(lists->vy + row, K(0.0));
+    lanes_store(lists->vz + row, K(0.0));
+    lanes_store(lists->wx + row, K(0.0));
+    lanes_store(lists->wy + row, K(0.0));
+    lanes_store(lists->wz + row, K(0.0));
+    lanes_store(lists->dx + row, K(0.0));
+    lanes_store(lists->dy + row, K(0.0));
+    lanes_store(lists->dz + row, K(0.0));
+    lanes_store(lists->dvx + row, K(0.0));
+    lanes_store(lists->dvy + row, K(0.0));
+    lanes_store(lists->dvz + row, K(0.0));
+    lanes_store(lists->dwx + row, K(0.0));
+    lanes_store(lists->dwy + row, K(0.0));
+    lanes_store(lists->dwz + row, K(0.0));
+    lanes_store(lists->clock + row, K(0.0));
+    lanes_store(lists->clock_error + row, K(0.0));
+    lanes_store(lists->first + row, K(0.0));
+    lanes_store(lists->contacts + row, K(0.0));
+    lanes_store(lists->count_0 + row, K(0.0));
+    lanes_store(lists->count_1 + row, K(0.0));
+    lanes_store(lists->count_2 + row, K(0.0));
+    lanes_store(lists->held + row, K(0.0));
+    lanes_store(lists->mode + row, K(0.0));
+    lanes_store(lists->circled + row, K(0.0));
+    lanes_store(lists->assured + row, K(0.0));
+    lanes_store(lists->rolls + row, K(0.0));
+    lanes_store(lists->slip_left + row, K(0.0));
+    lanes_store(lists->grip_lost + row, K(0.0));
+    lanes_store(lists->taut + row, K(0.0));
+    lanes_store(lists->taut_rate + row, K(0.0));
+    lanes_store(lists->taut_clock + row, K(0.0));
+    lanes_store(lists->through + row, K(0.0));
+    lanes_store(lists->uncertain + row, K(0.0));
+    lanes_store(lists->position_claim + row, K(0.0));
+    lanes_store(lists->velocity_claim + row, K(0.0));
+    lanes_store(lists->spin_claim + row, K(0.0));
+    lanes_store(lists->time_claim + row, K(0.0));
+    lanes_store(lists->outcome + row, K(0.0));
+    lanes_store(lists->last + row, K(0.0));
+    if (varying) {
+        lanes_store(lists->p_ball_radius + row, K(0.0));
+        lanes_store(lists->p_ring_radius + row, K(0.0));
+        lanes_store(lists->p_wire_radius + row, K(0.0));
+        lanes_store(lists->p_board_distance + row, K(0.0));
+        lanes_store(lists->p_board_half_width + row, K(0.0));
+        lanes_store(lists->p_board_bottom + row, K(0.0));
+        lanes_store(lists->p_board_top + row, K(0.0));
+        lanes_store(lists->p_board_thickness + row, K(0.0));
+        lanes_store(lists->p_bridge_half_width + row, K(0.0));
+        lanes_store(lists->p_bridge_depth + row, K(0.0));
+        lanes_store(lists->p_gravity + row, K(0.0));
+        lanes_store(lists->p_end_depth + row, K(0.0));
+        lanes_store(lists->p_ring_restitution + row, K(0.0));
+        lanes_store(lists->p_backboard_restitution + row, K(0.0));
+        lanes_store(lists->p_bridge_restitution + row, K(0.0));
+        lanes_store(lists->p_ring_friction + row, K(0.0));
+        lanes_store(lists->p_backboard_friction + row, K(0.0));
+        lanes_store(lists->p_bridge_friction + row, K(0.0));
+        lanes_store(lists->p_tangential_restitution + row, K(0.0));
+        lanes_store(lists->p_restitution_speed + row, K(0.0));
+        lanes_store(lists->permitted + row, K(0.0));
+    }
+}
+
 /* Put the next shots into rows, from one on. */
 LANES_INLINE void LANES(court_bounded_begin)(LANES(court_bounded_lists) *lists, size_t row, size_t shots, const court_job *job, size_t start)
 {
     const double *state = job->states + COURT_STATE * start;
     size_t k = 0;
+    LANES(court_bounded_fill)(lists, row + shots, job->varying);
     for (; k + LANES_WIDTH <= shots; k += LANES_WIDTH) {
         double *const columns[] = {
             lists->x + row + k,
@@ -7276,6 +7859,7 @@ LANES_INLINE size_t LANES(court_bounded_resume)(LANES(court_bounded_lists) *list
 {
     const size_t room = LANES_ROWS - row, shots = lists->waiting < room ? lists->waiting : room;
     const size_t from = lists->waiting - shots;
+    LANES(court_bounded_fill)(lists, row + shots, job->varying);
     memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
     memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof *lists->x);
     memcpy(lists->y + row, lists->waiting_y + from, shots * sizeof *lists->y);
@@ -9381,6 +9965,61 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             kept_rolling_shots += lanes_many(packed);
         }
     }
+    if (kept_rolling_shots) {
+        lanes_store(lists->kept_rolling_row + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_bent_x + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_bent_y + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_bent_z + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_clock + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_clock_error + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_doubt + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_dvx + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_dvy + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_dvz + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_dwx + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_dwy + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_dwz + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_dx + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_dy + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_dz + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_grip_lost + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_held + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_late + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_nx + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_ny + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_nz + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_per_reach + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_taut + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_taut_clock + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_taut_rate + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_through + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_vx + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_vy + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_vz + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_which + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_wx + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_wy + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_wz + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_x + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_y + kept_rolling_shots, K(0.0));
+        lanes_store(lists->kept_rolling_z + kept_rolling_shots, K(0.0));
+        if (LANES_SELDOM(varying)) {
+            lanes_store(lists->kept_rolling_p_backboard_friction + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_ball_radius + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_board_bottom + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_board_distance + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_board_half_width + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_board_thickness + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_board_top + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_bridge_depth + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_bridge_friction + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_bridge_half_width + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_end_depth + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_gravity + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_ring_radius + kept_rolling_shots, K(0.0));
+            lanes_store(lists->kept_rolling_p_wire_radius + kept_rolling_shots, K(0.0));
+        }
+    }
     {
         size_t taken = 0, busy = 0;
         M active = lanes_nowhere();
@@ -10350,6 +10989,53 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             kept_circling_shots += lanes_many(packed);
         }
     }
+    if (kept_circling_shots) {
+        lanes_store(lists->kept_circling_row + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_circled + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_clock + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_clock_error + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_doubt + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_dvx + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_dvy + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_dvz + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_dwx + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_dwy + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_dwz + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_dx + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_dy + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_dz + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_grip_lost + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_late + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_taut + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_taut_clock + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_taut_rate + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_through + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_vx + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_vy + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_vz + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_which + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_wx + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_wy + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_wz + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_x + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_y + kept_circling_shots, K(0.0));
+        lanes_store(lists->kept_circling_z + kept_circling_shots, K(0.0));
+        if (LANES_SELDOM(varying)) {
+            lanes_store(lists->kept_circling_p_ball_radius + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_board_bottom + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_board_distance + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_board_half_width + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_board_thickness + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_board_top + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_bridge_depth + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_bridge_half_width + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_end_depth + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_gravity + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_ring_friction + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_ring_radius + kept_circling_shots, K(0.0));
+            lanes_store(lists->kept_circling_p_wire_radius + kept_circling_shots, K(0.0));
+        }
+    }
     {
         size_t taken = 0, busy = 0;
         M active = lanes_nowhere();
@@ -11075,6 +11761,45 @@ static void LANES(court_bounded_kept)(LANES(court_bounded_lists) *lists, size_t 
             kept_leaves_shots += lanes_many(packed);
         }
     }
+    if (kept_leaves_shots) {
+        lanes_store(lists->kept_leaves_row + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_clock_error + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_doubt + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_dvx + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_dvy + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_dvz + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_dwx + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_dwy + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_dwz + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_dx + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_dy + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_dz + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_held + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_lift + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_per_reach + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_snap + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_surge + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_vx + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_vy + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_vz + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_x + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_y + kept_leaves_shots, K(0.0));
+        lanes_store(lists->kept_leaves_z + kept_leaves_shots, K(0.0));
+        if (LANES_SELDOM(varying)) {
+            lanes_store(lists->kept_leaves_p_ball_radius + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_board_bottom + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_board_distance + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_board_half_width + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_board_thickness + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_board_top + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_bridge_depth + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_bridge_half_width + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_end_depth + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_gravity + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_ring_radius + kept_leaves_shots, K(0.0));
+            lanes_store(lists->kept_leaves_p_wire_radius + kept_leaves_shots, K(0.0));
+        }
+    }
     if (kept_leaves_shots)
         LANES(court_bounded_leaves)(lists, kept_leaves_shots, varying);
     for (size_t k = 0; k < kept_leaves_shots; k++) {
@@ -11536,7 +12261,7 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
     LANES(court_bounded_permitted)(lists, 0);
     LANES(court_bounded_fix)(lists);
     for (;;) {
-        if (job->stop && *job->stop)
+        if (stopped(job))
             return;
         if (begun == end && end < job->shots)
             begun = court_take(job, &end);
@@ -11754,6 +12479,32 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                 open_shots += lanes_many(packed);
             }
         }
+        if (open_shots) {
+            lanes_store(lists->open_row + open_shots, K(0.0));
+            lanes_store(lists->open_doubt + open_shots, K(0.0));
+            lanes_store(lists->open_extent + open_shots, K(0.0));
+            lanes_store(lists->open_last + open_shots, K(0.0));
+            lanes_store(lists->open_late + open_shots, K(0.0));
+            lanes_store(lists->open_pad + open_shots, K(0.0));
+            lanes_store(lists->open_position_error + open_shots, K(0.0));
+            lanes_store(lists->open_speed + open_shots, K(0.0));
+            lanes_store(lists->open_until + open_shots, K(0.0));
+            lanes_store(lists->open_velocity_error + open_shots, K(0.0));
+            lanes_store(lists->open_vx + open_shots, K(0.0));
+            lanes_store(lists->open_vy + open_shots, K(0.0));
+            lanes_store(lists->open_vz + open_shots, K(0.0));
+            lanes_store(lists->open_when + open_shots, K(0.0));
+            lanes_store(lists->open_which + open_shots, K(0.0));
+            lanes_store(lists->open_x + open_shots, K(0.0));
+            lanes_store(lists->open_y + open_shots, K(0.0));
+            lanes_store(lists->open_z + open_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_p_ball_radius + open_shots, K(0.0));
+                lanes_store(lists->open_p_gravity + open_shots, K(0.0));
+                lanes_store(lists->open_p_ring_radius + open_shots, K(0.0));
+                lanes_store(lists->open_p_wire_radius + open_shots, K(0.0));
+            }
+        }
         {
         size_t open_leaping_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
@@ -11911,6 +12662,38 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                 open_leaping_shots += lanes_many(packed);
             }
         }
+        if (open_leaping_shots) {
+            lanes_store(lists->open_leaping_row + open_leaping_shots, K(0.0));
+            singles_store(lists->open_leaping_short_ceiling + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_drift + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_end + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_flat + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_grit + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_high1 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_high2 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_jerk + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_low1 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_low2 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_parting + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_rate_margin + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_rho_start + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_steady + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_swing + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_t + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_tilt + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_vx + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_vy + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_vz + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_x + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_y + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_z + open_leaping_shots, KS(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_leaping_p_ball_radius + open_leaping_shots, K(0.0));
+                lanes_store(lists->open_leaping_p_gravity + open_leaping_shots, K(0.0));
+                lanes_store(lists->open_leaping_p_ring_radius + open_leaping_shots, K(0.0));
+                lanes_store(lists->open_leaping_p_wire_radius + open_leaping_shots, K(0.0));
+            }
+        }
         {
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
@@ -12062,6 +12845,32 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                 open_searching_shots += lanes_many(packed);
             }
         }
+        if (open_searching_shots) {
+            lanes_store(lists->open_searching_row + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_arrival + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_certain + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_doubt + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_extent + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_last + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_position_error + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_share + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_speed + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_t + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_until + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_velocity_error + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_vx + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_vy + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_vz + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_x + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_y + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_z + open_searching_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_searching_p_ball_radius + open_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_p_gravity + open_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_p_ring_radius + open_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_p_wire_radius + open_searching_shots, K(0.0));
+            }
+        }
         {
         size_t open_searching_searching_shots = 0;
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
@@ -12160,6 +12969,46 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                     lanes_pack(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, packed, lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius));
                 }
                 open_searching_searching_shots += lanes_many(packed);
+            }
+        }
+        if (open_searching_searching_shots) {
+            lanes_store(lists->open_searching_searching_row + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_arrival + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_ceiling + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_certain + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_doubt + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_end + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_extent + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_flat + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_high0 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_high1 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_high2 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_last + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_latest + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_low0 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_low1 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_low2 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_position_error + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_rate_slack + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_rho_start + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_share + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_speed + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_steady + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_swing + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_t + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_tilt + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_velocity_error + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_vx + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_vy + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_vz + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_x + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_y + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_z + open_searching_searching_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_searching_searching_p_ball_radius + open_searching_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_searching_p_gravity + open_searching_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_searching_p_ring_radius + open_searching_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, K(0.0));
             }
         }
         {
@@ -12429,6 +13278,26 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                 open_refining_shots += lanes_many(packed);
             }
         }
+        if (open_refining_shots) {
+            lanes_store(lists->open_refining_row + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_arrival + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_ceiling + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_certain + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_leaving + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_rho_start + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_vx + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_vy + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_vz + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_x + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_y + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_z + open_refining_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_refining_p_ball_radius + open_refining_shots, K(0.0));
+                lanes_store(lists->open_refining_p_gravity + open_refining_shots, K(0.0));
+                lanes_store(lists->open_refining_p_ring_radius + open_refining_shots, K(0.0));
+                lanes_store(lists->open_refining_p_wire_radius + open_refining_shots, K(0.0));
+            }
+        }
         {
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
@@ -12634,6 +13503,33 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                 reachable_shots += lanes_many(packed);
             }
         }
+        if (reachable_shots) {
+            lanes_store(lists->reachable_row + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_doubt + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_extent + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_last + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_late + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_position_error + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_speed + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_velocity_error + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_vx + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_vy + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_vz + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_when + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_which + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_x + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_y + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_z + reachable_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->reachable_p_ball_radius + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_board_bottom + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_board_distance + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_board_half_width + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_board_thickness + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_board_top + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_gravity + reachable_shots, K(0.0));
+            }
+        }
         {
         size_t reachable_searching_shots = 0;
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
@@ -12792,6 +13688,44 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                     lanes_pack(lists->reachable_searching_p_gravity + reachable_searching_shots, packed, lanes_load(varying ? lists->reachable_p_gravity + i : lists->p_gravity));
                 }
                 reachable_searching_shots += lanes_many(packed);
+            }
+        }
+        if (reachable_searching_shots) {
+            lanes_store(lists->reachable_searching_row + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_arrival + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_ceiling + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_certain + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_doubt + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_end + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_extent + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_flat + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_high0 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_high1 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_last + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_latest + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_low0 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_low1 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_position_error + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_rate_slack + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_share + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_speed + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_t + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_tilt + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_velocity_error + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_vx + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_vy + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_vz + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_x + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_y + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_z + reachable_searching_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->reachable_searching_p_ball_radius + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_board_bottom + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_board_distance + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_board_half_width + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_board_thickness + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_board_top + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_gravity + reachable_searching_shots, K(0.0));
             }
         }
         {
@@ -13038,6 +13972,28 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                 reachable_refining_shots += lanes_many(packed);
             }
         }
+        if (reachable_refining_shots) {
+            lanes_store(lists->reachable_refining_row + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_arrival + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_ceiling + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_certain + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_leaving + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_vx + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_vy + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_vz + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_x + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_y + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_z + reachable_refining_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->reachable_refining_p_ball_radius + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_board_bottom + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_board_distance + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_board_half_width + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_board_thickness + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_board_top + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_gravity + reachable_refining_shots, K(0.0));
+            }
+        }
         {
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
@@ -13241,6 +14197,33 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                 reachable_shots += lanes_many(packed);
             }
         }
+        if (reachable_shots) {
+            lanes_store(lists->reachable_row + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_doubt + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_extent + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_last + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_late + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_position_error + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_speed + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_velocity_error + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_vx + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_vy + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_vz + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_when + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_which + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_x + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_y + reachable_shots, K(0.0));
+            lanes_store(lists->reachable_z + reachable_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->reachable_p_ball_radius + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_board_distance + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_bridge_depth + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_bridge_half_width + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_gravity + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_ring_radius + reachable_shots, K(0.0));
+                lanes_store(lists->reachable_p_wire_radius + reachable_shots, K(0.0));
+            }
+        }
         {
         size_t reachable_searching_shots = 0;
         for (size_t i = 0; i < reachable_shots; i += LANES_WIDTH) {
@@ -13399,6 +14382,44 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                     lanes_pack(lists->reachable_searching_p_wire_radius + reachable_searching_shots, packed, lanes_load(varying ? lists->reachable_p_wire_radius + i : lists->p_wire_radius));
                 }
                 reachable_searching_shots += lanes_many(packed);
+            }
+        }
+        if (reachable_searching_shots) {
+            lanes_store(lists->reachable_searching_row + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_arrival + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_ceiling + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_certain + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_doubt + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_end + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_extent + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_flat + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_high0 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_high1 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_last + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_latest + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_low0 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_low1 + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_position_error + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_rate_slack + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_share + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_speed + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_t + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_tilt + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_velocity_error + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_vx + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_vy + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_vz + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_x + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_y + reachable_searching_shots, K(0.0));
+            lanes_store(lists->reachable_searching_z + reachable_searching_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->reachable_searching_p_ball_radius + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_board_distance + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_bridge_depth + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_bridge_half_width + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_gravity + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_ring_radius + reachable_searching_shots, K(0.0));
+                lanes_store(lists->reachable_searching_p_wire_radius + reachable_searching_shots, K(0.0));
             }
         }
         {
@@ -13645,6 +14666,28 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                 reachable_refining_shots += lanes_many(packed);
             }
         }
+        if (reachable_refining_shots) {
+            lanes_store(lists->reachable_refining_row + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_arrival + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_ceiling + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_certain + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_leaving + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_vx + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_vy + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_vz + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_x + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_y + reachable_refining_shots, K(0.0));
+            lanes_store(lists->reachable_refining_z + reachable_refining_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->reachable_refining_p_ball_radius + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_board_distance + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_bridge_depth + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_bridge_half_width + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_gravity + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_ring_radius + reachable_refining_shots, K(0.0));
+                lanes_store(lists->reachable_refining_p_wire_radius + reachable_refining_shots, K(0.0));
+            }
+        }
         {
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
@@ -13888,6 +14931,58 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                     lanes_pack(lists->kept_p_wire_radius + kept_shots, packed, lanes_load(lists->p_wire_radius + (i & varying)));
                 }
                 kept_shots += lanes_many(packed);
+            }
+        }
+        if (kept_shots) {
+            lanes_store(lists->kept_row + kept_shots, K(0.0));
+            lanes_store(lists->kept_circled + kept_shots, K(0.0));
+            lanes_store(lists->kept_clock + kept_shots, K(0.0));
+            lanes_store(lists->kept_clock_error + kept_shots, K(0.0));
+            lanes_store(lists->kept_dvx + kept_shots, K(0.0));
+            lanes_store(lists->kept_dvy + kept_shots, K(0.0));
+            lanes_store(lists->kept_dvz + kept_shots, K(0.0));
+            lanes_store(lists->kept_dwx + kept_shots, K(0.0));
+            lanes_store(lists->kept_dwy + kept_shots, K(0.0));
+            lanes_store(lists->kept_dwz + kept_shots, K(0.0));
+            lanes_store(lists->kept_dx + kept_shots, K(0.0));
+            lanes_store(lists->kept_dy + kept_shots, K(0.0));
+            lanes_store(lists->kept_dz + kept_shots, K(0.0));
+            lanes_store(lists->kept_grip_lost + kept_shots, K(0.0));
+            lanes_store(lists->kept_held + kept_shots, K(0.0));
+            lanes_store(lists->kept_mode + kept_shots, K(0.0));
+            lanes_store(lists->kept_position_error + kept_shots, K(0.0));
+            lanes_store(lists->kept_rests + kept_shots, K(0.0));
+            lanes_store(lists->kept_taut + kept_shots, K(0.0));
+            lanes_store(lists->kept_taut_clock + kept_shots, K(0.0));
+            lanes_store(lists->kept_taut_rate + kept_shots, K(0.0));
+            lanes_store(lists->kept_through + kept_shots, K(0.0));
+            lanes_store(lists->kept_velocity_error + kept_shots, K(0.0));
+            lanes_store(lists->kept_vx + kept_shots, K(0.0));
+            lanes_store(lists->kept_vy + kept_shots, K(0.0));
+            lanes_store(lists->kept_vz + kept_shots, K(0.0));
+            lanes_store(lists->kept_when + kept_shots, K(0.0));
+            lanes_store(lists->kept_wx + kept_shots, K(0.0));
+            lanes_store(lists->kept_wy + kept_shots, K(0.0));
+            lanes_store(lists->kept_wz + kept_shots, K(0.0));
+            lanes_store(lists->kept_x + kept_shots, K(0.0));
+            lanes_store(lists->kept_y + kept_shots, K(0.0));
+            lanes_store(lists->kept_z + kept_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->kept_p_backboard_friction + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_ball_radius + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_board_bottom + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_board_distance + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_board_half_width + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_board_thickness + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_board_top + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_bridge_depth + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_bridge_friction + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_bridge_half_width + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_end_depth + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_gravity + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_ring_friction + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_ring_radius + kept_shots, K(0.0));
+                lanes_store(lists->kept_p_wire_radius + kept_shots, K(0.0));
             }
         }
         if (kept_shots)
@@ -14411,6 +15506,46 @@ static void LANES(court_bounded)(const court_job *job, LANES(court_bounded_lists
                     lanes_pack(lists->slow_p_wire_radius + slow_shots, packed, lanes_load(lists->p_wire_radius + (i & varying)));
                 }
                 slow_shots += lanes_many(packed);
+            }
+        }
+        if (slow_shots) {
+            lanes_store(lists->slow_row + slow_shots, K(0.0));
+            lanes_store(lists->slow_assured + slow_shots, K(0.0));
+            lanes_store(lists->slow_held + slow_shots, K(0.0));
+            lanes_store(lists->slow_mode + slow_shots, K(0.0));
+            lanes_store(lists->slow_outcome + slow_shots, K(0.0));
+            lanes_store(lists->slow_slip_left + slow_shots, K(0.0));
+            lanes_store(lists->slow_uncertain + slow_shots, K(0.0));
+            lanes_store(lists->slow_velocity_error + slow_shots, K(0.0));
+            lanes_store(lists->slow_vx + slow_shots, K(0.0));
+            lanes_store(lists->slow_vy + slow_shots, K(0.0));
+            lanes_store(lists->slow_vz + slow_shots, K(0.0));
+            lanes_store(lists->slow_which + slow_shots, K(0.0));
+            lanes_store(lists->slow_wx + slow_shots, K(0.0));
+            lanes_store(lists->slow_wy + slow_shots, K(0.0));
+            lanes_store(lists->slow_wz + slow_shots, K(0.0));
+            lanes_store(lists->slow_x + slow_shots, K(0.0));
+            lanes_store(lists->slow_y + slow_shots, K(0.0));
+            lanes_store(lists->slow_z + slow_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->slow_p_backboard_friction + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_backboard_restitution + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_ball_radius + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_board_bottom + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_board_distance + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_board_half_width + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_board_thickness + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_board_top + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_bridge_depth + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_bridge_friction + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_bridge_half_width + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_bridge_restitution + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_end_depth + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_gravity + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_ring_friction + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_ring_radius + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_ring_restitution + slow_shots, K(0.0));
+                lanes_store(lists->slow_p_wire_radius + slow_shots, K(0.0));
             }
         }
         if (slow_shots)

@@ -215,6 +215,8 @@ LANES_INLINE S singles_expand(const float *from, M m, S old) { return m ? *from 
 #define N LANES(native)
 #define B LANES(native_mask)
 #define NATIVE (LANES_WIDTH / 2)
+#define n_load LANES(n_load)
+#define n_store LANES(n_store)
 #define n_all LANES(n_all)
 #define n_less LANES(n_less)
 #define n_at_most LANES(n_at_most)
@@ -444,6 +446,11 @@ LANES_INLINE N n_expand(const double *from, B m, N old)
 
 #endif
 
+/* A vector wherever a double may be. */
+typedef N LANES(native_anywhere) __attribute__((aligned(8), may_alias));
+LANES_INLINE N n_load(const double *from) { return *(const LANES(native_anywhere) *)from; }
+LANES_INLINE void n_store(double *to, N a) { *(LANES(native_anywhere) *)to = a; }
+
 typedef struct {
     N lo, hi;
 } V;
@@ -480,13 +487,14 @@ LANES_INLINE V lanes_select(M m, V a, V b)
 {
     return (V){n_select(m.lo, a.lo, b.lo), n_select(m.hi, a.hi, b.hi)};
 }
-LANES_INLINE V lanes_load(const double *row)
+/* A value of two vectors that is copied as a whole stays in memory: each has a place on the stack of
+   its own, and the loop a hundred kilobytes of it. */
+LANES_INLINE V lanes_load(const double *row) { return (V){n_load(row), n_load(row + NATIVE)}; }
+LANES_INLINE void lanes_store(double *row, V a)
 {
-    V a;
-    memcpy(&a, row, sizeof a);
-    return a;
+    n_store(row, a.lo);
+    n_store(row + NATIVE, a.hi);
 }
-LANES_INLINE void lanes_store(double *row, V a) { memcpy(row, &a, sizeof a); }
 LANES_INLINE V lanes_gather(const double *first, int64_t stride)
 {
     return (V){n_gather(first, stride), n_gather(first + NATIVE * stride, stride)};
@@ -504,15 +512,13 @@ LANES_INLINE void lanes_columns(double *const *to, const double *rows, int count
         for (; column + NATIVE <= count; column += NATIVE) {
             N square[NATIVE];
             for (int k = 0; k < NATIVE; k++)
-                memcpy(&square[k], rows + k * count + column, sizeof(N));
+                square[k] = n_load(rows + k * count + column);
             n_square(square);
             for (int k = 0; k < NATIVE; k++)
-                memcpy(to[column + k] + NATIVE * half, &square[k], sizeof(N));
+                n_store(to[column + k] + NATIVE * half, square[k]);
         }
-        for (; column < count; column++) {
-            const N rest = n_gather(rows + column, count);
-            memcpy(to[column] + NATIVE * half, &rest, sizeof rest);
-        }
+        for (; column < count; column++)
+            n_store(to[column] + NATIVE * half, n_gather(rows + column, count));
     }
 }
 /* The other way: columns into rows. */
@@ -523,10 +529,10 @@ LANES_INLINE void lanes_rows(double *rows, const double *const *from, int count)
         for (; column + NATIVE <= count; column += NATIVE) {
             N square[NATIVE];
             for (int k = 0; k < NATIVE; k++)
-                memcpy(&square[k], from[column + k] + NATIVE * half, sizeof(N));
+                square[k] = n_load(from[column + k] + NATIVE * half);
             n_square(square);
             for (int k = 0; k < NATIVE; k++)
-                memcpy(rows + k * count + column, &square[k], sizeof(N));
+                n_store(rows + k * count + column, square[k]);
         }
         for (; column < count; column++)
             for (int k = 0; k < NATIVE; k++)
@@ -756,17 +762,15 @@ LANES_INLINE Q singles_nowhere(void)
     const S zero = singles_all(0.0f);
     return singles_less(zero, zero);
 }
-LANES_INLINE S singles_load(const float *row)
-{
-    S a;
-    memcpy(&a, row, sizeof a);
-    return a;
-}
-LANES_INLINE void singles_store(float *row, S a) { memcpy(row, &a, sizeof a); }
+typedef S LANES(singles_anywhere) __attribute__((aligned(4), may_alias));
+LANES_INLINE S singles_load(const float *row) { return *(const LANES(singles_anywhere) *)row; }
+LANES_INLINE void singles_store(float *row, S a) { *(LANES(singles_anywhere) *)row = a; }
 
 #undef N
 #undef B
 #undef NATIVE
+#undef n_load
+#undef n_store
 #undef n_all
 #undef n_less
 #undef n_at_most

@@ -101,9 +101,21 @@ typedef struct {
 #define LANES_INLINE static inline
 #endif
 
-/* Shots in flight at once: what the stages read and write of them stays in the nearest caches. */
-#define LANES_SHOTS 128
+/* Shots in flight at once: what the stages read and write of them stays in the nearer caches, and
+   what few shots need at a time fills lanes. */
+#define LANES_SHOTS 256
 #define LANES_ROWS LANES_SHOTS
+
+/* Whether the caller wants no more; another thread may say so at any time. */
+static int stopped(const hoop_job *job)
+{
+#if defined(_MSC_VER) && !defined(__clang__)
+    return job->stop != NULL && *job->stop != 0;
+#else
+    return job->stop != NULL &&
+           atomic_load_explicit((const volatile _Atomic int32_t *)job->stop, memory_order_relaxed) != 0;
+#endif
+}
 
 /* Whether a number that threads have in common was still *seen, and is `then` now; else *seen is
    what it is. */
@@ -224,6 +236,53 @@ static int widest(void)
 #endif
 }
 
+/* Return what is wrong with the arguments, 0 if nothing is: nothing is read yet that they point to
+   but what is looked at here. */
+static int hoop_error(const hoop_job *job)
+{
+    const hoop_results *out = job->results;
+    const int surfaces = HOOP_SURFACES;
+    if (job->shots > PTRDIFF_MAX / (HOOP_STATE * sizeof(double)))
+        return HOOP_ERROR_SHOTS;
+    if (job->shots != 0 && job->states == NULL)
+        return HOOP_ERROR_STATES;
+    for (int k = 0; k < HOOP_PARAMETERS; k++) {
+        if (job->parameters == NULL || job->parameters[k] == NULL)
+            return HOOP_ERROR_PARAMETERS;
+        if (job->strides == NULL || (job->strides[k] != 0 && job->strides[k] != 1))
+            return HOOP_ERROR_STRIDES;
+    }
+    if (job->leaving) {
+        int wrong = 0;
+        for (size_t shot = 0; shot < job->shots; shot++) {
+            const int surface = job->leaving[shot];
+            wrong |= (surface < -1) | (surface >= surfaces);
+        }
+        if (wrong)
+            return HOOP_ERROR_LEAVING;
+    }
+    if (job->max_contacts < 1)
+        return HOOP_ERROR_MAX_CONTACTS;
+    if (!(job->time_limit > 0.0))
+        return HOOP_ERROR_TIME_LIMIT;
+    if (out == NULL)
+        return HOOP_ERROR_RESULTS;
+    if ((out->events == NULL) != (out->event_counts == NULL))
+        return HOOP_ERROR_EVENTS;
+    if (out->events) {
+        if (job->max_contacts > (INT32_MAX - 1) / HOOP_LOG_ROWS)
+            return HOOP_ERROR_EVENTS;
+        const size_t rows = HOOP_LOG_ROWS * (size_t)job->max_contacts + 1;
+        if (job->shots > PTRDIFF_MAX / sizeof *out->events / rows)
+            return HOOP_ERROR_EVENTS;
+    }
+    if (job->next == NULL)
+        return HOOP_ERROR_NEXT;
+    if (job->parts < 1)
+        return HOOP_ERROR_PARTS;
+    return 0;
+}
+
 const char *hoop_sources(void) { return TEXT(HOOP_SOURCES); }
 
 int hoop_simulate(size_t shots, const double *states, const double *const *parameters,
@@ -243,19 +302,21 @@ int hoop_share(size_t shots, const double *states, const double *const *paramete
 {
     hoop_job job = {shots, states, parameters, strides, leaving, 0, max_contacts, time_limit,
                               stop, next, parts, results};
-    const int most = widest();
+    const int most = widest(), error = hoop_error(&job);
+    if (error)
+        return error;
     for (int k = 0; k < HOOP_PARAMETERS; k++)
         job.varying |= strides[k] != 0;
     if (width == 0)
         width = most;
-    if (width > most || max_contacts < 1 || parts < 1)
-        return -1;
+    if (width > most)
+        return HOOP_ERROR_WIDTH;
 #define RUN(width) \
     case width: \
         if (!hoop_exact_w##width()) \
-            return -2; \
+            return HOOP_ERROR_ARITHMETIC; \
         if (!hoop_run_w##width(&job)) \
-            return -3; \
+            return HOOP_ERROR_MEMORY; \
         streamed(); \
         return width;
     switch (width) {
@@ -272,6 +333,6 @@ int hoop_share(size_t shots, const double *states, const double *const *paramete
         RUN(16)
 #endif
     default:
-        return -1;
+        return HOOP_ERROR_WIDTH;
     }
 }

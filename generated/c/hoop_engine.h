@@ -242,11 +242,48 @@ LANES_INLINE void LANES(hoop_plain_permitted)(LANES(hoop_plain_lists) *lists, si
     lanes_store(lists->permitted + row, lanes_select(LANES(hoop_permit)(lanes_load(lists->p_ball_radius + row), lanes_load(lists->p_ring_radius + row), lanes_load(lists->p_wire_radius + row), lanes_load(lists->p_board_distance + row), lanes_load(lists->p_board_half_width + row), lanes_load(lists->p_board_bottom + row), lanes_load(lists->p_board_top + row), lanes_load(lists->p_bridge_half_width + row), lanes_load(lists->p_restitution + row), lanes_load(lists->p_gravity + row), lanes_load(lists->p_end_depth + row)), K(1.0), K(0.0)));
 }
 
+/* Have zeros in the lanes behind the last row, which are computed with, too: not what memory held. */
+LANES_INLINE void LANES(hoop_plain_fill)(LANES(hoop_plain_lists) *lists, size_t row, int varying)
+{
+    lanes_store(lists->x + row, K(0.0));
+    lanes_store(lists->y + row, K(0.0));
+    lanes_store(lists->z + row, K(0.0));
+    lanes_store(lists->vx + row, K(0.0));
+    lanes_store(lists->vy + row, K(0.0));
+    lanes_store(lists->vz + row, K(0.0));
+    lanes_store(lists->wx + row, K(0.0));
+    lanes_store(lists->wy + row, K(0.0));
+    lanes_store(lists->wz + row, K(0.0));
+    lanes_store(lists->clock + row, K(0.0));
+    lanes_store(lists->first + row, K(0.0));
+    lanes_store(lists->contacts + row, K(0.0));
+    lanes_store(lists->count_0 + row, K(0.0));
+    lanes_store(lists->count_1 + row, K(0.0));
+    lanes_store(lists->count_2 + row, K(0.0));
+    lanes_store(lists->outcome + row, K(0.0));
+    lanes_store(lists->last + row, K(0.0));
+    if (varying) {
+        lanes_store(lists->p_ball_radius + row, K(0.0));
+        lanes_store(lists->p_ring_radius + row, K(0.0));
+        lanes_store(lists->p_wire_radius + row, K(0.0));
+        lanes_store(lists->p_board_distance + row, K(0.0));
+        lanes_store(lists->p_board_half_width + row, K(0.0));
+        lanes_store(lists->p_board_bottom + row, K(0.0));
+        lanes_store(lists->p_board_top + row, K(0.0));
+        lanes_store(lists->p_bridge_half_width + row, K(0.0));
+        lanes_store(lists->p_restitution + row, K(0.0));
+        lanes_store(lists->p_gravity + row, K(0.0));
+        lanes_store(lists->p_end_depth + row, K(0.0));
+        lanes_store(lists->permitted + row, K(0.0));
+    }
+}
+
 /* Put the next shots into rows, from one on. */
 LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t row, size_t shots, const hoop_job *job, size_t start)
 {
     const double *state = job->states + HOOP_STATE * start;
     size_t k = 0;
+    LANES(hoop_plain_fill)(lists, row + shots, job->varying);
     for (; k + LANES_WIDTH <= shots; k += LANES_WIDTH) {
         double *const columns[] = {
             lists->x + row + k,
@@ -915,9 +952,8 @@ static void LANES(hoop_plain_fix_f88)(LANES(hoop_plain_lists) *lists, size_t i)
 
 /* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
    No errors are bounded: the same path, with less work. */
-static void LANES(hoop_plain)(const hoop_job *job)
+static void LANES(hoop_plain)(const hoop_job *job, LANES(hoop_plain_lists) *const restrict lists)
 {
-    LANES(hoop_plain_lists) all, *const lists = &all;
     const V most_contacts = K((double)job->max_contacts);
     const V time_limit = K(job->time_limit);
     const size_t varying = job->varying ? ~(size_t)0 : 0;
@@ -941,7 +977,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
     LANES(hoop_plain_permitted)(lists, 0);
     LANES(hoop_plain_fix)(lists);
     for (;;) {
-        if (job->stop && *job->stop)
+        if (stopped(job))
             return;
         if (begun == end && end < job->shots)
             begun = hoop_take(job, &end);
@@ -1176,6 +1212,27 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 open_shots += lanes_many(packed);
             }
         }
+        if (open_shots) {
+            lanes_store(lists->open_row + open_shots, K(0.0));
+            lanes_store(lists->open_extent + open_shots, K(0.0));
+            lanes_store(lists->open_last + open_shots, K(0.0));
+            lanes_store(lists->open_speed + open_shots, K(0.0));
+            lanes_store(lists->open_until + open_shots, K(0.0));
+            lanes_store(lists->open_vx + open_shots, K(0.0));
+            lanes_store(lists->open_vy + open_shots, K(0.0));
+            lanes_store(lists->open_vz + open_shots, K(0.0));
+            lanes_store(lists->open_when + open_shots, K(0.0));
+            lanes_store(lists->open_which + open_shots, K(0.0));
+            lanes_store(lists->open_x + open_shots, K(0.0));
+            lanes_store(lists->open_y + open_shots, K(0.0));
+            lanes_store(lists->open_z + open_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_p_ball_radius + open_shots, K(0.0));
+                lanes_store(lists->open_p_gravity + open_shots, K(0.0));
+                lanes_store(lists->open_p_ring_radius + open_shots, K(0.0));
+                lanes_store(lists->open_p_wire_radius + open_shots, K(0.0));
+            }
+        }
         {
         size_t open_leaping_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
@@ -1313,6 +1370,38 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     lanes_pack(lists->open_leaping_p_wire_radius + open_leaping_shots, packed, lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius));
                 }
                 open_leaping_shots += lanes_many(packed);
+            }
+        }
+        if (open_leaping_shots) {
+            lanes_store(lists->open_leaping_row + open_leaping_shots, K(0.0));
+            singles_store(lists->open_leaping_short_ceiling + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_drift + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_end + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_flat + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_grit + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_high1 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_high2 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_jerk + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_low1 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_low2 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_parting + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_rate_margin + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_rho_start + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_steady + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_swing + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_t + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_tilt + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_vx + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_vy + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_vz + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_x + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_y + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_z + open_leaping_shots, KS(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_leaping_p_ball_radius + open_leaping_shots, K(0.0));
+                lanes_store(lists->open_leaping_p_gravity + open_leaping_shots, K(0.0));
+                lanes_store(lists->open_leaping_p_ring_radius + open_leaping_shots, K(0.0));
+                lanes_store(lists->open_leaping_p_wire_radius + open_leaping_shots, K(0.0));
             }
         }
         {
@@ -1460,6 +1549,29 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 open_searching_shots += lanes_many(packed);
             }
         }
+        if (open_searching_shots) {
+            lanes_store(lists->open_searching_row + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_arrival + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_certain + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_extent + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_last + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_share + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_speed + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_t + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_until + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_vx + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_vy + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_vz + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_x + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_y + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_z + open_searching_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_searching_p_ball_radius + open_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_p_gravity + open_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_p_ring_radius + open_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_p_wire_radius + open_searching_shots, K(0.0));
+            }
+        }
         {
         size_t open_searching_searching_shots = 0;
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
@@ -1549,6 +1661,43 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     lanes_pack(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, packed, lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius));
                 }
                 open_searching_searching_shots += lanes_many(packed);
+            }
+        }
+        if (open_searching_searching_shots) {
+            lanes_store(lists->open_searching_searching_row + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_arrival + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_ceiling + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_certain + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_end + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_extent + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_flat + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_high0 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_high1 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_high2 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_last + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_latest + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_low0 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_low1 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_low2 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_rate_slack + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_rho_start + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_share + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_speed + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_steady + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_swing + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_t + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_tilt + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_vx + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_vy + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_vz + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_x + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_y + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_z + open_searching_searching_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_searching_searching_p_ball_radius + open_searching_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_searching_p_gravity + open_searching_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_searching_p_ring_radius + open_searching_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, K(0.0));
             }
         }
         {
@@ -1783,6 +1932,26 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius));
                 }
                 open_refining_shots += lanes_many(packed);
+            }
+        }
+        if (open_refining_shots) {
+            lanes_store(lists->open_refining_row + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_arrival + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_ceiling + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_certain + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_leaving + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_rho_start + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_vx + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_vy + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_vz + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_x + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_y + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_z + open_refining_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_refining_p_ball_radius + open_refining_shots, K(0.0));
+                lanes_store(lists->open_refining_p_gravity + open_refining_shots, K(0.0));
+                lanes_store(lists->open_refining_p_ring_radius + open_refining_shots, K(0.0));
+                lanes_store(lists->open_refining_p_wire_radius + open_refining_shots, K(0.0));
             }
         }
         {
@@ -2338,11 +2507,63 @@ LANES_INLINE void LANES(hoop_bounded_permitted)(LANES(hoop_bounded_lists) *lists
     lanes_store(lists->permitted + row, lanes_select(LANES(hoop_permit)(lanes_load(lists->p_ball_radius + row), lanes_load(lists->p_ring_radius + row), lanes_load(lists->p_wire_radius + row), lanes_load(lists->p_board_distance + row), lanes_load(lists->p_board_half_width + row), lanes_load(lists->p_board_bottom + row), lanes_load(lists->p_board_top + row), lanes_load(lists->p_bridge_half_width + row), lanes_load(lists->p_restitution + row), lanes_load(lists->p_gravity + row), lanes_load(lists->p_end_depth + row)), K(1.0), K(0.0)));
 }
 
+/* Have zeros in the lanes behind the last row, which are computed with, too: not what memory held. */
+LANES_INLINE void LANES(hoop_bounded_fill)(LANES(hoop_bounded_lists) *lists, size_t row, int varying)
+{
+    lanes_store(lists->x + row, K(0.0));
+    lanes_store(lists->y + row, K(0.0));
+    lanes_store(lists->z + row, K(0.0));
+    lanes_store(lists->vx + row, K(0.0));
+    lanes_store(lists->vy + row, K(0.0));
+    lanes_store(lists->vz + row, K(0.0));
+    lanes_store(lists->wx + row, K(0.0));
+    lanes_store(lists->wy + row, K(0.0));
+    lanes_store(lists->wz + row, K(0.0));
+    singles_store(lists->dx + row, KS(0.0));
+    singles_store(lists->dy + row, KS(0.0));
+    singles_store(lists->dz + row, KS(0.0));
+    singles_store(lists->dvx + row, KS(0.0));
+    singles_store(lists->dvy + row, KS(0.0));
+    singles_store(lists->dvz + row, KS(0.0));
+    singles_store(lists->dwx + row, KS(0.0));
+    singles_store(lists->dwy + row, KS(0.0));
+    singles_store(lists->dwz + row, KS(0.0));
+    lanes_store(lists->clock + row, K(0.0));
+    singles_store(lists->clock_error + row, KS(0.0));
+    lanes_store(lists->first + row, K(0.0));
+    lanes_store(lists->contacts + row, K(0.0));
+    lanes_store(lists->count_0 + row, K(0.0));
+    lanes_store(lists->count_1 + row, K(0.0));
+    lanes_store(lists->count_2 + row, K(0.0));
+    lanes_store(lists->uncertain + row, K(0.0));
+    singles_store(lists->position_claim + row, KS(0.0));
+    singles_store(lists->velocity_claim + row, KS(0.0));
+    singles_store(lists->spin_claim + row, KS(0.0));
+    singles_store(lists->time_claim + row, KS(0.0));
+    lanes_store(lists->outcome + row, K(0.0));
+    lanes_store(lists->last + row, K(0.0));
+    if (varying) {
+        lanes_store(lists->p_ball_radius + row, K(0.0));
+        lanes_store(lists->p_ring_radius + row, K(0.0));
+        lanes_store(lists->p_wire_radius + row, K(0.0));
+        lanes_store(lists->p_board_distance + row, K(0.0));
+        lanes_store(lists->p_board_half_width + row, K(0.0));
+        lanes_store(lists->p_board_bottom + row, K(0.0));
+        lanes_store(lists->p_board_top + row, K(0.0));
+        lanes_store(lists->p_bridge_half_width + row, K(0.0));
+        lanes_store(lists->p_restitution + row, K(0.0));
+        lanes_store(lists->p_gravity + row, K(0.0));
+        lanes_store(lists->p_end_depth + row, K(0.0));
+        lanes_store(lists->permitted + row, K(0.0));
+    }
+}
+
 /* Put the next shots into rows, from one on. */
 LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, size_t row, size_t shots, const hoop_job *job, size_t start)
 {
     const double *state = job->states + HOOP_STATE * start;
     size_t k = 0;
+    LANES(hoop_bounded_fill)(lists, row + shots, job->varying);
     for (; k + LANES_WIDTH <= shots; k += LANES_WIDTH) {
         double *const columns[] = {
             lists->x + row + k,
@@ -3147,9 +3368,8 @@ static void LANES(hoop_bounded_fix_f118)(LANES(hoop_bounded_lists) *lists, size_
 
 /* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
    Errors are bounded. */
-static void LANES(hoop_bounded)(const hoop_job *job)
+static void LANES(hoop_bounded)(const hoop_job *job, LANES(hoop_bounded_lists) *const restrict lists)
 {
-    LANES(hoop_bounded_lists) all, *const lists = &all;
     const V most_contacts = K((double)job->max_contacts);
     const V time_limit = K(job->time_limit);
     const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
@@ -3174,7 +3394,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
     LANES(hoop_bounded_permitted)(lists, 0);
     LANES(hoop_bounded_fix)(lists);
     for (;;) {
-        if (job->stop && *job->stop)
+        if (stopped(job))
             return;
         if (begun == end && end < job->shots)
             begun = hoop_take(job, &end);
@@ -3511,6 +3731,32 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 open_shots += lanes_many(packed);
             }
         }
+        if (open_shots) {
+            lanes_store(lists->open_row + open_shots, K(0.0));
+            lanes_store(lists->open_doubt + open_shots, K(0.0));
+            lanes_store(lists->open_extent + open_shots, K(0.0));
+            lanes_store(lists->open_last + open_shots, K(0.0));
+            lanes_store(lists->open_late + open_shots, K(0.0));
+            lanes_store(lists->open_pad + open_shots, K(0.0));
+            singles_store(lists->open_position_error + open_shots, KS(0.0));
+            lanes_store(lists->open_speed + open_shots, K(0.0));
+            lanes_store(lists->open_until + open_shots, K(0.0));
+            singles_store(lists->open_velocity_error + open_shots, KS(0.0));
+            lanes_store(lists->open_vx + open_shots, K(0.0));
+            lanes_store(lists->open_vy + open_shots, K(0.0));
+            lanes_store(lists->open_vz + open_shots, K(0.0));
+            lanes_store(lists->open_when + open_shots, K(0.0));
+            lanes_store(lists->open_which + open_shots, K(0.0));
+            lanes_store(lists->open_x + open_shots, K(0.0));
+            lanes_store(lists->open_y + open_shots, K(0.0));
+            lanes_store(lists->open_z + open_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_p_ball_radius + open_shots, K(0.0));
+                lanes_store(lists->open_p_gravity + open_shots, K(0.0));
+                lanes_store(lists->open_p_ring_radius + open_shots, K(0.0));
+                lanes_store(lists->open_p_wire_radius + open_shots, K(0.0));
+            }
+        }
         {
         size_t open_leaping_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
@@ -3668,6 +3914,38 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 open_leaping_shots += lanes_many(packed);
             }
         }
+        if (open_leaping_shots) {
+            lanes_store(lists->open_leaping_row + open_leaping_shots, K(0.0));
+            singles_store(lists->open_leaping_short_ceiling + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_drift + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_end + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_flat + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_grit + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_high1 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_high2 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_jerk + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_low1 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_low2 + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_parting + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_rate_margin + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_rho_start + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_steady + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_swing + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_t + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_tilt + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_vx + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_vy + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_vz + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_x + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_y + open_leaping_shots, KS(0.0));
+            singles_store(lists->open_leaping_short_z + open_leaping_shots, KS(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_leaping_p_ball_radius + open_leaping_shots, K(0.0));
+                lanes_store(lists->open_leaping_p_gravity + open_leaping_shots, K(0.0));
+                lanes_store(lists->open_leaping_p_ring_radius + open_leaping_shots, K(0.0));
+                lanes_store(lists->open_leaping_p_wire_radius + open_leaping_shots, K(0.0));
+            }
+        }
         {
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
@@ -3819,6 +4097,32 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 open_searching_shots += lanes_many(packed);
             }
         }
+        if (open_searching_shots) {
+            lanes_store(lists->open_searching_row + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_arrival + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_certain + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_doubt + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_extent + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_last + open_searching_shots, K(0.0));
+            singles_store(lists->open_searching_position_error + open_searching_shots, KS(0.0));
+            lanes_store(lists->open_searching_share + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_speed + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_t + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_until + open_searching_shots, K(0.0));
+            singles_store(lists->open_searching_velocity_error + open_searching_shots, KS(0.0));
+            lanes_store(lists->open_searching_vx + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_vy + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_vz + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_x + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_y + open_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_z + open_searching_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_searching_p_ball_radius + open_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_p_gravity + open_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_p_ring_radius + open_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_p_wire_radius + open_searching_shots, K(0.0));
+            }
+        }
         {
         size_t open_searching_searching_shots = 0;
         for (size_t i = 0; i < open_searching_shots; i += LANES_WIDTH) {
@@ -3917,6 +4221,46 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     lanes_pack(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, packed, lanes_load(varying ? lists->open_searching_p_wire_radius + i : lists->p_wire_radius));
                 }
                 open_searching_searching_shots += lanes_many(packed);
+            }
+        }
+        if (open_searching_searching_shots) {
+            lanes_store(lists->open_searching_searching_row + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_arrival + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_ceiling + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_certain + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_doubt + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_end + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_extent + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_flat + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_high0 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_high1 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_high2 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_last + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_latest + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_low0 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_low1 + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_low2 + open_searching_searching_shots, K(0.0));
+            singles_store(lists->open_searching_searching_position_error + open_searching_searching_shots, KS(0.0));
+            lanes_store(lists->open_searching_searching_rate_slack + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_rho_start + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_share + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_speed + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_steady + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_swing + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_t + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_tilt + open_searching_searching_shots, K(0.0));
+            singles_store(lists->open_searching_searching_velocity_error + open_searching_searching_shots, KS(0.0));
+            lanes_store(lists->open_searching_searching_vx + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_vy + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_vz + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_x + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_y + open_searching_searching_shots, K(0.0));
+            lanes_store(lists->open_searching_searching_z + open_searching_searching_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_searching_searching_p_ball_radius + open_searching_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_searching_p_gravity + open_searching_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_searching_p_ring_radius + open_searching_searching_shots, K(0.0));
+                lanes_store(lists->open_searching_searching_p_wire_radius + open_searching_searching_shots, K(0.0));
             }
         }
         {
@@ -4184,6 +4528,26 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     lanes_pack(lists->open_refining_p_wire_radius + open_refining_shots, packed, lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius));
                 }
                 open_refining_shots += lanes_many(packed);
+            }
+        }
+        if (open_refining_shots) {
+            lanes_store(lists->open_refining_row + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_arrival + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_ceiling + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_certain + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_leaving + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_rho_start + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_vx + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_vy + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_vz + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_x + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_y + open_refining_shots, K(0.0));
+            lanes_store(lists->open_refining_z + open_refining_shots, K(0.0));
+            if (LANES_SELDOM(varying)) {
+                lanes_store(lists->open_refining_p_ball_radius + open_refining_shots, K(0.0));
+                lanes_store(lists->open_refining_p_gravity + open_refining_shots, K(0.0));
+                lanes_store(lists->open_refining_p_ring_radius + open_refining_shots, K(0.0));
+                lanes_store(lists->open_refining_p_wire_radius + open_refining_shots, K(0.0));
             }
         }
         {
@@ -4731,10 +5095,17 @@ static int LANES(hoop_run)(const hoop_job *job)
 {
     const hoop_results *out = job->results;
     const int bounds = out->time_error || out->state_error || out->uncertain;
+    /* Not on the stack: they may be megabytes, and threads have little of it. */
+    const size_t size = bounds ? sizeof(LANES(hoop_bounded_lists)) : sizeof(LANES(hoop_plain_lists));
+    void *const room = malloc(size + 63);
+    if (room == NULL)
+        return 0;
+    void *const lists = (void *)(((uintptr_t)room + 63) / 64 * 64);
     if (bounds)
-        LANES(hoop_bounded)(job);
+        LANES(hoop_bounded)(job, lists);
     else
-        LANES(hoop_plain)(job);
+        LANES(hoop_plain)(job, lists);
+    free(room);
     return 1;
 }
 

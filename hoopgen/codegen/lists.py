@@ -17,6 +17,7 @@ from .apart import CApart
 from .groups import Frame
 from .loop import (
     EXPANDED,
+    FILLED,
     LOADED,
     NONE,
     PACKED,
@@ -224,6 +225,8 @@ class CLists(CApart):
         ]
         if self._read("rows", first):
             self.lines.insert(first, f"    const M rows = lanes_first({frame.count} - i);")
+        if cut:
+            self._fill(cut, own, takes)
         return own
 
     def beside_body(
@@ -296,6 +299,23 @@ class CLists(CApart):
             self.lines += ["        if (LANES_SELDOM(varying)) {", *seldom, "        }"]
         line(f"        {own.count} += lanes_many(packed);")
         line("    }")
+
+    def _fill(self, cut: Guard | Repeat, own: Frame, takes: Iterable[str]) -> None:
+        """Print that the lanes behind a list's end have zeros, not what memory happened to hold."""
+        line = self.lines.append
+        line(f"if ({own.count}) {{")
+        line(f"    lanes_store({own.column('row')} + {own.count}, K(0.0));")
+        for name in takes:
+            if name in own.known:
+                line(f"    {FILLED[own.known[name]].format(f'{own.column(name)} + {own.count}')};")
+        seldom = [name for name in takes if name in self.parameters]
+        if seldom:
+            line("    if (LANES_SELDOM(varying)) {")
+            self.lines += [
+                f"        lanes_store({own.column(name)} + {own.count}, K(0.0));" for name in seldom
+            ]
+            line("    }")
+        line("}")
 
     def _return(self, frame: Frame, own: Frame, gives: Sequence[str]) -> None:
         line = self.lines.append

@@ -39,6 +39,11 @@ STORED: dict[Kind, str] = {
     "single": "singles_store({}, {})",
     "truth": "lanes_store({}, lanes_select({}, K(1.0), K(0.0)))",
 }
+FILLED: dict[Kind, str] = {
+    "double": "lanes_store({}, K(0.0))",
+    "single": "singles_store({}, KS(0.0))",
+    "truth": "lanes_store({}, K(0.0))",
+}
 PACKED: dict[Kind, str] = {
     "double": "lanes_pack({}, packed, {})",
     "single": "singles_pack({}, packed, {})",

@@ -9,6 +9,7 @@ import ctypes
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from enum import IntEnum
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -23,8 +24,23 @@ from .trust import WIDTHS, Batch
 __all__ = ["WIDTHS", "Library", "Refused", "Share", "checked"]
 
 
-_INEXACT, _NO_MEMORY = -2, -3
-"""Returned instead of a width: nothing was run, for it would not be exact, or had no memory."""
+class Error(IntEnum):
+    """What a call returns instead of a width, with nothing run; the header says what each means."""
+
+    WIDTH = -1
+    ARITHMETIC = -2
+    MEMORY = -3
+    SHOTS = -4
+    STATES = -5
+    PARAMETERS = -6
+    STRIDES = -7
+    LEAVING = -8
+    MAX_CONTACTS = -9
+    TIME_LIMIT = -10
+    RESULTS = -11
+    EVENTS = -12
+    NEXT = -13
+    PARTS = -14
 
 
 _NOTHING = ctypes.c_char * 0
@@ -140,7 +156,7 @@ class Library:
         Raises
         ------
         ValueError
-            If that width is not there.
+            If that width is not there, or another argument is not as described.
         RuntimeError
             If doubles are not computed as IEEE 754 says: in this thread, or by how it was built.
         MemoryError
@@ -170,13 +186,24 @@ class Library:
             ctypes.byref(share.next),
             share.parts,
         )
-        if used == _INEXACT:
+        if used >= 0:
+            return
+        if used == Error.ARITHMETIC:
             arithmetic.check_arithmetic()
             raise RuntimeError("the C engine was built with flags that change arithmetic")
-        if used == _NO_MEMORY:
-            raise MemoryError("no memory for the shots in flight")
-        if used < 0:
-            raise ValueError(f"width {width}: this processor or build does not have it")
+        if used == Error.MEMORY:
+            raise MemoryError("there is no memory for the shots in flight")
+        said = {
+            Error.WIDTH: f"width {width}: this processor or build does not have it",
+            Error.SHOTS: f"states: expected no more rows than fit in memory, got {len(states):,}",
+            Error.LEAVING: "leaving: expected -1 or the index of a surface for each shot",
+            Error.MAX_CONTACTS: f"max_contacts: expected at least 1, got {max_contacts}",
+            Error.TIME_LIMIT: f"time_limit: expected more than 0 s, got {time_limit}",
+            Error.EVENTS: "out: expected both `events` and `event_counts` or neither, and a log "
+            f"that fits in memory; got {', '.join(arrays)} and max_contacts {max_contacts}",
+            Error.PARTS: f"share: expected at least 1 part, got {share.parts}",
+        }
+        raise ValueError(said.get(used, f"the C engine refuses its arguments, with code {used}"))
 
 
 def _address(array: NDArray[Any] | None) -> int | None:

@@ -163,7 +163,8 @@ def batches(kernels: ModuleType, releases: NDArray[np.float64]) -> list[Batch]:
     longest = LONGEST if kernels.LOG_ROWS > 1 else math.inf
     surfaces = len(kernels.BODIES)
     leaving = np.arange(len(states)) % (4 * surfaces)
-    left = np.where(leaving < surfaces, leaving, -1).astype(np.int8)
+    known = min(surfaces, np.iinfo(np.int8).max + 1)
+    left = np.where(leaving < known, leaving, -1).astype(np.int8)
     return [
         (states, defaults, None, longest),
         (states, defaults, None, LIMIT),
