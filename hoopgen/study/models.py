@@ -25,6 +25,7 @@ __all__ = [
     "check_known",
     "check_turns",
     "from_columns",
+    "is_still",
     "spread",
 ]
 
@@ -49,6 +50,11 @@ class ReleaseModel(Protocol):
     def identity(self) -> dict[str, Any]:
         """Return what tells this model from others, in types that JSON knows."""
         ...
+
+
+def is_still(model: ReleaseModel) -> bool:
+    """Return whether nothing scatters, so that every shot is the same."""
+    return bool(getattr(model, "still", False))
 
 
 def check_drawn(start: int, stop: int) -> None:
