@@ -17,6 +17,7 @@ __all__ = [
     "ORDER_OF_ROWS",
     "ROW_OF_RELEASES",
     "ROW_OF_SAMPLE",
+    "SMOOTHING",
     "check_seed",
     "check_two_seeds",
     "normals",
@@ -24,8 +25,9 @@ __all__ = [
 ]
 
 ROW_OF_RELEASES, ROW_OF_SAMPLE, ORDER_OF_ROWS = 1 << 32, 2 << 32, 3 << 32
-"""Streams that choose rows, of measured releases and of a table to look at, and that shuffle
-measured releases; those of variables are far below. A choice by the numbers that made the rows
+SMOOTHING = 4 << 32
+"""Streams that choose rows, of measured releases and of a table to look at, that shuffle measured
+releases, and from here on smooth them; those of variables are far below. A choice by the numbers that made the rows
 would not be a random one."""
 
 _WORDS = 4

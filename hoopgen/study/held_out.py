@@ -19,8 +19,9 @@ from numpy.typing import NDArray
 from .player import Bounds, Player, Thrown
 from .resample import Resample
 from .search import search
+from .smoothed import smoothed
 
-__all__ = ["FOLDS", "HeldOut", "check_folds", "folds_of", "held_out", "of_each"]
+__all__ = ["FOLDS", "HeldOut", "check_folds", "folds_of", "held_out"]
 
 FOLDS = 5
 """Into which the rows or their groups are cut, if there are as many."""
@@ -94,11 +95,6 @@ def folds_of(model: Resample, seed: int) -> NDArray[np.intp]:
     return np.asarray(turn[model.cluster] % count)
 
 
-def of_each(player: Player, model: Resample, seed: int) -> Player:
-    """Return a player who throws every row once, in an order that the seed shuffles."""
-    return replace(player, model=model.each(model.order(seed), model.centre))
-
-
 def held_out(
     player: Player,
     model: Resample,
@@ -118,11 +114,8 @@ def held_out(
     bounds, fixed, shots, seed
         As for `search`.
     """
-    order, fold = model.order(seed), folds_of(model, seed)
-    points = []
-    for number in range(check_folds(model)):
-        others = order[fold[order] != number]
-        about = model.each(np.flatnonzero(fold != number)).centre
-        searcher = replace(player, model=model.each(others, about))
-        points.append(search(searcher, bounds, fixed, shots, seed))
+    fold, count, points = folds_of(model, seed), check_folds(model), []
+    for number in range(count):
+        others = smoothed(model, seed, fold != number, 1.0 - 1.0 / count)
+        points.append(search(replace(player, model=others), bounds, fixed, shots, seed))
     return HeldOut(tuple(points), fold)

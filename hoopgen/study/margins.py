@@ -22,13 +22,13 @@ from hoopgen.words import between, for_json, say
 
 from .crew import crew
 from .draws import check_seed
-from .held_out import of_each
 from .of_hoop import of_hoop
 from .player import Bounds, By, Player, arguments_of, one_each
 from .resample import Resample
 from .said import Said
 from .scatter import Scatter
 from .scattering import check_thrown
+from .smoothed import smoothed
 from .tallies import check_share
 
 __all__ = ["MARGINS", "Margin", "margins", "margins_about"]
@@ -72,7 +72,7 @@ class Margin(Said):
     steady
         Ends of the interval in which the probability with scatter stays within the tolerance of
         that at the release; None without scatter. It is an estimate, not a confidence interval; of
-        measured releases it is that of these rows, and others of the same player give another.
+        measured releases it is that of these rows, smoothed, and others of the player give another.
     scene
         In words: the preset, and what differs from it.
     """
@@ -166,7 +166,7 @@ def margins(
     given = one_each("release", check_thrown(model, ()).centre)
     player = Player(model.apart()[1], parameters, by).at(given)
     if isinstance(model, Resample):
-        player = of_each(player, model, seed)
+        player = replace(player, model=smoothed(model, seed))
     for name in names:
         _held(given, name, player.parameters)  # what is wrong shows before a folder is made
     identity = {
@@ -191,12 +191,8 @@ def margins_about(
     shots: int,
     seed: int,
     tolerance: float,
-    reference: float | None = None,
 ) -> dict[str, Margin]:
-    """Return what `margins` does, for a player in the scene of a release.
-
-    The probability falls from the reference; None: from its share at the release.
-    """
+    """Return what `margins` does, for a player in the scene of a release."""
     found = {}
     exact = replace(player, model=Scatter({}))
     for name in names:
@@ -206,10 +202,8 @@ def margins_about(
         (low, high), elsewhere = line.intervals(searched, *_EXACT)
         steady = None
         if not player.model.still:
-            best = reference
-            if best is None:
-                best = player.thrown(values, shots, seed).share[0]
-            line = _Line(name, values, player, shots, best - tolerance, seed)
+            least = player.thrown(values, shots, seed).share[0] - tolerance
+            line = _Line(name, values, player, shots, least, seed)
             steady, _ = line.intervals(searched, *_SMOOTH)
         others = {k: v for k, v in exact.parameters.items() if k != name}
         scene = say_of(player.scene, others)

@@ -22,7 +22,7 @@ from hoopgen.words import between
 from .best import Optimum
 from .crew import crew
 from .draws import check_two_seeds
-from .held_out import check_folds, held_out, of_each
+from .held_out import check_folds, held_out
 from .intervals import wilson
 from .margins import MARGINS, margins_about
 from .measures import measure
@@ -32,6 +32,7 @@ from .sample import share_of_rows
 from .scatter import Scatter
 from .scattering import check_thrown
 from .search import bounds_of, flat_about, search
+from .smoothed import smoothed
 from .tallies import check_scene, check_share
 from .throws import check_states, outcome_by, scene_identity
 
@@ -76,8 +77,9 @@ def optimum(
         What counts: "any" shot made, "direct" if the board is not touched first, "bank" if it is.
         Where there is no hoop an end of the scene; "any" is the first.
     shots
-        Of the last step of the search, and of the fresh estimate. Of measured releases each row is
-        thrown once: as many rows are searched at the most, and all of them are judged.
+        Of the last step of the search, and of the fresh estimate. Of measured releases the search
+        throws each row once, or 4,000 shots if they are fewer, with a little noise on them (see
+        `hoopgen.study.smoothed`); all rows are judged, without noise.
     seed
         From 0 to 2^64 - 2. The search throws its shots, the estimate those of ``seed + 1``.
     confidence
@@ -131,7 +133,9 @@ def optimum(
         identity, folder, scheduler=scheduler, threads=threads, progress=progress
     ) as together:
         player = replace(player, crew=together)
-        searcher = of_each(player, model, seed) if isinstance(model, Resample) else player
+        searcher = player
+        if isinstance(model, Resample):
+            searcher = replace(player, model=smoothed(model, seed))
         point = search(searcher, bounds, fixed, shots, seed)
         if point is None:
             said = between if hoop else lambda _, low, high: f"{low:g} to {high:g}"
@@ -145,14 +149,14 @@ def optimum(
             sample = share_of_rows(judged.made, judged.valid, model.cluster, confidence)
             thrown, folds = Thrown(judged.made.sum(), judged.valid.sum()), without.points
             ways = ways_of(judged.made, judged.kind) if hoop else {}
-            low, high, drawn, reference = sample.low, sample.high, model.rows, sample.value
-            player = of_each(player, model, seed)
+            low, high, drawn = sample.low, sample.high, model.rows
+            player = replace(player, model=searcher.model)
         else:
             thrown, ways = player.tally(fixed | point, shots, seed + 1)
             low, high = map(float, wilson(thrown.made, thrown.valid, confidence))
-            folds, drawn, reference = (), shots, None
+            folds, drawn = (), shots
         # Shots that the release was chosen by flatter it; others do not.
-        few = min(shots, max(10_000, shots // 10)), seed + 1, tolerance, reference
+        few = min(shots, max(10_000, shots // 10)), seed + 1, tolerance
         flat = flat_about(player, bounds, fixed, point, *few)
         forgiven = margins_about(best, margins, player, *few)
     made, valid = int(thrown.made), int(thrown.valid)

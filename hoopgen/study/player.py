@@ -144,7 +144,7 @@ class Player:
         -------
         Thrown
             Counts, (m,). The shots of each are those that the model's `draw` gives; of an
-            `EachRow` there are no more than it has rows.
+            `EachRow` no more than it has.
         """
         shots = self._at_most(shots)
         given = {name: np.atleast_1d(doubles(name, value)) for name, value in values.items()}
@@ -221,7 +221,7 @@ class Player:
 
     def _at_most(self, shots: int) -> int:
         """Return how many shots are thrown: of measured releases in their order, all at most."""
-        return min(shots, self.model.rows) if isinstance(self.model, EachRow) else shots
+        return min(shots, self.model.most) if isinstance(self.model, EachRow) else shots
 
     def _judged(self, shots: Shots) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         """Return which shots succeed, and which are valid."""

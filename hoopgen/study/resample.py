@@ -242,6 +242,11 @@ class EachRow(Resample):
     about: Mapping[str, float] = field(default_factory=dict)
 
     @property
+    def most(self) -> int:
+        """How many shots there are."""
+        return self.rows
+
+    @property
     def centre(self) -> dict[str, float]:  # type: ignore[override]
         """The means that were given."""
         return dict(self.about)

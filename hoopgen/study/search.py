@@ -185,23 +185,13 @@ def flat_about(
     shots: int,
     seed: int,
     tolerance: float,
-    reference: float | None = None,
 ) -> dict[str, Bounds]:
     """Return the extent of the region about a point in which the probability hardly falls.
 
     Points are drawn in an ellipsoid that takes its shape from those that were in the region, so
     that a narrow ridge is followed to its ends.
 
-    Parameters
-    ----------
-    player, bounds, fixed, shots, seed
-        As for `search`. Shots that chose the point flatter it, and make the region too narrow.
-    point
-        About which.
-    tolerance
-        By which the probability may fall.
-    reference
-        The probability from which it falls; None: the share at the point itself.
+    Of shots that chose the point the region would be too narrow: they flatter it.
     """
     names, size = tuple(bounds), len(bounds)
     low, high = np.array(list(bounds.values())).T
@@ -212,7 +202,7 @@ def flat_about(
         return player.thrown({**fixed, **values}, shots, seed).share
 
     random, shape = np.random.default_rng(seed), np.diag((high - low) / 20)
-    least, found = (share(centre)[0] if reference is None else reference) - tolerance, [centre]
+    least, found = share(centre)[0] - tolerance, [centre]
     for _ in range(6):
         drawn = np.clip(centre + 1.4 * _ball(random, 32 * size, size) @ shape.T, low, high)
         inside = drawn[share(drawn) >= least]
