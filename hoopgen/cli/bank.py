@@ -141,10 +141,13 @@ def _said(dataset: xr.Dataset) -> str:
         lines = _one(dataset.isel(place=0))
     else:
         lines = [_many(dataset), "", verdict(dataset)[2]]
-    shots = (
-        f"{dataset.attrs['shots']:,} fresh ones of each way, from each place; "
-        f"{percent(dataset.attrs['confidence'], None)} intervals"
-    )
+    level = percent(dataset.attrs["confidence"], None)
+    shots = f"{dataset.attrs['shots']:,} fresh ones of each way, from each place; {level} intervals"
+    if "columns" in dataset.attrs:
+        shots = (
+            "each measured release, held out of its search, each way from each place; "
+            f"{level} intervals of the sample"
+        )
     return "\n".join([*lines, "", footer(9, {"shots": shots} | told_by(dataset))])
 
 

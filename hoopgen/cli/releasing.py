@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
@@ -67,6 +67,8 @@ class Releasing:
         The scene itself.
     measured
         Columns of measured releases, ``--from``; empty without.
+    group
+        Label of each of them, ``--group``; None without.
     """
 
     values: Mapping[str, float]
@@ -75,6 +77,7 @@ class Releasing:
     parameters: Mapping[str, float]
     engine: Engine
     measured: Mapping[str, Any] = field(default_factory=dict)
+    group: Sequence[str | None] | None = None
 
     def model(
         self, changes: Mapping[str, float] = MappingProxyType({}), over: Iterable[str] = ()
@@ -97,11 +100,16 @@ class Releasing:
         scene = dict(self.parameters)
         scene |= {name: values.pop(name) for name in scene if name in changes}
         if self.measured:
-            return Resample(values), scene
+            return Resample(values, self.group), scene
         return Scatter(values, self.sd, self.correlation), scene
 
-    def read(self, file: Path, asked: Mapping[str, Any], override: bool) -> tuple[Releasing, int]:
-        """Return this with what a file says of releases and their scene; and its contacts."""
+    def read(
+        self, file: Path, asked: Mapping[str, Any], override: bool, group: str | None = None
+    ) -> tuple[Releasing, int]:
+        """Return this with what a file says of releases and their scene; and its contacts.
+
+        Of `group` the column has the labels of the rows' groups.
+        """
         from hoopgen.study.origin import settle
         from hoopgen.study.tables import Source
 
@@ -111,10 +119,13 @@ class Releasing:
             )
         source = Source(file)
         origin = settle(source, release=self.values, **asked, override=override, scene=self.engine)
-        columns = source.columns(origin.own, origin.release, self.engine)
-        measured = source.values(source.whole(), columns)
+        table = source.whole()
+        labels = None if group is None else source.labels(table, group)
+        own = [*origin.own, *([] if group is None else [group])]
+        columns = source.columns(own, origin.release, self.engine)
+        measured = source.values(table, columns)
         scene, values = origin.parameters, origin.release
-        found = replace(self, values=values, parameters=scene, measured=measured)
+        found = replace(self, values=values, parameters=scene, measured=measured, group=labels)
         return found, origin.max_contacts
 
 
@@ -124,6 +135,12 @@ _FROM = together(
         "file",
         type=FILE,
         help="Draw from measured releases, .csv, .parquet or .arrow; the options above fill in.",
+    ),
+    click.option(
+        "--group",
+        metavar="COLUMN",
+        help="With --from: the column that says which rows belong together, such as a game or a "
+        "player. Intervals of the sample take groups, not rows, to be independent.",
     ),
     override_option,
 )
@@ -138,14 +155,21 @@ def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
 
     @functools.wraps(command)
     def collected(
-        *arguments: Any, releasing: Releasing, file: Path | None, override: bool, **options: Any
+        *arguments: Any,
+        releasing: Releasing,
+        file: Path | None,
+        group: str | None,
+        override: bool,
+        **options: Any,
     ) -> Any:
         if file is None:
+            if group is not None:
+                raise click.UsageError("--group: it is a column of --from; leave it out")
             if override:
                 raise click.UsageError("--override: there is no file of results; leave it out")
             return command(*arguments, releasing=releasing, **options)
         asked, assumed = flown(releasing.engine, file)
-        releasing, contacts = releasing.read(file, asked, override)
+        releasing, contacts = releasing.read(file, asked, override, group)
         if "max_contacts" in options:
             options["max_contacts"] = contacts
         result = command(*arguments, releasing=releasing, **options)

@@ -224,6 +224,20 @@ def _of_comparison(found: Comparison) -> list[_Group]:
     ]
 
 
+def _alone(found: Any) -> str:
+    """Say of measured releases what the lines are, and the interval of the sample."""
+    sample = found.sample
+    if not sample:
+        return ""
+    said = " of the simulation alone"
+    if hasattr(found, "only_first"):
+        ends = points(sample.low), points(sample.high)
+        said += f"; the sample's of the difference is {' to '.join(ends)} points"
+    elif hasattr(found, "kinds"):
+        said += f"; the sample's of those made is {interval(sample.low, sample.high)}"
+    return said
+
+
 def _told(found: Any) -> str:
     first = getattr(found, "first", found)
     told = told_setting(first.setting, first.scene) | {"seed": str(first.seed)}
@@ -234,7 +248,7 @@ def _told(found: Any) -> str:
     invalid = getattr(first, "invalid", 0) or getattr(first, "counts", {}).get("invalid", 0)
     left = f", of them {invalid:,} invalid, which are no trials" if invalid else ""
     level = percent(found.confidence, None)
-    lines = f"{counted(first.shots, 'shot')}{left}; lines are {level} intervals."
+    lines = f"{counted(first.shots, 'shot')}{left}; lines are {level} intervals{_alone(found)}."
     return f"{lines} {in_a_note(told, scene=True)}"
 
 

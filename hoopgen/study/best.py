@@ -7,8 +7,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, fields
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from hoopgen.engines import HOOP, Engine
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.layout import table
@@ -156,16 +154,15 @@ class Optimum(Said):
         mine, others = self.model, other.model
         if not isinstance(mine, Resample) or not isinstance(others, Resample):
             raise ValueError("other: expected an optimum of measured releases, as this is")
-        same = np.array_equal(mine.cluster, others.cluster) if mine.group else not others.group
-        if not same:
+        if not mine.same_groups(others):
             raise ValueError("other: expected an optimum of the same groups of measured releases")
         scored = [
             HeldOut(tuple(one.folds), folds_of(model, one.seed)).scored(model, one._player(), {})
             for one, model in ((self, mine), (other, others))
         ]
         valid = scored[0].valid & scored[1].valid
-        made = [one.made for one in scored]
-        lead = difference_of_rows(*made, valid, mine.cluster, self.confidence)
+        made, rival = scored[0].made, scored[1].made
+        lead = difference_of_rows(made, rival, valid, mine.cluster, self.confidence)
         return lead.value, lead.low, lead.high
 
     def plot(self, **options: Any) -> Figure | Axes:

@@ -16,9 +16,10 @@ from hoopgen.told import footer
 from hoopgen.words import for_json
 
 from .draws import check_seed
-from .estimate import NAMES, STILL, Estimate, estimated, rows_of, told, with_sample
+from .estimate import NAMES, STILL, Estimate, estimated, told
 from .intervals import newcombe, newcombe_apart
 from .models import is_still
+from .resample import Resample
 from .said import Said
 from .sample import Rows, SampleInterval, difference_of_rows, say_difference
 from .shares import Shares
@@ -186,31 +187,24 @@ def compare(
 
 def _with_sample(found: Comparison, work: Work, threads: int | None) -> Comparison:
     """Return a comparison with the intervals that contain the uncertainty of measured releases."""
-    rows = [rows_of(work, which, threads) for which in (0, 1)]
+    rows = [work.rows(which, threads) for which in (0, 1)]
     first, second = rows
     if first is None and second is None:
         return found
-    if first is not None and second is not None and _alike(first, second):
+    one, other = (setting.model for setting in work.settings)
+    paired = isinstance(one, Resample) and isinstance(other, Resample) and one.same_groups(other)
+    if first is not None and second is not None and paired:
         valid = first.valid & second.valid
-        made = [one.outcome == work.by for one in (second, first)]
-        sample = difference_of_rows(*made, valid, first.cluster, found.confidence)
+        made, before = second.outcome == work.by, first.outcome == work.by
+        sample = difference_of_rows(made, before, valid, first.cluster, found.confidence)
     else:
         sample = _apart(found, rows, work.by)
     return replace(
         found,
-        first=with_sample(found.first, first),
-        second=with_sample(found.second, second),
+        first=found.first.with_rows(first),
+        second=found.second.with_rows(second),
         sample=sample,
     )
-
-
-def _alike(first: Rows, second: Rows) -> bool:
-    """Return whether rows pair: as many of them, in the same groups."""
-    if len(first.outcome) != len(second.outcome):
-        return False
-    if first.cluster is None or second.cluster is None:
-        return first.cluster is second.cluster
-    return bool(np.array_equal(first.cluster, second.cluster))
 
 
 def _apart(found: Comparison, rows: list[Rows | None], by: int) -> SampleInterval:

@@ -29,9 +29,8 @@ from .intervals import wilson
 from .measures import MEASURES, measures_of
 from .models import ReleaseModel, is_still
 from .rebounds import CATCHING_HEIGHT, check_height
-from .resample import Resample
 from .said import Said
-from .sample import Rows, SampleInterval, say_sample, thrown_rows
+from .sample import Rows, SampleInterval, say_sample
 from .shares import Shares, shares_of
 from .spread import Spread, spread_lines, spreads, spreads_of_sample, width_of
 from .tallies import Tally, check_share, contacts_of
@@ -42,9 +41,7 @@ __all__ = [
     "Estimate",
     "estimate",
     "estimated",
-    "rows_of",
     "told",
-    "with_sample",
 ]
 
 STILL = "no scatter: every throw is the same"
@@ -143,6 +140,13 @@ class Estimate(Said):
             return self.share_of(by), self.share_of(by)
         low, high = wilson(getattr(self, by), self.shots - self.invalid, self.confidence)
         return float(low), float(high)
+
+    def with_rows(self, rows: Rows | None) -> Estimate:
+        """Return this with the intervals of the sample whose rows they are; None: as it is."""
+        if rows is None:
+            return self
+        sample = rows.share(Outcome.MADE, self.confidence)
+        return replace(self, sample=sample, measured=spreads_of_sample(self.measured, rows))
 
     @property
     def with_capped(self) -> float:
@@ -330,46 +334,7 @@ def estimate(
     )
     until = Until(precision, lambda total: estimated(work, total, 0, level).half_width, progress)
     total = until.total(work, folder, scheduler, threads)
-    return with_sample(estimated(work, total, 0, level), rows_of(work, 0, threads))
-
-
-def rows_of(work: Work, which: int, threads: int | None) -> Rows | None:
-    """Return what becomes of each measured release of a setting; None of another model."""
-    setting = work.settings[which]
-    if not isinstance(setting.model, Resample):
-        return None
-    return thrown_rows(
-        setting.model,
-        setting.parameters,
-        setting.scene,
-        work.max_contacts,
-        work.backend,
-        threads,
-        work.measures,
-        work.catching_height,
-    )
-
-
-@overload
-def with_sample(found: Estimate, rows: Rows | None) -> Estimate: ...
-
-
-@overload
-def with_sample(found: Shares, rows: Rows | None) -> Shares: ...
-
-
-def with_sample(found: Estimate | Shares, rows: Rows | None) -> Estimate | Shares:
-    """Return an estimate with the intervals that contain the uncertainty of measured releases."""
-    if rows is None:
-        return found
-    level = found.confidence
-    if isinstance(found, Shares):
-        codes = {name: code for code, name in enumerate(found.counts)}
-        return replace(
-            found, sample={name: rows.share(codes[name], level) for name in found.shares}
-        )
-    measured = spreads_of_sample(found.measured, rows)
-    return replace(found, sample=rows.share(Outcome.MADE, level), measured=measured)
+    return estimated(work, total, 0, level).with_rows(work.rows(0, threads))
 
 
 def _measured(measures: Iterable[str], scene: Engine) -> tuple[str, ...]:
@@ -407,7 +372,13 @@ def _estimated(
         high=float(high),
         confidence=level,
         shots=int(tally.shots),
-        **ended,
+        made=ended["made"],
+        missed=ended["missed"],
+        capped=ended["capped"],
+        short=ended["short"],
+        invalid=ended["invalid"],
+        lodged=ended.get("lodged", 0),
+        endless=ended.get("endless", 0),
         uncertain=int(tally.uncertain),
         uncertain_capped=int(tally.uncertain_capped),
         rolled=int(tally.rolled),

@@ -97,6 +97,14 @@ class Resample:
         """How many groups there are; None if the rows are independent."""
         return None if self.cluster is None else int(self.cluster.max()) + 1
 
+    def same_groups(self, other: Resample) -> bool:
+        """Return whether another sample has as many rows, in the same groups."""
+        if self.rows != other.rows:
+            return False
+        if self.cluster is None or other.cluster is None:
+            return self.cluster is other.cluster
+        return bool(np.array_equal(self.cluster, other.cluster))
+
     def order(self, seed: int) -> NDArray[np.intp]:
         """Return all rows in an order that hangs on the seed alone, (m,)."""
         numbers = uniforms(seed, ORDER_OF_ROWS, 0, self.rows)
@@ -247,7 +255,7 @@ class EachRow(Resample):
         return self.rows
 
     @property
-    def centre(self) -> dict[str, float]:  # type: ignore[override]
+    def centre(self) -> dict[str, float]:
         """The means that were given."""
         return dict(self.about)
 

@@ -122,8 +122,8 @@ def share_of_rows(
     if cluster is None:
         low, high = map(float, wilson(good, trials, confidence))
     else:
-        by_group = (totals_by_group(one, cluster) for one in (made & valid, valid))
-        low, high = grouped_wilson(*by_group, confidence)
+        by_group = [totals_by_group(one, cluster) for one in (made & valid, valid)]
+        low, high = grouped_wilson(by_group[0], by_group[1], confidence)
     return SampleInterval(good / trials if trials else nan, low, high, len(made), _many(cluster))
 
 
@@ -149,8 +149,8 @@ def difference_of_rows(
         both, only_first, only_second, neither = (int(pair.sum()) for pair in pairs)
         low, high = newcombe(both, only_first, only_second, neither, level)
     else:
-        by_group = (totals_by_group(some, cluster) for some in (one, other, valid))
-        low, high = grouped_difference(*by_group, level)
+        by_group = [totals_by_group(some, cluster) for some in (one, other, valid)]
+        low, high = grouped_difference(by_group[0], by_group[1], by_group[2], level)
     return SampleInterval(difference, low, high, len(first), _many(cluster))
 
 
@@ -202,8 +202,8 @@ class Rows:
         else:
             middle = np.quantile(values, level) if len(values) else 0.0
             below = there & (self.measured[name] <= middle)
-            by_group = (totals_by_group(one, self.cluster) for one in (below, there))
-            ends = grouped_wilson(*by_group, confidence)
+            by_group = [totals_by_group(one, self.cluster) for one in (below, there)]
+            ends = grouped_wilson(by_group[0], by_group[1], confidence)
             low, high = int(np.floor(ends[0] * len(values))), int(np.ceil(ends[1] * len(values)))
         bounded = np.concatenate([[-inf], values, [inf]])
         return float(bounded[low]), float(bounded[min(high, len(values) + 1)])

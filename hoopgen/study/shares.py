@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from math import nan
 from typing import Any
 
@@ -18,7 +18,7 @@ from hoopgen.words import for_json
 from .intervals import wilson
 from .models import is_still
 from .said import Said
-from .sample import SampleInterval
+from .sample import Rows, SampleInterval
 from .tallies import Tally
 
 __all__ = ["Shares", "shares_of"]
@@ -84,6 +84,14 @@ class Shares(Said):
     def ends_of(self, by: str) -> tuple[float, float]:
         """Return the interval of the share of the shots that end so."""
         return self.low[by], self.high[by]
+
+    def with_rows(self, rows: Rows | None) -> Shares:
+        """Return this with the intervals of the sample whose rows they are; None: as it is."""
+        if rows is None:
+            return self
+        codes = {name: code for code, name in enumerate(self.counts)}
+        sample = {name: rows.share(codes[name], self.confidence) for name in self.shares}
+        return replace(self, sample=sample)
 
     @property
     def half_width(self) -> float:
@@ -158,7 +166,7 @@ def shares_of(tally: Tally, setting: Any, level: float, seed: int) -> Shares:
     ends = {name: wilson(count, valid, level) for name, count in trials.items()}
     still = is_still(setting.model)
     if still and valid:
-        ends = {name: (np.float64(share), np.float64(share)) for name, share in shares.items()}
+        ends = {name: (np.asarray(share), np.asarray(share)) for name, share in shares.items()}
     return Shares(
         shares=shares,
         low={name: float(low) for name, (low, _) in ends.items()},

@@ -28,7 +28,7 @@ from hoopgen.words import for_json
 
 from .crew import Crew, crew
 from .draws import check_two_seeds
-from .estimate import Estimate, estimated, rows_of, with_sample
+from .estimate import Estimate, estimated
 from .intervals import wilson
 from .resample import Resample
 from .said import Said
@@ -234,7 +234,7 @@ def solve(
         shots=many,
         seed=first,
         model=scaled(model, factor),
-        estimate=with_sample(estimated(fresh, total, 0, level), rows_of(fresh, 0, threads)),
+        estimate=estimated(fresh, total, 0, level).with_rows(fresh.rows(0, threads)),
         scene=engine,
     )
 

@@ -107,6 +107,11 @@ class Releases(Table):
     own: Names = Field(
         [], description="Columns that are not to be read, though they are named like variables."
     )
+    group: Annotated[str | None, Text(said="the name of a column")] = Field(
+        None,
+        description="The column that says which rows belong together, such as a game or a player: "
+        "intervals of the sample take groups, not rows, to be independent.",
+    )
 
 
 class Given(Table):

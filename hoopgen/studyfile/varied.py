@@ -116,9 +116,16 @@ def _best_cell(dataset: xr.Dataset, cells: str) -> Answer:
     made, low, high = (best[name].item() for name in ("probability", "low", "high"))
     where = ", ".join(f"{name} {say(name, value)}" for name, value in at.items())
     line = f"at best {percent(made)} made ({interval(low, high)}), at {where}"
-    note = "The best of many cells is a little too good."
+    note = "The best of many cells is a little too good, and its interval is that of one cell."
+    note += _of_a_map(dataset)
     numbers = {"best": {**at, "probability": made, "low": low, "high": high}}
     return Answer(line, f"{cells}. {note}", in_units(numbers))
+
+
+def _of_a_map(dataset: xr.Dataset) -> str:
+    """Say what the intervals are of a map of measured releases."""
+    said = dataset.attrs.get("interval")
+    return f" Intervals are {said}." if said else ""
 
 
 def check_optimum(asked: Asked, question: Optimum) -> None:
@@ -158,7 +165,10 @@ def answer_optimum(asked: Asked, question: Optimum, work: Work) -> Answer:
         there = f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
     else:
         there = ", ".join(f"{name} {best.release[name]:g}" for name in best.bounds)
-    line = f"{percent(best.probability)} ({interval(best.low, best.high)}) from {there}"
+    of_sample = " of the sample" if isinstance(best.model, Resample) else ""
+    off = ", off the board" if best.is_bank else ""
+    ends = f"{interval(best.low, best.high)}{of_sample}"
+    line = f"{percent(best.probability)} ({ends}) from {there}{off}"
     return Answer(line, fenced(best), in_units(best.as_dict()))
 
 
@@ -234,6 +244,8 @@ def answer_bank(asked: Asked, question: Bank, work: Work) -> Answer:
         picture = plots.plot_aim_points(dataset, asked.setting.parameters, title=question.title)
         asked.draw(work, name, picture)
     better, worse, line = verdict(dataset)
+    if isinstance(job.model, Resample):
+        line += "; intervals of the sample"
     return Answer(line, _bank_table(dataset), {"better": better.tolist(), "worse": worse.tolist()})
 
 
