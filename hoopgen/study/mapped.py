@@ -110,9 +110,9 @@ def _shares(work: Work, numbers: Counts, level: float) -> dict[str, xr.Variable]
     trial = np.array(outcomes_of(work.scene)) != INVALID
     with np.errstate(invalid="ignore", divide="ignore"):
         share = np.where(trial, count / valid, np.nan)
-    low, high = (
-        np.where(trial, end, np.nan) for end in wilson(np.where(trial, count, 0), valid, level)
-    )
+    ends = wilson(np.where(trial, count, 0), valid, level)
+    ends = (share, share) if work.model.still else ends
+    low, high = (np.where(trial, end, np.nan) for end in ends)
     said = f"of its {_interval(work, level)}"
     shared = {
         "shots": tally.shots,
@@ -137,6 +137,8 @@ def _probabilities(work: Work, numbers: Counts, level: float) -> dict[str, xr.Va
     with np.errstate(invalid="ignore"):
         probability = made / valid
         share = tally.of_kind() / tally.shots[..., None]
+    if work.model.still:  # every throw is the same, so there is nothing to be estimated
+        low = high = probability
     dims = tuple(work.axes)
     counts = {
         "shots": tally.shots,

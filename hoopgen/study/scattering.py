@@ -40,7 +40,7 @@ def scaled(model: Scatter | Resample, factor: float) -> Scatter | Resample:
     Raises
     ------
     ValueError
-        If deviations of angles become more than a turn.
+        If deviations of angles become more than `Scatter` takes.
     """
     if isinstance(model, Scatter):
         sd = {name: factor * deviation for name, deviation in model.sd.items()}

@@ -256,7 +256,7 @@ def check_scatters(model: Any) -> None:
 
 
 def _possible(model: Scatter | Resample) -> list[float]:
-    """Return the factors with which there is a scatter: of an angle it is no more than a turn."""
+    """Return the factors with which there is a scatter: that of an angle has a limit."""
     found = []
     for factor in FACTORS:
         try:
