@@ -28,10 +28,13 @@ def main() -> None:
     parser.add_argument(
         "--only", choices=["coverage"], help="that section alone; the others stay as they are"
     )
+    parser.add_argument(
+        "--part", type=float, default=1.0, help="of the repetitions of coverage, default 1"
+    )
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)  # before the work, should it fail
     file = arguments.out / "validation.md"
-    coverage = counts(0.05 if arguments.quick else 1.0)
+    coverage = counts(0.05 if arguments.quick else arguments.part)
     if arguments.only:
         write(file, replaced(file.read_text("utf-8"), coverage))
         return

@@ -309,7 +309,7 @@ def _best(seed: int) -> Interval:
 def _best_of_rows(groups: bool) -> Callable[[int], Interval]:
     def once(repetition: int) -> Interval:
         model, over = measured(repetition, groups), ["elevation", "aim"]
-        found = optimum(model, over, by="direct", shots=2 * SHOTS, margins=(), threads=1)
+        found = optimum(model, over, by="direct", shots=SHOTS, margins=(), threads=1)
         made = _of_release(found.arguments, "direct", model, repetition).made
         return Interval(found.low, found.high, made.mean(), made.std() / math.sqrt(TRUTH_EACH))
 
