@@ -380,6 +380,8 @@ def test_without_scatter_there_is_no_interval() -> None:
     found = hoopgen.estimate(model, shots=100)
     assert str(found).startswith("made     100.0% (no scatter: every throw is the same)\n")
     assert found.low == found.probability == found.high == 1.0
+    drawn = " ".join(one.get_text() for one in plot_estimate(found).texts).replace("\n", " ")
+    assert "100 shots; no scatter: every throw is the same." in drawn
     both = hoopgen.compare(model, (model, hoopgen.NBA), shots=10)
     assert (both.low, both.high) == (0.0, 0.0)
     assert "+0.0 points (no scatter: every throw is the same)" in str(both)

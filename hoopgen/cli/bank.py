@@ -94,8 +94,9 @@ def bank(
     """Say from where a bank shot is better than a direct one, and where on the board it aims.
 
     From each place the best shot of either way is searched, as `hoopgen optimum` does, given a
-    player's scatter. Their probabilities are of fresh shots, the same errors for both; the bank
-    shot is the better one where the interval of the difference is above 0.
+    player's scatter. Their probabilities are of fresh shots, the same errors for both, or of
+    measured releases that had no part in the search; the bank shot is the better one where the
+    interval of the difference is above 0.
     """
     from hoopgen.cli.progress import shown
     from hoopgen.study.bank import bank_or_direct, places_of

@@ -137,7 +137,8 @@ class Optimum(Said):
         Raises
         ------
         ValueError
-            If the two are not of as many shots and one seed, or not of the same measured releases.
+            If the two are not of as many shots and one seed, or not of as many measured releases in
+            the same groups.
         """
         if (self.shots, self.seed) != (other.shots, other.seed):
             raise ValueError("other: expected an optimum of as many shots and the same seed")
