@@ -232,8 +232,8 @@ class Optimum(Question):
     )
     shots: Count = Field(
         100_000,
-        description="Of the last step of the search, and of the fresh estimate. Of measured releases "
-        "every row is judged once, by a release that was searched without it.",
+        description="Of the last step of the search, and of the fresh estimate. Of measured "
+        "releases every row is judged once, by a release that was searched without it.",
     )
     tolerance: Annotated[float, Share()] = Field(
         0.01, description="The fall in probability that is still called flat."
