@@ -22,6 +22,7 @@ from hoopgen.study.aim_table import OFF, aim_table, write_csv
 from hoopgen.study.bank import bank_or_direct, check_kept, places_of, verdict
 from hoopgen.study.chunks import run
 from hoopgen.study.draws import check_two_seeds
+from hoopgen.study.held_out import check_folds
 from hoopgen.study.maps import check_cells
 from hoopgen.study.maps import map as mapped
 from hoopgen.study.named import in_units
@@ -136,6 +137,8 @@ def check_optimum(asked: Asked, question: Optimum) -> None:
     setting, model = asked.setting, asked.setting.model(question.over)
     player = scattering(model, question.over, setting.parameters, question.by, asked.engine)
     ends = bounds_of(_ends(question.over), model.centre, player)
+    if isinstance(model, Resample):
+        check_folds(model)
     _try(asked, model, {name: low for name, (low, _) in ends.items()})
 
 
@@ -182,6 +185,8 @@ def check_bank(asked: Asked, question: Bank) -> None:
     check_two_seeds(asked.study.seed)
     model, parameters = _bank_model(asked, question), asked.setting.parameters
     check_kept(question.shots)
+    if isinstance(model, Resample):
+        check_folds(model)
     x, y = places_of(question.places)[0].tolist()
     here = {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
     player = scattering(model, question.over, parameters, "any")
