@@ -17,7 +17,7 @@ for needed in ("matplotlib", "pyarrow", "scipy", "xarray"):
 from benchmarks import validation_coverage as validation  # noqa: E402
 
 CHEAP = {
-    number: case.repetitions // 10
+    number: case.repetitions // 25
     for number, case in enumerate(validation.CASES)
     if case.repetitions == 2_000
 }
@@ -48,6 +48,21 @@ def test_an_interval_contains_the_truth_as_often_as_it_says(number: int) -> None
 def test_half_an_interval_does_not(number: int) -> None:
     halved = [one.halved() for one in intervals(number)]
     assert not validation.coverage(validation.CASES[number], halved).holds
+
+
+def test_the_section_is_replaced_alone_and_says_what_does_not_hold() -> None:
+    counts = [
+        {"name": "", "of": "", "repetitions": 400, "covered": 380, "expected": 0.95, "width": 0.1}
+        for _ in validation.CASES
+    ]
+    counts[0]["covered"] = 300
+    page = f"# Validation\n\n{validation.HEADING}\n\nold\n\n## Sources\n\n- one\n"
+    lines = validation.replaced(page, counts).splitlines()
+    assert (lines[0], lines[-3:]) == ("# Validation", ["## Sources", "", "- one"])
+    assert "old" not in lines
+    rows = [line for line in lines if line.startswith("| `estimate`")]
+    assert rows[0].endswith("| 75.0% | 0.00 | **no** |")
+    assert rows[1].endswith("| 95.0% | 1.00 | yes |")
 
 
 def test_the_page_has_every_interval_and_all_of_them_hold() -> None:
