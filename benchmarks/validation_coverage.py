@@ -115,7 +115,7 @@ class Coverage:
 
 def coverage(case: Case, intervals: Sequence[Interval]) -> Coverage:
     """Count the intervals that contain the truth."""
-    covered = sum(one.low <= one.truth <= one.high for one in intervals)
+    covered = sum(bool(one.low <= one.truth <= one.high) for one in intervals)
     z = -float(ndtri(0.5 * (1.0 - LEVEL)))
     finite = [one.high - one.low for one in intervals if math.isfinite(one.high - one.low)]
     width = float(np.median(finite))
