@@ -82,8 +82,8 @@ def chance(best: Optimum) -> str:
 # --------------------------------------------------------------------------------- sections
 
 
-def page(results: Results) -> str:
-    """The whole page."""
+def page(results: Results, coverage: Sequence[str]) -> str:
+    """The whole page, with the lines of the section on coverage."""
     lines = [
         *_head(results),
         *closed_forms(results.checks, results.entries),
@@ -91,6 +91,7 @@ def page(results: Results) -> str:
         *_bank(results),
         *_scatter(results),
         *results.court,
+        *coverage,
         *_left_out(),
         "## Sources",
         "",

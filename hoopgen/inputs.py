@@ -18,6 +18,7 @@ __all__ = [
     "Backend",
     "MAX_CONTACTS",
     "check_angles",
+    "check_deviations",
     "check_contacts",
     "check_count",
     "check_leaving",
@@ -102,6 +103,31 @@ def check_angles(name: str, angles: Mapping[str, ArrayLike]) -> None:
                 f"{np.median(sizes):.6g}. Degrees would be np.radians(...), or in a table a column "
                 f"{angle}_deg"
             )
+
+
+def check_deviations(name: str, deviations: Mapping[str, ArrayLike]) -> None:
+    """Refuse standard deviations of the angle of a release that are degrees: half a radian or more.
+
+    With 0.5 rad, 28.6 degrees, every third throw would be off by more than that, and a twentieth by
+    twice as much. The smallest deviation that is measured of players is half a degree.
+
+    Raises
+    ------
+    ValueError
+        The message begins with `name`.
+    """
+    for angle, given in deviations.items():
+        value = float(np.asarray(given))
+        if value >= MAX_DEVIATION:
+            raise ValueError(
+                f"{name}: {angle} is in radians, and {value:.6g} is a standard deviation of "
+                f"{np.degrees(value):.3g} degrees; expected less than {MAX_DEVIATION}. Degrees "
+                f"would be np.radians({value:.6g})"
+            )
+
+
+MAX_DEVIATION = 0.5
+"""rad. Standard deviations of the angle of a release are below; see `check_deviations`."""
 
 
 def check_states(states: ArrayLike) -> NDArray[np.float64]:

@@ -94,8 +94,9 @@ def bank(
     """Say from where a bank shot is better than a direct one, and where on the board it aims.
 
     From each place the best shot of either way is searched, as `hoopgen optimum` does, given a
-    player's scatter. Their probabilities are of fresh shots, the same errors for both; the bank
-    shot is the better one where the interval of the difference is above 0.
+    player's scatter. Their probabilities are of fresh shots, the same errors for both, or of
+    measured releases that had no part in the search; the bank shot is the better one where the
+    interval of the difference is above 0.
     """
     from hoopgen.cli.progress import shown
     from hoopgen.study.bank import bank_or_direct, places_of
@@ -141,10 +142,13 @@ def _said(dataset: xr.Dataset) -> str:
         lines = _one(dataset.isel(place=0))
     else:
         lines = [_many(dataset), "", verdict(dataset)[2]]
-    shots = (
-        f"{dataset.attrs['shots']:,} fresh ones of each way, from each place; "
-        f"{percent(dataset.attrs['confidence'], None)} intervals"
-    )
+    level = percent(dataset.attrs["confidence"], None)
+    shots = f"{dataset.attrs['shots']:,} fresh ones of each way, from each place; {level} intervals"
+    if "columns" in dataset.attrs:
+        shots = (
+            "each measured release, held out of its search, each way from each place; "
+            f"{level} intervals of the sample"
+        )
     return "\n".join([*lines, "", footer(9, {"shots": shots} | told_by(dataset))])
 
 

@@ -185,4 +185,8 @@ def _summary(dataset: xr.Dataset) -> str:
     best = dataset.isel(probability.argmax(...))
     where = ", ".join(f"{name} {say(name, best[name].item())}" for name in axes)
     made, low, high = (best[name].item() for name in ("probability", "low", "high"))
-    return f"{shots}\nbest   {percent(made)} made ({interval(low, high)}) at {where}"
+    note = "its interval is that of one cell, and the best of many is a little too good"
+    if "interval" in dataset.attrs:
+        note += f"; {dataset.attrs['interval']}"
+    ends = f"({interval(low, high)})"
+    return f"{shots}\nbest   {percent(made)} made {ends} at {where}\n       {note}"

@@ -69,7 +69,7 @@ _AIMING = ("speed", "aim", "azimuth")
     type=COUNT,
     default=100_000,
     show_default=True,
-    help="Of the last step of the search, and of the estimate.",
+    help="Of the last step of the search, and of the estimate. Of --from every row is judged once.",
 )
 @seed_option
 @confidence_option
@@ -91,8 +91,9 @@ def optimum(
 ) -> None:
     """Find the release that goes in most often, given a player's scatter.
 
-    All candidates are thrown with the same random errors. The probability is of fresh shots. What
-    the release forgives comes with it: how far off each variable alone may be.
+    All candidates are thrown with the same random errors. The probability is of fresh shots; of
+    measured releases, --from, it is of rows that had no part in the search. What the release
+    forgives comes with it: how far off each variable alone may be.
     """
     from hoopgen.cli.progress import shown
     from hoopgen.scenes import check_hoop

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
@@ -70,6 +70,8 @@ class Releasing:
         The scene itself.
     measured
         Columns of measured releases, ``--from``; empty without.
+    group
+        Label of each of them, ``--group``; None without.
     """
 
     values: Mapping[str, float]
@@ -78,6 +80,7 @@ class Releasing:
     parameters: Mapping[str, float]
     engine: Engine
     measured: Mapping[str, Any] = field(default_factory=dict)
+    group: Sequence[str | None] | None = None
 
     def model(
         self, changes: Mapping[str, float] = MappingProxyType({}), over: Iterable[str] = ()
@@ -100,24 +103,36 @@ class Releasing:
         scene = dict(self.parameters)
         scene |= {name: values.pop(name) for name in scene if name in changes}
         if self.measured:
-            return Resample(values), scene
+            return Resample(values, self.group), scene
         return Scatter(values, self.sd, self.correlation), scene
 
     def read(
-        self, file: Path, reading: Reading, asked: Mapping[str, Any], override: bool
+        self,
+        file: Path,
+        reading: Reading,
+        asked: Mapping[str, Any],
+        override: bool,
+        group: str | None = None,
     ) -> tuple[Releasing, Interpreted, InvalidRows]:
-        """Return this with what a file says; how it is read; and its rows that are invalid."""
+        """Return this with what a file says; how it is read; and its rows that are invalid.
+
+        The column `group` has the labels of the rows' groups.
+        """
         if self.sd:
             raise click.UsageError(
                 "--scatter is about a release, and --from has many; leave one out"
             )
+        if group is not None:
+            reading = replace(reading, own=(*reading.own, group))
         source = reading.source(file)
         read = reading.interpreted(
             source, release=self.values, **asked, override=override, scene=self.engine
         )
         measured, invalid = read.measured(source)
+        labels = None if group is None else source.labels(source.whole(), group)
         scene, values = read.origin.parameters, read.origin.release
-        return replace(self, values=values, parameters=scene, measured=measured), read, invalid
+        found = replace(self, values=values, parameters=scene, measured=measured, group=labels)
+        return found, read, invalid
 
 
 _FROM = together(
@@ -127,6 +142,12 @@ _FROM = together(
         type=FILE,
         help="Draw from measured releases, .csv, .parquet, .arrow or .xlsx; the options above fill "
         "in.",
+    ),
+    click.option(
+        "--group",
+        metavar="COLUMN",
+        help="With --from: the column that says which rows belong together, such as a game or a "
+        "player. Intervals of the sample take groups, not rows, to be independent.",
     ),
     override_option,
     reading_options,
@@ -142,10 +163,17 @@ def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
 
     @functools.wraps(command)
     def collected(
-        *arguments: Any, releasing: Releasing, file: Path | None, override: bool, **options: Any
+        *arguments: Any,
+        releasing: Releasing,
+        file: Path | None,
+        group: str | None,
+        override: bool,
+        **options: Any,
     ) -> Any:
         said = {name: options.pop(name) for name in READING}
         if file is None:
+            if group is not None:
+                raise click.UsageError("--group: it is a column of --from; leave it out")
             if override:
                 raise click.UsageError("--override: there is no file of results; leave it out")
             stray = [name for name, value in said.items() if value]
@@ -154,7 +182,7 @@ def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
             return command(*arguments, releasing=releasing, **options)
         reading = reading_of(said)
         asked, assumed = flown(releasing.engine, file, reading)
-        releasing, read, invalid = releasing.read(file, reading, asked, override)
+        releasing, read, invalid = releasing.read(file, reading, asked, override, group)
         if "max_contacts" in options:
             options["max_contacts"] = read.origin.max_contacts
         result = command(*arguments, releasing=releasing, **options)

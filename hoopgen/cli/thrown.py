@@ -147,7 +147,7 @@ def landings(
     if height is None:
         said, found = _where(there), {"landings": _within(there)}
     else:
-        measured = _caught(thrown, height)
+        measured = _caught(thrown, height, work)
         said = "\n".join(spread_lines(measured))
         found = {"measured": {name: one.as_dict() for name, one in measured.items()}}
     if as_json:
@@ -165,10 +165,15 @@ def landings(
 class _Thrown:
     """A player's shots, what became of them, and what that rests on."""
 
+    thrower: Any
     released: Releases
     flown: hoopgen.Shots
-    setting: Mapping[str, Any]
     seed: int
+
+    @property
+    def setting(self) -> Mapping[str, Any]:
+        """Release model and parameters, in types that JSON knows."""
+        return dict(self.thrower.identity())
 
     @cached_property
     def told(self) -> dict[str, str]:
@@ -240,7 +245,7 @@ def _thrown(
         threads=threads,
         record=record,
     )
-    return _Thrown(released, flown, setting.identity(), seed)
+    return _Thrown(setting, released, flown, seed)
 
 
 def _echo(found: Mapping[str, Any]) -> None:
@@ -276,9 +281,24 @@ def _where(there: Landings) -> str:
     )
 
 
-def _caught(thrown: _Thrown, height: float) -> dict[str, Spread]:
+def _caught(thrown: _Thrown, height: float, work: Mapping[str, Any]) -> dict[str, Spread]:
     """Return how far rebounds go, when they come down, and where to."""
-    from hoopgen.study.spread import counts_of, spreads
+    from hoopgen.study.resample import Resample
+    from hoopgen.study.sample import thrown_rows
+    from hoopgen.study.spread import counts_of, spreads, spreads_of_sample
 
     counts = counts_of(thrown.released, thrown.flown, _REBOUNDS, height)
-    return spreads(counts, _REBOUNDS, _CONFIDENCE, height)
+    found, model = spreads(counts, _REBOUNDS, _CONFIDENCE, height), thrown.thrower.model
+    if not isinstance(model, Resample):
+        return found
+    rows = thrown_rows(
+        model,
+        thrown.thrower.parameters,
+        thrown.flown.scene,
+        work["max_contacts"],
+        work["backend"],
+        work["threads"],
+        _REBOUNDS,
+        height,
+    )
+    return spreads_of_sample(found, rows)

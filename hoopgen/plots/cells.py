@@ -93,6 +93,8 @@ class Cells:
         What single shots can be; none of probabilities.
     hoop
         Parameters of the hoop of a map over places on the floor, x and y; of another None.
+    measured
+        Whether the shots were drawn from measured releases: then the interval is not the sample's.
     """
 
     of: str
@@ -105,6 +107,7 @@ class Cells:
     label: str = "shots made (%)"
     classes: tuple[Class, ...] = ()
     hoop: Mapping[str, float] | None = None
+    measured: bool = False
 
     @property
     def nowhere(self) -> NDArray[np.bool_]:
@@ -230,6 +233,7 @@ def read_cells(dataset: xr.Dataset, of: str | None = None) -> Cells:
         scene=_scene(dataset),
         label=label,
         classes=classes,
+        measured="columns" in dataset.attrs,
     )
 
 

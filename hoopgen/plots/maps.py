@@ -189,7 +189,8 @@ def _draw_line(axes: Axes, shown: Cells) -> None:
         known = np.isfinite(shown.values)  # without a flight anything may be, which says nothing
         low, top = (np.where(known, bound, np.nan) for bound in shown.interval)
         share = f"{percent(shown.confidence, 0)} " if shown.confidence else ""
-        axes.fill_between(axis.values, low, top, color=_BAND, lw=0, label=f"{share}interval")
+        alone = " of the simulation alone" if shown.measured else ""
+        axes.fill_between(axis.values, low, top, color=_BAND, lw=0, label=f"{share}interval{alone}")
     axes.plot(axis.values, shown.values, color=COLOURS["path"], lw=1.2, label="estimate")
     best = shown.best()
     if best is not None:

@@ -152,8 +152,6 @@ def _groups(found: Any) -> list[_Group]:
 
 def _outcomes(found: Estimate) -> list[_Bar]:
     """Return the outcomes that there are; that of made shots is made of their kinds."""
-    from hoopgen.study.intervals import wilson
-
     valid = found.shots - found.invalid
     digits = decimals(found.half_width)
     bars = []
@@ -162,11 +160,12 @@ def _outcomes(found: Estimate) -> list[_Bar]:
         if not (count or name in ("made", "missed")):
             continue
         share = count / valid if valid else 0.0
-        low, high = map(float, wilson(count, valid, found.confidence))
+        low, high = found.ends_of(name) if valid else (0.0, 1.0)
         parts = [(share, NEITHER.get(name, _PLAIN))]
         if name == "made":
             parts = [(n / valid, MADE[kind]) for kind, n in found.kinds_made.items() if n]
-        said = percent(share, digits), f"({interval(low, high, digits)})"
+        ends = "" if found.still else f"({interval(low, high, digits)})"
+        said = percent(share, digits), ends
         bars.append(_Bar(name, parts, low, high, *said))
     return bars
 
@@ -180,7 +179,9 @@ def _of_kinds(found: Estimate) -> _Group:
         if not count or kind == "none":
             continue
         made = found.kinds_made[kind]
+        share = count / found.shots
         low, high = map(float, wilson(count, found.shots, found.confidence))
+        low, high = (share, share) if found.still else (low, high)
         parts = [(made / found.shots, MADE.get(kind, _PLAIN))]
         parts += [((count - made) / found.shots, MISSED.get(kind, _PLAIN))]
         said = percent(count / found.shots), f"{percent(made / count)} of it made"
@@ -200,7 +201,7 @@ def _ends(found: Shares) -> list[_Bar]:
             found.low[name],
             found.high[name],
             percent(share, digits),
-            f"({interval(found.low[name], found.high[name], digits)})",
+            "" if found.still else f"({interval(found.low[name], found.high[name], digits)})",
         )
         for name, share in found.shares.items()
         if name in ends or found.counts[name]
@@ -224,6 +225,20 @@ def _of_comparison(found: Comparison) -> list[_Group]:
     ]
 
 
+def _alone(found: Any) -> str:
+    """Say of measured releases what the lines are, and the interval of the sample."""
+    sample = found.sample
+    if not sample:
+        return ""
+    said = " of the simulation alone"
+    if hasattr(found, "only_first"):
+        ends = points(sample.low), points(sample.high)
+        said += f"; the sample's of the difference is {' to '.join(ends)} points"
+    elif hasattr(found, "kinds"):
+        said += f"; the sample's of those made is {interval(sample.low, sample.high)}"
+    return said
+
+
 def _told(found: Any) -> str:
     first = getattr(found, "first", found)
     told = told_setting(first.setting, first.scene) | {"seed": str(first.seed)}
@@ -234,7 +249,10 @@ def _told(found: Any) -> str:
     invalid = getattr(first, "invalid", 0) or getattr(first, "counts", {}).get("invalid", 0)
     left = f", of them {invalid:,} invalid, which are no trials" if invalid else ""
     level = percent(found.confidence, None)
-    lines = f"{counted(first.shots, 'shot')}{left}; lines are {level} intervals."
+    ends = f"lines are {level} intervals{_alone(found)}"
+    if found.still:
+        ends = "no scatter: every throw is the same"
+    lines = f"{counted(first.shots, 'shot')}{left}; {ends}."
     return f"{lines} {in_a_note(told, scene=True)}"
 
 

@@ -26,14 +26,17 @@ from .best import paired
 from .board import NOWHERE, on_board, window
 from .crew import crew
 from .draws import check_two_seeds
+from .held_out import check_folds, held_out
 from .intervals import wilson
 from .of_hoop import of_hoop
 from .optimum import scattering
 from .player import Bounds, By, Player, Thrown, arguments_of
 from .resample import Resample
+from .sample import difference_of_rows, share_of_rows
 from .scatter import Scatter
 from .scattering import alike, scene_by_row
 from .search import bounds_of, search
+from .smoothed import smoothed
 from .tallies import check_share
 from .throws import Progress
 
@@ -53,6 +56,12 @@ _ENDS = {
     "touch_z_low": "lower end of the height on the board from the ring",
     "touch_z_high": "upper end of the height on the board from the ring",
 }
+
+_INTERVAL = (
+    "of the simulation alone: fresh shots, other than those of the search",
+    "contains the uncertainty of the sample: measured releases held out of the search",
+)
+"""What the intervals are: of scatter, and of measured releases."""
 
 _SHOT = 48
 """Bytes that what became of a shot takes, both ways, until it is counted."""
@@ -92,7 +101,9 @@ def bank_or_direct(
         Over ``way`` ("direct", "bank") and ``place``: `probability` with its Wilson interval, `low`
         and `high`, of the fresh shots that are valid; how many are `invalid`; and the release, each
         argument of `hoopgen.release`, and `aim` and what parameters were searched over. Where no
-        shot tried succeeds that way, the probability is 0 and the release NaN.
+        shot tried succeeds that way, the probability is 0 and the release NaN. Of measured releases
+        the shots are the rows, held out of the search as for `optimum`; then all intervals contain
+        the uncertainty of the sample, and the attribute ``interval`` says so.
 
         Over ``place``: `difference`, bank less direct, with the interval of the paired shots,
         `difference_low` and `difference_high`; where the ball of the best bank shot touches the
@@ -113,6 +124,8 @@ def bank_or_direct(
     check_kept(shots)
     over = over if isinstance(over, Mapping) else (over,) if isinstance(over, str) else tuple(over)
     players = [scattering(model, over, parameters, way) for way in WAYS]
+    if isinstance(model, Resample):
+        check_folds(model)
     question = _Question(
         players,
         model,
@@ -210,12 +223,20 @@ class _Question:
         here = {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
         (direct, straight), (bank, banked) = (self._best(player, here) for player in self.players)
         both = Thrown(*np.array([[t.made.sum(), t.valid.sum()] for t in (straight, banked)]).T)
-        low, high = wilson(both.made, both.valid, self.confidence)
-        difference, least, most = paired(banked, straight, self.confidence)
+        if isinstance(self.model, Resample):
+            cluster, level = self.model.cluster, self.confidence
+            ends = [share_of_rows(t.made, t.valid, cluster, level) for t in (straight, banked)]
+            low, high = (np.array([getattr(one, end) for one in ends]) for end in ("low", "high"))
+            valid = straight.valid & banked.valid
+            lead = difference_of_rows(banked.made, straight.made, valid, cluster, level)
+            difference, least, most = lead.value, lead.low, lead.high
+        else:
+            low, high = wilson(both.made, both.valid, self.confidence)
+            difference, least, most = paired(banked, straight, self.confidence)
         released = (*ARGUMENTS, *(name for name in self.over if name in ("aim", *NAMES)))
         answer = {name: np.array([direct[name], bank[name]]) for name in released}
         answer |= {"probability": both.share, "low": low, "high": high}
-        answer |= {"invalid": self.shots - both.valid}
+        answer |= {"invalid": len(straight.made) - both.valid}
         single = {
             "difference": difference,
             "difference_low": least,
@@ -229,18 +250,28 @@ class _Question:
         """Return arguments and scene of the best release, and what became of fresh shots."""
         fixed = {**self.model.apart()[0], **here}
         centre = {**self.model.centre, **here}
-        point = search(player, bounds_of(self.over, centre, player), fixed, self.shots, self.seed)
+        bounds = bounds_of(self.over, centre, player)
+        measured = self.model if isinstance(self.model, Resample) else None
+        searcher = player
+        if measured is not None:
+            searcher = replace(player, model=smoothed(measured, self.seed))
+        point = search(searcher, bounds, fixed, self.shots, self.seed)
         if point is None:
-            nothing = np.zeros(self.shots, np.bool_)
+            nothing = np.zeros(self.shots if measured is None else measured.rows, np.bool_)
             unknown = dict.fromkeys((*ARGUMENTS, *self.over), math.nan)
             return {**player.parameters, **unknown, **NOWHERE}, Thrown(nothing, ~nothing)
         best = change_variables(centre, point)
         player = player.at(best)
         banked = player.by == "bank"
         touched = window(player, fixed | point, self.shots, self.seed + 1) if banked else NOWHERE
+        if measured is None:
+            thrown = player.scored(fixed | point, self.shots, self.seed + 1)
+        else:
+            without = held_out(player, measured, bounds, fixed, self.shots, self.seed)
+            thrown = without.scored(measured, player, fixed)
         return (
             {**best, **player.parameters, **arguments_of(best, player.parameters), **touched},
-            player.scored(fixed | point, self.shots, self.seed + 1),
+            thrown,
         )
 
 
@@ -275,6 +306,7 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
         "release": json.dumps({n: v for n, v in same.items() if n not in NAMES}),
         **model_told(question.model.identity()),
         "confidence": question.confidence,
+        "interval": _INTERVAL[isinstance(question.model, Resample)],
         "shots": question.shots,
         "seed": str(question.seed),
     }

@@ -17,11 +17,13 @@ from hoopgen.units import INCH
 from hoopgen.words import between, for_json, say
 
 from .board import on_board
+from .held_out import HeldOut, folds_of
 from .intervals import newcombe
 from .margins import Margin
 from .player import Bounds, Player, Thrown
 from .resample import Resample
 from .said import Said
+from .sample import difference_of_rows, in_groups
 from .scatter import Scatter
 
 if TYPE_CHECKING:
@@ -41,7 +43,8 @@ class Optimum(Said):
     Attributes
     ----------
     release
-        The variables searched over, at their best, and those given; SI.
+        The variables searched over, those of `bounds`, at their best; and those given, which were
+        not searched. SI.
     arguments
         The same as arguments of `hoopgen.release`.
     entry_angle, depth
@@ -52,18 +55,21 @@ class Optimum(Said):
         What counts as success.
     probability, low, high
         Share of fresh shots, other than those of the search, that succeed; its Wilson interval.
-        An invalid shot is no trial.
+        An invalid shot is no trial. Of measured releases the shots are the rows, each judged by a
+        release that was searched without it (see `folds`), and the interval contains the
+        uncertainty of the sample: with groups that of `grouped_wilson`.
     made, shots, invalid
         How many of them succeed, were drawn, and could not be simulated.
     confidence
         Of the interval.
     seed
-        Of the search; the fresh shots are those of the next one.
+        Of the search; the fresh shots, and those of `flat` and `Margin.steady`, are those of the
+        next one.
     tolerance
         What `flat` and `Margin.steady` let the probability fall by.
     flat
         By variable searched over: the range in which, the others chosen to suit, the probability
-        was found to stay within the tolerance of the best.
+        was found to stay within the tolerance of the best. An estimate, no confidence interval.
     bounds
         Where was searched.
     margins
@@ -75,6 +81,13 @@ class Optimum(Said):
     scene
         The scene itself. Where there is no hoop there are no arguments, and NaN for what is
         measured at the ring.
+    ways
+        Shares of the valid shots that succeed without a touch ("swish"), with the ring or the
+        bridge touched first ("rim"), with the board touched first ("bank"). They add up to the
+        probability. None without a hoop.
+    folds
+        Of measured releases: the values found without each fold of the rows, by which that fold was
+        judged. How far they are apart shows how far the sample determines the best.
     """
 
     release: Mapping[str, float]
@@ -97,6 +110,13 @@ class Optimum(Said):
     model: Scatter | Resample
     parameters: Mapping[str, float]
     scene: Engine = field(default=HOOP, compare=False)
+    ways: Mapping[str, float] = field(default_factory=dict)
+    folds: Sequence[Mapping[str, float] | None] = ()
+
+    @property
+    def is_bank(self) -> bool:
+        """Whether most of the shots that go in touch the board first."""
+        return 2.0 * self.ways.get("bank", 0.0) > sum(self.ways.values())
 
     @property
     def at_bounds(self) -> tuple[str, ...]:
@@ -111,19 +131,40 @@ class Optimum(Said):
         """Return by how much this probability is above another's, and the interval of it.
 
         Of the same fresh shots for both: Newcombe's interval for paired data (1998). Pairs with an
-        invalid shot do not count.
+        invalid shot do not count. Of measured releases row by row, each judged by the releases that
+        were searched without it; that interval contains the uncertainty of the sample.
 
         Raises
         ------
         ValueError
-            If the two are not of as many shots and one seed.
+            If the two are not of as many shots and one seed, or not of as many measured releases in
+            the same groups.
         """
         if (self.shots, self.seed) != (other.shots, other.seed):
             raise ValueError("other: expected an optimum of as many shots and the same seed")
+        measured = [isinstance(one.model, Resample) for one in (self, other)]
+        if any(measured):
+            return self._lead_of_rows(other)
         mine, others = (
             one._player().scored(one.point, one.shots, one.seed + 1) for one in (self, other)
         )
         return paired(mine, others, self.confidence)
+
+    def _lead_of_rows(self, other: Optimum) -> tuple[float, float, float]:
+        """Return the lead of measured releases over the same ones thrown another way."""
+        mine, others = self.model, other.model
+        if not isinstance(mine, Resample) or not isinstance(others, Resample):
+            raise ValueError("other: expected an optimum of measured releases, as this is")
+        if not mine.same_groups(others):
+            raise ValueError("other: expected an optimum of the same groups of measured releases")
+        scored = [
+            HeldOut(tuple(one.folds), folds_of(model, one.seed)).scored(model, one._player(), {})
+            for one, model in ((self, mine), (other, others))
+        ]
+        valid = scored[0].valid & scored[1].valid
+        made, rival = scored[0].made, scored[1].made
+        lead = difference_of_rows(made, rival, valid, mine.cluster, self.confidence)
+        return lead.value, lead.low, lead.high
 
     def plot(self, **options: Any) -> Figure | Axes:
         """Draw paths of its fresh shots; options, and what is returned, as for `plots.plot_fan`.
@@ -197,6 +238,13 @@ _GO_IN = {
 }
 
 
+_WAYS = {
+    "swish": "without a touch",
+    "rim": "off the ring first",
+    "bank": "off the board first",
+}
+
+
 def advice(best: Optimum, rival: Optimum | None = None) -> str:
     """Say the release, how often it goes in, what it forgives, and what that rests on.
 
@@ -206,11 +254,33 @@ def advice(best: Optimum, rival: Optimum | None = None) -> str:
         What was found.
     rival
         Of another way in: said is how far the first one leads.
+
+    Raises
+    ------
+    ValueError
+        If the two are not of one player, release and scene, but for what was searched: then a lead
+        would not be that of the way in.
     """
+    if rival is not None:
+        _check_alike(best, rival)
     lines = [*_shot(best), *([_against(best, rival)] if rival is not None else [])]
     margins = list(best.margins.values())
     lines += ["", _margins(margins, best.tolerance)] if margins else []
     return "\n".join([*lines, "", footer(9, best.told())])
+
+
+def _check_alike(best: Optimum, rival: Optimum) -> None:
+    """Refuse two whose difference is not that of the way in alone."""
+    if best.model != rival.model:
+        raise ValueError("rival: expected an optimum of the same release and scatter")
+    searched = {*best.bounds, *rival.bounds}
+    other = [
+        name
+        for name, value in best.parameters.items()
+        if name not in searched and value != rival.parameters.get(name)
+    ]
+    if best.scene != rival.scene or other:
+        raise ValueError(f"rival: expected one in the same scene; not so {', '.join(other)}")
 
 
 def _shot(best: Optimum) -> list[str]:
@@ -220,12 +290,12 @@ def _shot(best: Optimum) -> list[str]:
     given = best.arguments
     spins = [f"{name} {say(name, given[name])}" for name in ("backspin", "sidespin") if given[name]]
     shot = f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
+    off = ["off the board"] if best.is_bank else []
     lines = [
-        f"shoot    {', '.join([shot, towards(given['azimuth']), *spins])}",
+        f"shoot    {', '.join([shot, *off, towards(given['azimuth']), *spins])}",
         _where(best),
-        f"success  {percent(best.probability)} {_GO_IN[best.by]} ({interval(best.low, best.high)} "
-        f"with {percent(best.confidence, None)} confidence; {counted(best.shots, 'fresh shot')}"
-        f"{f', {best.invalid:,} of them invalid' * bool(best.invalid)}, seed {best.seed})",
+        f"success  {percent(best.probability)} {_GO_IN[best.by]} {_interval(best)}",
+        f"ways     {', '.join(f'{percent(best.ways[n])} {said}' for n, said in _WAYS.items())}",
     ]
     for name, ends in best.flat.items():
         said = f"{VARIABLES[name].label} {between(name, *ends)}"
@@ -243,9 +313,7 @@ def _of_a_state(best: Optimum) -> list[str]:
     state = say_release(best.release, best.scene)
     lines = [
         f"release  {', '.join([*filter(None, [state]), *parameters])}",
-        f"success  {percent(best.probability)} {best.by} ({interval(best.low, best.high)} "
-        f"with {percent(best.confidence, None)} confidence; {counted(best.shots, 'fresh shot')}"
-        f"{f', {best.invalid:,} of them invalid' * bool(best.invalid)}, seed {best.seed})",
+        f"success  {percent(best.probability)} {best.by} {_interval(best)}",
     ]
     for name, (low, high) in best.flat.items():
         within = counted(100 * best.tolerance, "point")
@@ -256,9 +324,20 @@ def _of_a_state(best: Optimum) -> list[str]:
     return lines
 
 
+def _interval(best: Optimum) -> str:
+    """Say the interval of the probability, and of what it is."""
+    level = percent(best.confidence, None)
+    invalid = f", {best.invalid:,} of them invalid" * bool(best.invalid)
+    said = f"{interval(best.low, best.high)} with {level} confidence"
+    if not isinstance(best.model, Resample):
+        return f"({said}; {counted(best.shots, 'fresh shot')}{invalid}, seed {best.seed})"
+    rows = f"{counted(best.shots, 'measured release')}{in_groups(best.model.groups)}{invalid}"
+    return f"({said} of the sample; {rows}, each held out of its search, seed {best.seed})"
+
+
 def _where(best: Optimum) -> str:
     """Say where the ball goes: on the board, or down into the ring."""
-    if best.by == "bank":
+    if best.is_bank or best.by == "bank":
         touch = on_board(best.arguments, best.parameters, best.scene)
         return f"flight   {touching(touch['touch_y'], touch['touch_z'])}"
     inside = best.parameters["ring_radius"] - best.parameters["wire_radius"]
@@ -310,7 +389,7 @@ def _margins(margins: Sequence[Margin], tolerance: float) -> str:
         ]
         for margin in margins
     ]
-    head = ["one of them off", "best", "goes in", f"within {counted(100 * tolerance, 'point')}"]
+    head = ["one of them off", "here", "goes in", f"within {counted(100 * tolerance, 'point')}"]
     groups = [(2, 2, "without scatter"), (3, 3, "with scatter")]
     note = "\n* and further out again, by another bounce: `elsewhere` has where"
     return table(head, rows, right=(1,), groups=groups) + note * any(m.elsewhere for m in margins)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from math import inf, nan
 from os import PathLike
 from typing import Any
@@ -16,9 +16,12 @@ from hoopgen.told import footer
 from hoopgen.words import for_json
 
 from .draws import check_seed
-from .estimate import NAMES, Estimate, estimated, told
-from .intervals import newcombe
+from .estimate import NAMES, STILL, Estimate, estimated, told
+from .intervals import newcombe, newcombe_apart
+from .models import is_still
+from .resample import Resample
 from .said import Said
+from .sample import Rows, SampleInterval, difference_of_rows, say_difference
 from .shares import Shares
 from .tallies import check_share, contacts_of, width_of
 from .throws import Progress, Setting, Until, Work, most_shots, outcome_by, setting_of
@@ -35,15 +38,21 @@ class Comparison(Said):
     difference
         Probability of the second less that of the first, over pairs of valid shots; NaN without.
     low, high
-        Its interval: Newcombe's hybrid score interval for paired data (1998), method 10.
+        Its interval: Newcombe's hybrid score interval for paired data (1998), method 10. That of
+        the simulation alone, which shrinks with the shots. Where neither scatters both are the
+        difference.
     confidence
-        Of the interval.
+        Of the intervals.
     both, only_first, only_second, neither
         Pairs by what counts.
     first, second
         Each setting by itself.
     by
         What counts: in a scene of one's own, one of its ends.
+    sample
+        Where there are measured releases: the interval of the difference which contains the
+        uncertainty of the sample. As many rows in the same groups are pairs, row by row; others are
+        independent samples. None without measured releases.
     """
 
     difference: float
@@ -57,6 +66,12 @@ class Comparison(Said):
     first: Estimate | Shares
     second: Estimate | Shares
     by: str = "made"
+    sample: SampleInterval | None = None
+
+    @property
+    def still(self) -> bool:
+        """Whether nothing scatters in either, so that there is nothing to be estimated."""
+        return self.first.still and self.second.still
 
     @property
     def pairs(self) -> int:
@@ -85,18 +100,25 @@ class Comparison(Said):
         settings = {"first": self.first.as_dict(), "second": self.second.as_dict()}
         plain = {one.name: getattr(self, one.name) for one in fields(self)}
         more = {"pairs": self.pairs, "gain": self.gain, **settings}
+        sample = plain.pop("sample")
+        more |= {"sample": sample.as_dict()} if sample is not None else {}
         return {name: for_json(value) for name, value in (plain | more).items()}
 
     def __str__(self) -> str:
         digits = decimals(self.half_width)
         made = [percent(one.share_of(self.by), digits) for one in (self.first, self.second)]
-        ends = f"{points(self.low, digits)} to {points(self.high, digits)}"
+        alone = "" if self.sample is None else " of the simulation alone"
+        level = percent(self.confidence, None)
+        ends = f", {points(self.low, digits)} to {points(self.high, digits)}"
+        said = f"{ends} (Newcombe's paired {level} interval{alone})"
+        of_sample = self.sample and say_difference(self.sample, self.confidence)
         return "\n".join(
             [
                 f"first       {made[0]} {self.by}",
                 f"second      {made[1]} {self.by}",
-                f"difference  {points(self.difference, digits)} points, {ends} "
-                f"(Newcombe's paired {percent(self.confidence, None)} interval)",
+                f"difference  {points(self.difference, digits)} points"
+                f"{f' ({STILL})' if self.still else said}",
+                *([f"sample      {of_sample}"] if of_sample else []),
                 f"pairs       {self.pairs:,}: {self.both:,} both {self.by}, "
                 f"{self.only_first:,} the first only, {self.only_second:,} the second only, "
                 f"{self.neither:,} neither",
@@ -160,16 +182,65 @@ def compare(
     work = Work(settings, most, check_seed(seed), contacts, backend, outcome_by(engine, by))
     until = Until(precision, lambda total: _comparison(work, total, level).half_width, progress)
     total = until.total(work, folder, scheduler, threads)
-    return _comparison(work, total, level)
+    return _with_sample(_comparison(work, total, level), work, threads)
+
+
+def _with_sample(found: Comparison, work: Work, threads: int | None) -> Comparison:
+    """Return a comparison with the intervals that contain the uncertainty of measured releases."""
+    rows = [work.rows(which, threads) for which in (0, 1)]
+    first, second = rows
+    if first is None and second is None:
+        return found
+    one, other = (setting.model for setting in work.settings)
+    paired = isinstance(one, Resample) and isinstance(other, Resample) and one.same_groups(other)
+    if first is not None and second is not None and paired:
+        valid = first.valid & second.valid
+        made, before = second.outcome == work.by, first.outcome == work.by
+        sample = difference_of_rows(made, before, valid, first.cluster, found.confidence)
+    else:
+        sample = _apart(found, rows, work.by)
+    return replace(
+        found,
+        first=found.first.with_rows(first),
+        second=found.second.with_rows(second),
+        sample=sample,
+    )
+
+
+def _apart(found: Comparison, rows: list[Rows | None], by: int) -> SampleInterval:
+    """Return the interval of the difference of samples that do not pair.
+
+    A model that is no sample has the interval of the simulation.
+    """
+    name, sides = found.by, []
+    for one, of_rows in zip((found.first, found.second), rows, strict=True):
+        if of_rows is None:
+            sides.append((one.share_of(name), one.ends_of(name)))
+        else:
+            share = of_rows.share(by, found.confidence)
+            sides.append((share.value, (share.low, share.high)))
+    low, high = newcombe_apart(*sides[1], *sides[0])
+    there = [one for one in rows if one is not None]
+    groups = [int(one.cluster.max()) + 1 for one in there if one.cluster is not None]
+    return SampleInterval(
+        sides[1][0] - sides[0][0],
+        low,
+        high,
+        sum(len(one.outcome) for one in there),
+        sum(groups) if len(groups) == len(there) else None,
+    )
 
 
 def _comparison(work: Work, total: NDArray[np.int64], level: float) -> Comparison:
     """Return what the numbers say of two settings."""
     both, only_first, only_second, neither = total[2 * width_of(work.scene) :].tolist()
     pairs = both + only_first + only_second + neither
+    difference = (only_second - only_first) / pairs if pairs else nan
     low, high = newcombe(both, only_second, only_first, neither, level)
+    if pairs and all(is_still(setting.model) for setting in work.settings):
+        low = high = difference
     return Comparison(
-        difference=(only_second - only_first) / pairs if pairs else nan,
+        difference=difference,
         low=low,
         high=high,
         confidence=level,

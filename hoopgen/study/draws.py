@@ -14,17 +14,21 @@ from scipy.special import ndtri
 from hoopgen.inputs import check_count
 
 __all__ = [
+    "ORDER_OF_ROWS",
     "ROW_OF_RELEASES",
     "ROW_OF_SAMPLE",
+    "SMOOTHING",
     "check_seed",
     "check_two_seeds",
     "normals",
     "uniforms",
 ]
 
-ROW_OF_RELEASES, ROW_OF_SAMPLE = 1 << 32, 2 << 32
-"""Streams that choose rows, of measured releases and of a table to look at; those of variables are
-far below. A choice by the numbers that made the rows would not be a random one."""
+ROW_OF_RELEASES, ROW_OF_SAMPLE, ORDER_OF_ROWS = 1 << 32, 2 << 32, 3 << 32
+SMOOTHING = 4 << 32
+"""Streams that choose rows, of measured releases and of a table to look at, that shuffle measured
+releases, and from here on smooth them; those of variables are far below. A choice by the numbers
+that made the rows would not be a random one."""
 
 _WORDS = 4
 """64-bit words that one step of Philox's counter gives."""

@@ -6,7 +6,7 @@ Every share is of shots that were drawn by index, so that a result can be had ag
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from math import nan
 from os import PathLike
 from typing import Any, TypedDict, Unpack, overload
@@ -27,15 +27,25 @@ from hoopgen.words import for_json
 from .draws import check_seed
 from .intervals import wilson
 from .measures import MEASURES, measures_of
-from .models import ReleaseModel
+from .models import ReleaseModel, is_still
 from .rebounds import CATCHING_HEIGHT, check_height
 from .said import Said
+from .sample import Rows, SampleInterval, say_sample
 from .shares import Shares, shares_of
-from .spread import Spread, spread_lines, spreads, width_of
+from .spread import Spread, spread_lines, spreads, spreads_of_sample, width_of
 from .tallies import Tally, check_share, contacts_of
 from .throws import Progress, Until, Work, most_shots, setting_of, tally_of
 
-__all__ = ["NAMES", "Estimate", "estimate", "estimated", "told"]
+__all__ = [
+    "NAMES",
+    "Estimate",
+    "estimate",
+    "estimated",
+    "told",
+]
+
+STILL = "no scatter: every throw is the same"
+"""What is said in place of an interval where nothing is random."""
 
 NAMES = 9
 """Letters of the column of names in what is printed."""
@@ -53,9 +63,10 @@ class Estimate(Said):
     probability
         made / (shots - invalid); NaN if all are invalid.
     low, high
-        Wilson's interval of it.
+        Wilson's interval of it: that of the simulation alone, which shrinks with the shots. Without
+        scatter every throw is the same, and both are the probability.
     confidence
-        Of the interval.
+        Of the intervals.
     shots
         Drawn.
     made, missed, capped, short, invalid
@@ -81,6 +92,11 @@ class Estimate(Said):
         Shots that rolled, whatever became of them.
     slip_left
         Capped ones whose bounces ended with slip left, which friction could not stop.
+    sample
+        Of measured releases: the interval of the probability which contains the uncertainty of the
+        sample. None of other models.
+    still
+        Whether nothing scatters, so that there is nothing to be estimated.
     """
 
     probability: float
@@ -105,6 +121,8 @@ class Estimate(Said):
     measured: Mapping[str, Spread] = field(default_factory=dict)
     rolled: int = 0
     slip_left: int = 0
+    sample: SampleInterval | None = None
+    still: bool = False
 
     @property
     def shares(self) -> dict[str, float]:
@@ -115,6 +133,20 @@ class Estimate(Said):
         """Return the share of the shots that end so: of those made, the probability."""
         valid = self.shots - self.invalid
         return int(getattr(self, by)) / valid if valid else nan
+
+    def ends_of(self, by: str) -> tuple[float, float]:
+        """Return the interval of the share of the shots that end so: of those made, its own."""
+        if self.still:
+            return self.share_of(by), self.share_of(by)
+        low, high = wilson(getattr(self, by), self.shots - self.invalid, self.confidence)
+        return float(low), float(high)
+
+    def with_rows(self, rows: Rows | None) -> Estimate:
+        """Return this with the intervals of the sample whose rows they are; None: as it is."""
+        if rows is None:
+            return self
+        sample = rows.share(Outcome.MADE, self.confidence)
+        return replace(self, sample=sample, measured=spreads_of_sample(self.measured, rows))
 
     @property
     def with_capped(self) -> float:
@@ -136,6 +168,19 @@ class Estimate(Said):
     def _rolled(self) -> str:
         return f"{percent(self.rolled_share, 2)}: {self.rolled:,} of the shots"
 
+    def _made(self, digits: int) -> list[str]:
+        """Say the probability with its intervals."""
+        said = f"made     {percent(self.probability, digits)}"
+        if self.still:
+            return [f"{said} ({STILL})"]
+        level = percent(self.confidence, None)
+        alone = "" if self.sample is None else " of the simulation alone"
+        ends = interval(self.low, self.high, digits)
+        lines = [f"{said}, {ends} (Wilson's {level} interval{alone})"]
+        if self.sample is not None:
+            lines.append(f"sample   {say_sample(self.sample, self.confidence)}")
+        return lines
+
     def _capped(self, digits: int) -> str:
         slipping = f"; {self.slip_left:,} of them with slip left" if self.slip_left else ""
         return f"{percent(self.with_capped, digits)} if made{slipping}"
@@ -147,6 +192,8 @@ class Estimate(Said):
         more["scene"] = told_setting(self.setting, self.scene)["scene"]
         measured = {name: one.as_dict() for name, one in plain.pop("measured").items()}
         more |= {"measured": measured} if measured else {}
+        sample = plain.pop("sample")
+        more |= {"sample": sample.as_dict()} if sample is not None else {}
         return {name: for_json(value) for name, value in (plain | more).items()}
 
     def __str__(self) -> str:
@@ -155,9 +202,7 @@ class Estimate(Said):
         counts = [f"{getattr(self, name):,} {name}" for name in ended]
         counts.append(doubtful(self.uncertain, self.uncertain_capped))
         lines = [
-            f"made     {percent(self.probability, digits)}, "
-            f"{interval(self.low, self.high, digits)} "
-            f"(Wilson's {percent(self.confidence, None)} interval)",
+            *self._made(digits),
             f"shots    {self.shots:,}: {', '.join(counts)}",
             *([f"rolled   {self._rolled()}"] if self.scene.rolls else []),
             *([f"capped   {self._capped(digits)}"] if self.capped else []),
@@ -289,7 +334,7 @@ def estimate(
     )
     until = Until(precision, lambda total: estimated(work, total, 0, level).half_width, progress)
     total = until.total(work, folder, scheduler, threads)
-    return estimated(work, total, 0, level)
+    return estimated(work, total, 0, level).with_rows(work.rows(0, threads))
 
 
 def _measured(measures: Iterable[str], scene: Engine) -> tuple[str, ...]:
@@ -316,16 +361,24 @@ def _estimated(
         outcome.name.lower(): int(tally.ended(outcome)) for outcome in ended_in(work.scene.rolls)
     }
     valid = int(tally.valid)
-    low, high = wilson(ended["made"], valid, level)
+    still = is_still(work.settings[which].model)
+    share = ended["made"] / valid if valid else nan
+    low, high = (share, share) if still and valid else wilson(ended["made"], valid, level)
     names = [kind.name.lower() for kind in Kind]
     counts = total[len(total) - width_of(work.measures) :]
     return Estimate(
-        probability=ended["made"] / valid if valid else nan,
+        probability=share,
         low=float(low),
         high=float(high),
         confidence=level,
         shots=int(tally.shots),
-        **ended,
+        made=ended["made"],
+        missed=ended["missed"],
+        capped=ended["capped"],
+        short=ended["short"],
+        invalid=ended["invalid"],
+        lodged=ended.get("lodged", 0),
+        endless=ended.get("endless", 0),
         uncertain=int(tally.uncertain),
         uncertain_capped=int(tally.uncertain_capped),
         rolled=int(tally.rolled),
@@ -336,6 +389,7 @@ def _estimated(
         setting=work.settings[which].identity(),
         scene=work.scene,
         measured=spreads(counts, work.measures, level, work.catching_height),
+        still=still,
     )
 
 

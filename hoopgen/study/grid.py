@@ -20,7 +20,7 @@ from .models import as_states, check_drawn, check_turns, from_columns
 __all__ = ["Grid"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Grid:
     """Every combination of values; the last axis varies fastest.
 
@@ -57,6 +57,11 @@ class Grid:
             as_states(columns)
         else:
             self.draw(0, 1)
+
+    def __repr__(self) -> str:
+        axes = [f"{len(values)} {name}" for name, values in self.axes.items()]
+        fixed = [f"{name} {float(value):.6g}" for name, value in self.fixed.items()]
+        return f"Grid({'; '.join(filter(None, [' × '.join(axes), ', '.join(fixed)]))})"
 
     @property
     def shape(self) -> tuple[int, ...]:

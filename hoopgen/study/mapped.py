@@ -34,6 +34,12 @@ __all__ = ["ENDING", "Work", "dataset"]
 ENDING = "ending"
 """The dimension of outcomes, in a scene of one's own."""
 
+SIMULATION_ALONE = (
+    "of the simulation alone: it does not contain the uncertainty of the sample, for which "
+    "hoopgen.estimate has an interval"
+)
+"""What the intervals of a map of measured releases are."""
+
 _ENDING = {"long_name": "how a shot ends"}
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -104,10 +110,10 @@ def _shares(work: Work, numbers: Counts, level: float) -> dict[str, xr.Variable]
     trial = np.array(outcomes_of(work.scene)) != INVALID
     with np.errstate(invalid="ignore", divide="ignore"):
         share = np.where(trial, count / valid, np.nan)
-    low, high = (
-        np.where(trial, end, np.nan) for end in wilson(np.where(trial, count, 0), valid, level)
-    )
-    said = f"of its {percent(level, None)} interval (Wilson)"
+    ends = wilson(np.where(trial, count, 0), valid, level)
+    ends = (share, share) if work.model.still else ends
+    low, high = (np.where(trial, end, np.nan) for end in ends)
+    said = f"of its {_interval(work, level)}"
     shared = {
         "shots": tally.shots,
         **_rolling(tally),
@@ -131,6 +137,8 @@ def _probabilities(work: Work, numbers: Counts, level: float) -> dict[str, xr.Va
     with np.errstate(invalid="ignore"):
         probability = made / valid
         share = tally.of_kind() / tally.shots[..., None]
+    if work.model.still:  # every throw is the same, so there is nothing to be estimated
+        low = high = probability
     dims = tuple(work.axes)
     counts = {
         "shots": tally.shots,
@@ -141,11 +149,17 @@ def _probabilities(work: Work, numbers: Counts, level: float) -> dict[str, xr.Va
     }
     return {
         "probability": _variable(dims, probability, "probability of a made shot"),
-        "low": _variable(dims, low, f"lower end of its {percent(level, None)} interval (Wilson)"),
-        "high": _variable(dims, high, f"upper end of its {percent(level, None)} interval (Wilson)"),
+        "low": _variable(dims, low, f"lower end of its {_interval(work, level)}"),
+        "high": _variable(dims, high, f"upper end of its {_interval(work, level)}"),
         "share": _variable((*dims, "kind"), share, "share of the shots that are of a kind"),
         **{name: _variable(dims, n, _LABELS[name]) for name, n in counts.items()},
     }
+
+
+def _interval(work: Work, level: float) -> str:
+    """Say what the intervals are; those of measured releases do not contain the sample's."""
+    said = f"{percent(level, None)} interval (Wilson)"
+    return f"{said} of the simulation alone" if isinstance(work.model, Resample) else said
 
 
 def _rolling(tally: Tally) -> dict[str, Counts]:
@@ -255,6 +269,7 @@ def _attributes(work: Work, level: float) -> dict[str, Any]:
                 **model_told(work.model.identity()),
                 "seed": str(work.seed),
                 "confidence": level,
+                **({"interval": SIMULATION_ALONE} if isinstance(work.model, Resample) else {}),
             }
         ),
     }

@@ -98,7 +98,8 @@ def map(
     xarray.Dataset
         Its dimensions are the names of `over`, in their order; coordinates, those of `release`
         too, have ``units`` and ``long_name``. With scatter there are `probability`, `low` and
-        `high` (as of `Estimate`), numbers of shots `shots`, `made`, `capped`, `short`, `invalid`
+        `high` (as of `Estimate`: of the simulation alone, which of measured releases the attribute
+        ``interval`` says), numbers of shots `shots`, `made`, `capped`, `short`, `invalid`
         and `uncertain`, of those `uncertain_capped`, and `share` by `kind`. Without, `outcome` and
         `kind` (codes, named in ``flag_meanings``) and `uncertain`. A cell that cannot be simulated
         is INVALID, and its probability NaN. In a scene of one's own there are no kinds, and with

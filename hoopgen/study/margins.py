@@ -28,6 +28,7 @@ from .resample import Resample
 from .said import Said
 from .scatter import Scatter
 from .scattering import check_thrown
+from .smoothed import smoothed
 from .tallies import check_share
 
 __all__ = ["MARGINS", "Margin", "margins", "margins_about"]
@@ -70,7 +71,8 @@ class Margin(Said):
         Where was looked; an end that is one of these may lie further out.
     steady
         Ends of the interval in which the probability with scatter stays within the tolerance of
-        that at the release; None without scatter.
+        that at the release; None without scatter. It is an estimate, not a confidence interval; of
+        measured releases it is that of these rows, smoothed, and others of the player give another.
     scene
         In words: the preset, and what differs from it.
     """
@@ -163,6 +165,8 @@ def margins(
     check_share("tolerance", tolerance)
     given = one_each("release", check_thrown(model, ()).centre)
     player = Player(model.apart()[1], parameters, by).at(given)
+    if isinstance(model, Resample):
+        player = replace(player, model=smoothed(model, seed))
     for name in names:
         _held(given, name, player.parameters)  # what is wrong shows before a folder is made
     identity = {

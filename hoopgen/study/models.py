@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.hoop.presets import NAMES, PAPER
 from hoopgen.hoop.variables import ARGUMENTS, INSTEAD, check_angles, resolve_variables
-from hoopgen.inputs import doubles
+from hoopgen.inputs import check_deviations, doubles
 from hoopgen.scenes import HOOPED
 from hoopgen.sizes import check_room
 from hoopgen.variables import STATE, Releases, check_names, is_state
@@ -23,8 +23,10 @@ __all__ = [
     "check_drawn",
     "as_states",
     "check_known",
+    "check_spread",
     "check_turns",
     "from_columns",
+    "is_still",
     "spread",
 ]
 
@@ -49,6 +51,11 @@ class ReleaseModel(Protocol):
     def identity(self) -> dict[str, Any]:
         """Return what tells this model from others, in types that JSON knows."""
         ...
+
+
+def is_still(model: ReleaseModel) -> bool:
+    """Return whether nothing scatters, so that every shot is the same."""
+    return bool(getattr(model, "still", False))
 
 
 def check_drawn(start: int, stop: int) -> None:
@@ -91,6 +98,17 @@ def check_turns(argument: str, values: Mapping[str, ArrayLike], among: Iterable[
     """Refuse degrees among the angles of releases; states have none."""
     if not is_state(among):
         check_angles(argument, values)
+
+
+AIMED = ("elevation", "azimuth")
+"""Angles of a release at which a player aims; `angle`, the place, may be anywhere."""
+
+
+def check_spread(argument: str, deviations: Mapping[str, ArrayLike], among: Iterable[str]) -> None:
+    """Refuse standard deviations in degrees among those of releases; states have no angles."""
+    if not is_state(among):
+        check_turns(argument, deviations, among)
+        check_deviations(argument, {n: deviations[n] for n in AIMED if n in deviations})
 
 
 def as_states(columns: Mapping[str, ArrayLike]) -> Floats:

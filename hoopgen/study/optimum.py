@@ -1,7 +1,7 @@
 """The best release for a player's scatter.
 
-Its probability is estimated again with fresh random numbers: that of the search is the greatest of
-many, and so a little too good.
+Its probability is not that of the search, which is the greatest of many and so too good: it is
+estimated with fresh random numbers, and of measured releases with rows that were held out.
 """
 
 from __future__ import annotations
@@ -22,14 +22,17 @@ from hoopgen.words import between
 from .best import Optimum
 from .crew import crew
 from .draws import check_two_seeds
+from .held_out import check_folds, held_out
 from .intervals import wilson
 from .margins import MARGINS, margins_about
 from .measures import measure
-from .player import Bounds, Player, arguments_of
+from .player import Bounds, Player, Thrown, arguments_of, ways_of
 from .resample import Resample
+from .sample import share_of_rows
 from .scatter import Scatter
 from .scattering import check_thrown
 from .search import bounds_of, flat_about, search
+from .smoothed import smoothed
 from .tallies import check_scene, check_share
 from .throws import check_states, outcome_by, scene_identity
 
@@ -60,7 +63,8 @@ def optimum(
     model
         The player. Of a `Scatter` the release says the variables that are not searched over: height
         and place above all. Of a `Resample` the mean is moved, what is searched over and what that
-        stands for, and how far the measured releases are from it stays as it is.
+        stands for, and how far the measured releases are from it stays as it is; of its `group`
+        all rows are held out together.
     over
         Variables to search over and their bounds; None, or names alone, for the usual bounds.
         `aim` is searched more easily than `speed`, since it does not hang on the elevation.
@@ -73,7 +77,9 @@ def optimum(
         What counts: "any" shot made, "direct" if the board is not touched first, "bank" if it is.
         Where there is no hoop an end of the scene; "any" is the first.
     shots
-        Of the last step of the search, and of the fresh estimate.
+        Of the last step of the search, and of the fresh estimate. Of measured releases the search
+        throws each row once, or 4,000 shots if they are fewer, with a little noise on them (see
+        `hoopgen.study.smoothed`); all rows are judged, without noise.
     seed
         From 0 to 2^64 - 2. The search throws its shots, the estimate those of ``seed + 1``.
     confidence
@@ -93,7 +99,8 @@ def optimum(
     Raises
     ------
     TypeError, ValueError
-        If an argument is not as described, or no release within the bounds succeeds.
+        If an argument is not as described, no release within the bounds succeeds, or there are too
+        few measured releases, or groups of them, to hold some out.
     """
     over = over if isinstance(over, Mapping) else (over,) if isinstance(over, str) else tuple(over)
     player = scattering(model, over, parameters, by, scene)
@@ -109,6 +116,8 @@ def optimum(
         check_hoop("margins", engine)
     wanted = (MARGINS if hoop else ()) if margins is None else margins
     margins = check_names("names", wanted, VARIABLES)
+    if isinstance(model, Resample):
+        check_folds(model)
     lowest = {name: low for name, (low, _) in bounds.items()}
     player.thrown(fixed | lowest, 1, seed)  # what is wrong shows before a folder is made
     identity = {
@@ -124,19 +133,33 @@ def optimum(
         identity, folder, scheduler=scheduler, threads=threads, progress=progress
     ) as together:
         player = replace(player, crew=together)
-        point = search(player, bounds, fixed, shots, seed)
+        searcher = player
+        if isinstance(model, Resample):
+            searcher = replace(player, model=smoothed(model, seed))
+        point = search(searcher, bounds, fixed, shots, seed)
         if point is None:
             said = between if hoop else lambda _, low, high: f"{low:g} to {high:g}"
             where = "; ".join(f"{name} {said(name, *ends)}" for name, ends in bounds.items())
             raise ValueError(f"over: no release tried succeeds within {where}")
         best = change_variables(centre, point) if hoop else {**centre, **point}
         player = player.at(best)
-        thrown = player.thrown(fixed | point, shots, seed + 1)
-        few = min(shots, max(10_000, shots // 10))
-        flat = flat_about(player, bounds, fixed, point, few, seed, tolerance)
-        forgiven = margins_about(best, margins, player, few, seed, tolerance)
-    made, valid = int(thrown.made[0]), int(thrown.valid[0])
-    low, high = map(float, wilson(made, valid, confidence))
+        if isinstance(model, Resample):
+            without = held_out(player, model, bounds, fixed, shots, seed)
+            judged = without.scored(model, player, fixed)
+            sample = share_of_rows(judged.made, judged.valid, model.cluster, confidence)
+            thrown, folds = Thrown(judged.made.sum(), judged.valid.sum()), without.points
+            ways = ways_of(judged.made, judged.kind) if hoop else {}
+            low, high, drawn = sample.low, sample.high, model.rows
+            player = replace(player, model=searcher.model)
+        else:
+            thrown, ways = player.tally(fixed | point, shots, seed + 1)
+            low, high = map(float, wilson(thrown.made, thrown.valid, confidence))
+            folds, drawn = (), shots
+        # Shots that the release was chosen by flatter it; others do not.
+        few = min(shots, max(10_000, shots // 10)), seed + 1, tolerance
+        flat = flat_about(player, bounds, fixed, point, *few)
+        forgiven = margins_about(best, margins, player, *few)
+    made, valid = int(thrown.made), int(thrown.valid)
     entry_angle, depth = _coming_down(best, player) if hoop else (nan, nan)
     return Optimum(
         release=best,
@@ -144,12 +167,12 @@ def optimum(
         entry_angle=entry_angle,
         depth=depth,
         by=player.by,
-        probability=float(thrown.share[0]),
+        probability=float(thrown.share),
         low=low,
         high=high,
         made=made,
-        shots=shots,
-        invalid=shots - valid,
+        shots=drawn,
+        invalid=drawn - valid,
         confidence=confidence,
         seed=seed,
         tolerance=tolerance,
@@ -159,6 +182,8 @@ def optimum(
         model=model,
         parameters=player.parameters,
         scene=engine,
+        ways={name: count / valid if valid else nan for name, count in ways.items()},
+        folds=folds,
     )
 
 

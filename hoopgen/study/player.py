@@ -14,21 +14,32 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.brief import brief
 from hoopgen.engines import HOOP, Engine
+from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.hoop.presets import NAMES, PAPER
 from hoopgen.hoop.variables import ARGUMENTS, VARIABLES, check_angles, release_arguments
 from hoopgen.inputs import doubles
 from hoopgen.parameters import completed
-from hoopgen.results import SURFACES, Outcome
+from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
 from hoopgen.variables import check_names
 
 from .crew import Crew, alone
-from .resample import Resample
+from .resample import EachRow, Resample
 from .scatter import Scatter
 from .tallies import check_scene
 from .throws import outcome_by
 
-__all__ = ["BY", "Bounds", "By", "Player", "Thrown", "arguments_of", "one_each"]
+__all__ = [
+    "BY",
+    "WAYS_IN",
+    "Bounds",
+    "By",
+    "Player",
+    "Thrown",
+    "arguments_of",
+    "one_each",
+    "ways_of",
+]
 
 Bounds = tuple[float, float]
 """Of a variable: low, high."""
@@ -43,6 +54,9 @@ BY: Mapping[str, str] = MappingProxyType(
     }
 )
 """What may count as success."""
+
+WAYS_IN = ("swish", "rim", "bank")
+"""How a made shot goes in: it touches nothing, the ring or the bridge first, the board first."""
 
 _BACKBOARD = SURFACES.index("backboard")
 
@@ -60,10 +74,13 @@ class Thrown:
         How many succeeded, or of single shots which did.
     valid
         How many could be simulated, or which. An invalid shot is no trial.
+    kind
+        Of single shots, where there is a hoop: the `Kind` of each.
     """
 
     made: NDArray[Any]
     valid: NDArray[Any]
+    kind: NDArray[np.uint8] = field(default_factory=lambda: np.zeros(0, np.uint8))
 
     @property
     def share(self) -> NDArray[np.float64]:
@@ -126,8 +143,10 @@ class Player:
         Returns
         -------
         Thrown
-            Counts, (m,). The shots of each are those that the model's `draw` gives.
+            Counts, (m,). The shots of each are those that the model's `draw` gives; of an
+            `EachRow` no more than it has.
         """
+        shots = self._at_most(shots)
         given = {name: np.atleast_1d(doubles(name, value)) for name, value in values.items()}
         names, columns = tuple(given), np.broadcast_arrays(*given.values())
         count, many = columns[0].size, min(shots, _TASK)
@@ -153,43 +172,104 @@ class Player:
         self, values: Mapping[str, NDArray[np.float64]], start: int, stop: int, seed: int
     ) -> pa.Table:
         """Return how many of shots `start` to `stop` - 1 of candidates (m,) succeed, are valid."""
-        made, valid = self._throw(values, start, stop, seed).sum(axis=-1)
-        return pa.table({"made": made, "valid": valid})
+        made, valid = self._judged(self._flown(values, start, stop, seed))
+        counts = [one.reshape(-1, stop - start).sum(axis=-1) for one in (made, valid)]
+        return pa.table(dict(zip(("made", "valid"), counts, strict=True)))
 
     def scored(self, values: Mapping[str, float], shots: int = 1, seed: int = 0) -> Thrown:
-        """Return which shots of one candidate succeed, and which are valid, (shots,)."""
-        one = {name: np.atleast_1d(doubles(name, value)) for name, value in values.items()}
+        """Return which shots of one candidate succeed, which are valid, their kinds, (shots,)."""
+        shots = self._at_most(shots)
         blocks = [
-            self._throw(one, start, min(start + _TASK, shots), seed)[:, 0]
+            self._scored(values, start, min(start + _TASK, shots), seed)
             for start in range(0, shots, _TASK)
         ]
-        return Thrown(*np.concatenate(blocks, axis=-1))
+        columns = [(one.made, one.valid, one.kind) for one in blocks]
+        return Thrown(*map(np.concatenate, zip(*columns, strict=True)))
 
-    def _throw(
-        self, values: Mapping[str, NDArray[np.float64]], start: int, stop: int, seed: int
-    ) -> NDArray[np.bool_]:
-        """Return which shots succeed, and which are valid, (2, candidates, shots)."""
-        releases = self.model.around(
-            {name: value[:, None] for name, value in values.items()},
-            self.model.noise(start, stop, seed),
-            self.parameters,
-            stop - start,
-        )
-        shots = simulate(
-            releases.states,
-            releases.parameters,
-            scene=self.scene,
-            threads=1,
-            fields=("outcome", "first"),
-        )
+    def tally(
+        self, values: Mapping[str, float], shots: int, seed: int = 0
+    ) -> tuple[Thrown, dict[str, int]]:
+        """Return how many of one candidate's shots succeed, are valid, and succeed in which way.
+
+        The ways are those of `ways_of`; there are none without a hoop.
+        """
+        worker, shots = replace(self, crew=alone), self._at_most(shots)
+        starts = range(0, shots, _TASK)
+        work = [
+            partial(worker.tallied, values, one, min(one + _TASK, shots), seed) for one in starts
+        ]
+        total = pa.concat_tables(self.crew(work) if len(work) > 1 else alone(work))
+        sums = {name: int(np.sum(total[name].to_numpy())) for name in total.column_names}
+        thrown = Thrown(np.array(sums.pop("made")), np.array(sums.pop("valid")))
+        return thrown, sums
+
+    def tallied(self, values: Mapping[str, float], start: int, stop: int, seed: int) -> pa.Table:
+        """Return the row of a table of what `tally` counts of shots `start` to `stop` - 1."""
+        one = self._scored(values, start, stop, seed)
+        found = {"made": int(one.made.sum()), "valid": int(one.valid.sum())}
+        found |= ways_of(one.made, one.kind) if self.scene.has_hoop else {}
+        return pa.table({name: [count] for name, count in found.items()})
+
+    def _scored(self, values: Mapping[str, float], start: int, stop: int, seed: int) -> Thrown:
+        """Return which of shots `start` to `stop` - 1 succeed, are valid, and their kinds."""
+        one = {name: np.atleast_1d(doubles(name, value)) for name, value in values.items()}
+        flown = self._flown(one, start, stop, seed, ("counts",))
+        kind = np.zeros(stop - start, np.uint8)
+        if self.scene.has_hoop:
+            kind = kinds(flown.outcome, flown.counts, flown.first)
+        return Thrown(*self._judged(flown), kind)
+
+    def _at_most(self, shots: int) -> int:
+        """Return how many shots are thrown: of measured releases in their order, all at most."""
+        return min(shots, self.model.most) if isinstance(self.model, EachRow) else shots
+
+    def _judged(self, shots: Shots) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Return which shots succeed, and which are valid."""
         if self.scene.has_hoop:
             made = shots.outcome == Outcome.MADE
             if self.by != "any":
                 made &= (shots.first == _BACKBOARD) == (self.by == "bank")
         else:
             made = shots.outcome == outcome_by(self.scene, self.by)
-        valid = shots.outcome != self.scene.outcomes["INVALID"]
-        return np.stack([made, valid]).reshape(2, -1, stop - start)
+        return made, np.asarray(shots.outcome != self.scene.outcomes["INVALID"])
+
+    def _flown(
+        self,
+        values: Mapping[str, NDArray[np.float64]],
+        start: int,
+        stop: int,
+        seed: int,
+        more: tuple[str, ...] = (),
+    ) -> Shots:
+        """Simulate shots `start` to `stop` - 1 of each candidate, one candidate after the other."""
+        releases = self.model.around(
+            {name: value[:, None] for name, value in values.items()},
+            self.model.noise(start, stop, seed),
+            self.parameters,
+            stop - start,
+        )
+        return simulate(
+            releases.states,
+            releases.parameters,
+            scene=self.scene,
+            threads=1,
+            fields=("outcome", "first", *(more if self.scene.has_hoop else ())),
+        )
+
+
+def ways_of(made: NDArray[np.bool_], kind: NDArray[np.uint8]) -> dict[str, int]:
+    """Return how many made shots touch nothing, touch the board first, and the others.
+
+    Parameters
+    ----------
+    made
+        Which count, (n,).
+    kind
+        The `Kind` of each, (n,).
+    """
+    swish, bank = kind == Kind.SWISH, np.isin(kind, (Kind.BANK, Kind.BANK_RIM))
+    found = made & swish, made & ~swish & ~bank, made & bank
+    return dict(zip(WAYS_IN, (int(one.sum()) for one in found), strict=True))
 
 
 def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from hashlib import sha256
-from math import nan
+from math import isnan, nan
 from typing import Any, ClassVar
 
 import numpy as np
@@ -18,7 +18,7 @@ from hoopgen.hoop.variables import STANDS_FOR, change_variables, release_argumen
 from hoopgen.inputs import doubles
 from hoopgen.variables import STATE, Releases, is_state
 
-from .draws import ROW_OF_RELEASES, uniforms
+from .draws import ORDER_OF_ROWS, ROW_OF_RELEASES, uniforms
 from .models import (
     Floats,
     Given,
@@ -31,27 +31,36 @@ from .models import (
     spread,
 )
 
-__all__ = ["Resample"]
+__all__ = ["EachRow", "Resample"]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Resample:
     """Measured releases, drawn with replacement.
+
+    It assumes no distribution, but that the rows are a representative sample of the player's
+    releases, and independent of each other; or, with groups, that the groups are. Few rows are a
+    rough picture of a player, however many shots are drawn from them: results give an interval that
+    contains the uncertainty of the sample.
 
     Attributes
     ----------
     columns
         By name, (m,) each or one number for all: variables, or the nine components of a state
         (x y z vx vy vz wx wy wz) and parameters of the scene, whichever it is.
+    group
+        Label of each row, (m,): its game, say, or its player. Rows of a group may be alike, groups
+        are independent. None: each row is independent of all others.
 
     Raises
     ------
     ValueError
-        If a name is unknown, there is no row, the columns differ in length, or angles are degrees:
-        by their median, more than a turn.
+        If a name is unknown, there is no row, the columns differ in length, a row has no label of
+        its group, or angles are degrees: by their median, more than a turn.
     """
 
     columns: Mapping[str, ArrayLike]
+    group: Iterable[Any] | None = None
 
     def __post_init__(self) -> None:
         given = {name: doubles(name, column) for name, column in self.columns.items()}
@@ -66,6 +75,55 @@ class Resample:
         if self.is_state:
             as_states(self._at(np.zeros(1, np.intp)))
         check_known("columns", given, given)
+        if self.group is not None:
+            object.__setattr__(self, "group", _labels(self.group, self.rows))
+
+    def __repr__(self) -> str:
+        own = [name for name, column in self.columns.items() if np.ndim(column)]
+        shared = [f"{n} {self.centre[n]:.6g}" for n in self.columns if n not in own]
+        groups = [f"{self.groups} groups"] if self.groups is not None else []
+        told = [f"{self.rows} rows of {', '.join(own)}", *([", ".join(shared)] if shared else [])]
+        return f"{type(self).__name__}({'; '.join([*told, *groups])})"
+
+    @cached_property
+    def cluster(self) -> NDArray[np.intp] | None:
+        """Number of each row's group, (m,), from 0; None if the rows are independent."""
+        if self.group is None:
+            return None
+        return np.unique(np.asarray(self.group), return_inverse=True)[1].astype(np.intp)
+
+    @property
+    def groups(self) -> int | None:
+        """How many groups there are; None if the rows are independent."""
+        return None if self.cluster is None else int(self.cluster.max()) + 1
+
+    def same_groups(self, other: Resample) -> bool:
+        """Return whether another sample has as many rows, in the same groups."""
+        if self.rows != other.rows:
+            return False
+        if self.cluster is None or other.cluster is None:
+            return self.cluster is other.cluster
+        return bool(np.array_equal(self.cluster, other.cluster))
+
+    def order(self, seed: int) -> NDArray[np.intp]:
+        """Return all rows in an order that hangs on the seed alone, (m,)."""
+        numbers = uniforms(seed, ORDER_OF_ROWS, 0, self.rows)
+        return np.argsort(numbers, kind="stable").astype(np.intp)
+
+    def each(
+        self, rows: NDArray[np.intp] | None = None, about: Mapping[str, float] | None = None
+    ) -> EachRow:
+        """Return a model of some rows, of which shot i is the i-th of them.
+
+        Parameters
+        ----------
+        rows
+            Their indices, (k,); by default all.
+        about
+            Means from which it is counted how far the rows are; by default their own.
+        """
+        chosen = np.arange(self.rows) if rows is None else rows
+        return EachRow(self._at(chosen), about=dict(self.centre if about is None else about))
 
     @property
     def is_state(self) -> bool:
@@ -166,11 +224,66 @@ class Resample:
         for name, column in self.columns.items():
             digest.update(f"{name} {np.shape(column)} ".encode())
             digest.update(np.ascontiguousarray(column, dtype="<f8").tobytes())
-        return {"model": "resample", "columns": list(self.columns), "sha256": digest.hexdigest()}
+        told = {"model": "resample", "columns": list(self.columns), "sha256": digest.hexdigest()}
+        if self.cluster is not None:
+            groups = sha256(np.ascontiguousarray(self.cluster, dtype="<i8").tobytes())
+            told["groups_sha256"] = groups.hexdigest()
+        return told
 
     def _at(self, rows: NDArray[np.intp]) -> dict[str, Floats]:
         columns = {name: np.asarray(column) for name, column in self.columns.items()}
         return {name: column[rows] if column.ndim else column for name, column in columns.items()}
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class EachRow(Resample):
+    """Measured releases in their order: shot i is row i, and there are no more shots than rows.
+
+    Without other scatter a row is made or not, so that nothing is learnt by drawing it again.
+
+    Attributes
+    ----------
+    about
+        Means from which it is counted how far the rows are.
+    """
+
+    about: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def most(self) -> int:
+        """How many shots there are."""
+        return self.rows
+
+    @property
+    def centre(self) -> dict[str, float]:
+        """The means that were given."""
+        return dict(self.about)
+
+    def _rows(self, start: int, stop: int, seed: int) -> NDArray[np.intp]:
+        check_drawn(start, stop)
+        if stop > self.rows:
+            raise IndexError(f"shots {start} to {stop} of {self.rows} rows")
+        return np.arange(start, stop)
+
+
+def _labels(group: Iterable[Any], rows: int) -> tuple[str, ...]:
+    """Return the labels of the rows' groups as text.
+
+    Raises
+    ------
+    ValueError
+        If there are not as many as rows, or a row has none.
+    """
+    labels = ["" if one is None or _is_nan(one) else str(one) for one in group]
+    if len(labels) != rows:
+        raise ValueError(f"group: expected a label for each of {rows} rows, got {len(labels)}")
+    if "" in labels:
+        raise ValueError(f"group: row {labels.index('')} has no label")
+    return tuple(labels)
+
+
+def _is_nan(label: Any) -> bool:
+    return isinstance(label, float | np.floating) and isnan(label)
 
 
 def _centre(column: Floats) -> float:

@@ -26,6 +26,7 @@ from .models import (
     as_states,
     check_drawn,
     check_known,
+    check_spread,
     check_turns,
     spread,
 )
@@ -68,7 +69,8 @@ class Scatter:
     Raises
     ------
     ValueError
-        If a name is unknown, a deviation is negative or not finite, an angle is in degrees, or the
+        If a name is unknown, a deviation is negative or not finite, an angle is in degrees (by its
+        size; a deviation of elevation or azimuth, if it is 0.5 or more), or the
         correlations are not within -1 and 1, given twice, or no distribution has all of them.
     """
 
@@ -91,7 +93,7 @@ class Scatter:
             deviation = doubles(f"sd[{name!r}]", value)
             if deviation.ndim or not 0.0 <= deviation < np.inf:
                 raise ValueError(f"sd[{name!r}]: expected a number from 0, got {brief(value)}")
-        check_turns("sd", self.sd, self._names)
+        check_spread("sd", self.sd, self._names)
         self._mix()
 
     def noise(self, start: int, stop: int, seed: int = 0) -> dict[str, NDArray[np.float64]]:

@@ -40,19 +40,18 @@ def scaled(model: Scatter | Resample, factor: float) -> Scatter | Resample:
     Raises
     ------
     ValueError
-        If deviations of angles become more than a turn.
+        If deviations of angles become more than `Scatter` takes.
     """
     if isinstance(model, Scatter):
         sd = {name: factor * deviation for name, deviation in model.sd.items()}
         return Scatter(model.release, sd, model.correlation)
-    return Resample(
-        {
-            name: model.centre[name] + factor * (np.asarray(column) - model.centre[name])
-            if np.ndim(column)
-            else column
-            for name, column in model.columns.items()
-        }
-    )
+    columns = {
+        name: model.centre[name] + factor * (np.asarray(column) - model.centre[name])
+        if np.ndim(column)
+        else column
+        for name, column in model.columns.items()
+    }
+    return Resample(columns, model.group)
 
 
 def alike(model: Scatter | Resample) -> dict[str, float]:

@@ -190,6 +190,8 @@ def flat_about(
 
     Points are drawn in an ellipsoid that takes its shape from those that were in the region, so
     that a narrow ridge is followed to its ends.
+
+    Of shots that chose the point the region would be too narrow: they flatter it.
     """
     names, size = tuple(bounds), len(bounds)
     low, high = np.array(list(bounds.values())).T

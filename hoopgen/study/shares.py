@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from math import nan
 from typing import Any
+
+import numpy as np
 
 from hoopgen.engines import Engine
 from hoopgen.phrases import decimals, doubtful, interval, percent
@@ -14,7 +16,9 @@ from hoopgen.told import footer, told_setting
 from hoopgen.words import for_json
 
 from .intervals import wilson
+from .models import is_still
 from .said import Said
+from .sample import Rows, SampleInterval
 from .tallies import Tally
 
 __all__ = ["Shares", "shares_of"]
@@ -35,7 +39,8 @@ class Shares(Said):
     shares
         By outcome, the ends of the scene first; NaN if all shots are invalid.
     low, high
-        Wilson's interval of each.
+        Wilson's interval of each: that of the simulation alone. Without scatter every throw is the
+        same, and both are the share.
     confidence
         Of the intervals.
     shots
@@ -52,6 +57,10 @@ class Shares(Said):
         Release model, parameters and what tells the scene from others.
     scene
         In which the shots were thrown.
+    sample
+        Of measured releases: by outcome the interval which contains the uncertainty of the sample.
+    still
+        Whether nothing scatters.
     """
 
     shares: Mapping[str, float]
@@ -65,10 +74,24 @@ class Shares(Said):
     seed: int
     setting: Mapping[str, Any]
     scene: Engine = field(compare=False)
+    sample: Mapping[str, SampleInterval] = field(default_factory=dict)
+    still: bool = False
 
     def share_of(self, by: str) -> float:
         """Return the share of the shots that end so."""
         return self.shares[by]
+
+    def ends_of(self, by: str) -> tuple[float, float]:
+        """Return the interval of the share of the shots that end so."""
+        return self.low[by], self.high[by]
+
+    def with_rows(self, rows: Rows | None) -> Shares:
+        """Return this with the intervals of the sample whose rows they are; None: as it is."""
+        if rows is None:
+            return self
+        codes = {name: code for code, name in enumerate(self.counts)}
+        sample = {name: rows.share(codes[name], self.confidence) for name in self.shares}
+        return replace(self, sample=sample)
 
     @property
     def half_width(self) -> float:
@@ -79,15 +102,38 @@ class Shares(Said):
         """Return everything, in types that JSON knows; None for what is not a number."""
         plain = {one.name: getattr(self, one.name) for one in fields(self)}
         plain["scene"] = told_setting(self.setting, self.scene)["scene"]
+        sample = {name: one.as_dict() for name, one in plain.pop("sample").items()}
+        plain |= {"sample": sample} if sample else {}
         return {name: for_json(value) for name, value in plain.items()}
+
+    def _said(self, name: str, digits: int) -> str:
+        """Say a share with its intervals."""
+        said = percent(self.shares[name], digits)
+        if self.still:
+            return said
+        said = f"{said}, {interval(self.low[name], self.high[name], digits)}"
+        if name in self.sample:
+            one = self.sample[name]
+            said = f"{said}; of the sample {interval(one.low, one.high)}"
+        return said
+
+    @property
+    def _intervals(self) -> str:
+        """What the intervals are."""
+        if self.still:
+            return "no scatter: every throw is the same"
+        wilson = f"Wilson's {percent(self.confidence, None)} intervals"
+        if not self.sample:
+            return wilson
+        of = next(iter(self.sample.values())).of
+        return f"{wilson} of the simulation alone; those of the sample, {of}, contain both"
 
     def __str__(self) -> str:
         digits = decimals(self.half_width)
         ends = self.scene.kernels.ENDS
         rows = [
-            f"{name:{_width(self)}}  {percent(share, digits)}, "
-            f"{interval(self.low[name], self.high[name], digits)}"
-            for name, share in self.shares.items()
+            f"{name:{_width(self)}}  {self._said(name, digits)}"
+            for name in self.shares
             if name in ends or self.counts[name]
         ]
         counts = [f"{count:,} {name}" for name, count in self.counts.items() if count]
@@ -96,7 +142,7 @@ class Shares(Said):
         return "\n".join(
             [
                 *rows,
-                f"{'':{_width(self)}}  (Wilson's {percent(self.confidence, None)} intervals)",
+                f"{'':{_width(self)}}  ({self._intervals})",
                 f"{'shots':{_width(self)}}  {self.shots:,}: {', '.join(counts)}",
                 "",
                 footer(_width(self) + 2, told),
@@ -116,9 +162,13 @@ def shares_of(tally: Tally, setting: Any, level: float, seed: int) -> Shares:
     counts = {name: int(tally.ended(code)) for code, name in enumerate(names)}
     trials = {name: count for name, count in counts.items() if name != INVALID}
     valid = sum(trials.values())
+    shares = {name: count / valid if valid else nan for name, count in trials.items()}
     ends = {name: wilson(count, valid, level) for name, count in trials.items()}
+    still = is_still(setting.model)
+    if still and valid:
+        ends = {name: (np.asarray(share), np.asarray(share)) for name, share in shares.items()}
     return Shares(
-        shares={name: count / valid if valid else nan for name, count in trials.items()},
+        shares=shares,
         low={name: float(low) for name, (low, _) in ends.items()},
         high={name: float(high) for name, (_, high) in ends.items()},
         confidence=level,
@@ -129,4 +179,5 @@ def shares_of(tally: Tally, setting: Any, level: float, seed: int) -> Shares:
         seed=seed,
         setting=setting.identity(),
         scene=scene,
+        still=still,
     )

@@ -58,7 +58,9 @@ class Solution(Said):
         All of the scatter times this gives that share.
     low, high
         Its interval: with any other factor near it, Wilson's interval of the share does not have
-        the wanted one in it. Infinite, if the greatest of `FACTORS` is not excluded.
+        the wanted one in it. Infinite, if the greatest of `FACTORS` is not excluded. It is that of
+        the simulation alone; of measured releases the sample leaves more open, which `estimate`
+        says of the share.
         Both are the factor where the share jumps past the wanted one, as of few measured releases.
     confidence
         Of the intervals.
@@ -112,7 +114,9 @@ class Solution(Said):
 
     def __str__(self) -> str:
         measured = isinstance(self.model, Resample)
-        interval = f" ({percent(self.confidence, None)} interval)" if self.low < self.high else ""
+        alone = " of the simulation alone" if measured else ""
+        interval = f" ({percent(self.confidence, None)} interval{alone})"
+        interval = interval if self.low < self.high else ""
         lines = [
             f"factor   {self.line}{interval}",
             f"thrown   {counted(self.shots, 'shot')} with each factor, seed {self.seed}; "
@@ -230,7 +234,7 @@ def solve(
         shots=many,
         seed=first,
         model=scaled(model, factor),
-        estimate=estimated(fresh, total, 0, level),
+        estimate=estimated(fresh, total, 0, level).with_rows(fresh.rows(0, threads)),
         scene=engine,
     )
 
@@ -252,7 +256,7 @@ def check_scatters(model: Any) -> None:
 
 
 def _possible(model: Scatter | Resample) -> list[float]:
-    """Return the factors with which there is a scatter: of an angle it is no more than a turn."""
+    """Return the factors with which there is a scatter: that of an angle has a limit."""
     found = []
     for factor in FACTORS:
         try:

@@ -7,15 +7,14 @@ said of millions of shots needs none of them to be kept. A quantile is off by le
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import partial
-from math import inf, sqrt
+from math import inf
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import ndtri
 
 from hoopgen.layout import table
 from hoopgen.phrases import counted, decimals, interval, percent
@@ -24,11 +23,21 @@ from hoopgen.units import TURN, Shown, shown
 from hoopgen.variables import Releases
 from hoopgen.words import MINUS, for_json
 
-from .intervals import wilson
+from .intervals import Ends, quantile_ranks, wilson
 from .measures import MEASURES, measure
-from .rebounds import SECTORS, caught_at
+from .rebounds import SECTORS, caught_at, sector
+from .sample import Rows
 
-__all__ = ["QUANTILES", "Spread", "counts_of", "in_brief", "spread_lines", "spreads", "width_of"]
+__all__ = [
+    "QUANTILES",
+    "Spread",
+    "counts_of",
+    "in_brief",
+    "spread_lines",
+    "spreads",
+    "spreads_of_sample",
+    "width_of",
+]
 
 QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
 """Shares of the shots that are below."""
@@ -65,13 +74,17 @@ class Spread:
         Of which it was measured: no rebounds, for one, of those that are made.
     quantiles
         By share: the value below which so many are, and its interval; SI. Infinite where it lies
-        beyond the cells. None of no shots, and of a direction.
+        beyond the cells, or the shots are too few for an end. None of no shots, and of a
+        direction. The interval is that of the simulation alone.
     sectors
         Of a direction of rebounds: shots by the names of `hoopgen.study.rebounds.SECTORS`.
     confidence
         Of the intervals.
     catching_height
         Of rebounds, m above the floor.
+    sample
+        Of measured releases: by share the interval of that quantile which contains the uncertainty
+        of the sample; of a direction, by sector that of its share.
     """
 
     name: str
@@ -80,6 +93,7 @@ class Spread:
     sectors: Mapping[str, int]
     confidence: float
     catching_height: float | None = None
+    sample: Mapping[float | str, Ends] = field(default_factory=dict)
 
     @property
     def shares(self) -> dict[str, tuple[float, float, float]]:
@@ -102,6 +116,11 @@ class Spread:
         told |= {"quantiles": quantiles} if quantiles else {}
         told |= {"sectors": sectors} if self.sectors else {}
         told |= {"catching_height": height} if (height := self.catching_height) else {}
+        sample = {
+            name if isinstance(name, str) else f"{name:g}": {"low": low, "high": high}
+            for name, (low, high) in self.sample.items()
+        }
+        told |= {"sample": sample} if sample else {}
         return {name: for_json(value) for name, value in told.items()}
 
 
@@ -147,13 +166,45 @@ def spreads(
     return found
 
 
+def spreads_of_sample(found: Mapping[str, Spread], rows: Rows) -> dict[str, Spread]:
+    """Return measures with the intervals that contain the uncertainty of measured releases."""
+    return {name: replace(one, sample=_of_sample(one, rows)) for name, one in found.items()}
+
+
+def _of_sample(found: Spread, rows: Rows) -> dict[float | str, Ends]:
+    """Return the intervals of the sample, by quantile or by sector."""
+    level, name = found.confidence, found.name
+    sample: dict[float | str, Ends] = {p: rows.quantile(name, p, level) for p in found.quantiles}
+    if found.sectors and found.shots:
+        where = sector(rows.measured[name])
+        for number, one in enumerate(SECTORS):
+            share = rows.within(name, where == number, level)
+            sample[one] = share.low, share.high
+    return sample
+
+
 def _quantile(
     cells: NDArray[np.int64], level: float, width: float, confidence: float
 ) -> tuple[float, float, float]:
     """Return a quantile and its interval, that of the ranks: so many shots are binomial."""
-    half = -float(ndtri(0.5 * (1.0 - confidence))) * sqrt(level * (1.0 - level) / cells.sum())
-    value, low, high = (_below(cells, level + off, width) for off in (0.0, -half, half))
-    return value, low, high
+    low, high = quantile_ranks(level, int(cells.sum()), confidence)
+    ends = _ranked(cells, low, 0, width), _ranked(cells, high, 1, width)
+    return _below(cells, level, width), *ends
+
+
+def _ranked(cells: NDArray[np.int64], rank: int, end: int, width: float) -> float:
+    """Return the end, 0 the lower, of where the shot with a rank is, those of a cell evenly spread.
+
+    There are as many places in a cell as shots; rank 0 is below all, and one too many above.
+    """
+    upto = np.cumsum(cells)
+    if not 0 < rank <= upto[-1]:
+        return -inf if rank <= 0 else inf
+    cell = int(np.searchsorted(upto, rank))
+    if cell in (0, _CELLS + 1):
+        return -inf if cell == 0 else inf
+    inside = (rank - 1 + end - float(upto[cell] - cells[cell])) / int(cells[cell])
+    return width * (cell - 1 - _CELLS // 2 + inside)
 
 
 def _below(cells: NDArray[np.int64], level: float, width: float) -> float:
@@ -201,9 +252,11 @@ def spread_lines(found: Mapping[str, Spread]) -> list[str]:
     lines: list[str] = []
     lined = [one for one in found.values() if not one.sectors]
     if lined:
-        heads = ["measure", "shots", "5%", "25%", "median", "", "75%", "95%"]
-        heads[5] = f"({percent(lined[0].confidence, None)} interval)"
-        rows = [_row(one) for one in lined]
+        level = percent(lined[0].confidence, None)
+        sampled = any(one.sample for one in lined)
+        heads = ["measure", "shots", "5%", "25%", "median", f"({level} interval)", "75%", "95%"]
+        heads += [f"median, {level} of the sample"] if sampled else []
+        rows = [_row(one) + [_median_of_sample(one)] * sampled for one in lined]
         lines += ["", table(heads, rows, right=[1, 2, 3, 4, 6, 7])]
     for one in found.values():
         if one.sectors:
@@ -227,6 +280,14 @@ def _row(one: Spread) -> list[str]:
     return [label, f"{one.shots:,}", at[0.05], at[0.25], at[0.5], between, at[0.75], at[0.95]]
 
 
+def _median_of_sample(one: Spread) -> str:
+    """Return the interval of the median that contains the uncertainty of the sample."""
+    if 0.5 not in one.sample:
+        return ""
+    seen = _shown(MEASURES[one.name].unit)
+    return " to ".join(_number(end, seen) for end in one.sample[0.5])
+
+
 def _number(value: float, seen: Shown) -> str:
     """Return a value in the unit shown."""
     number = round(value / seen.size, seen.decimals) + 0.0  # no minus before a zero
@@ -248,10 +309,16 @@ def _sector_lines(one: Spread) -> list[str]:
     shares = one.shares
     half = max(0.5 * (high - low) for _, low, high in shares.values())
     rows = [
-        [name, percent(share, decimals(half)), f"({interval(low, high, decimals(half))})"]
+        [
+            name,
+            percent(share, decimals(half)),
+            f"({interval(low, high, decimals(half))})",
+            *([interval(*one.sample[name])] if one.sample else []),
+        ]
         for name, (share, low, high) in shares.items()
     ]
-    return [table(["direction", "share", said], rows, right=[1])]
+    heads = ["direction", "share", said, *(["of the sample"] if one.sample else [])]
+    return [table(heads, rows, right=[1])]
 
 
 def _height(height: float) -> str:

@@ -186,6 +186,22 @@ class Source:
         with self._naming():
             return values(table, columns, self.comma, check=check)
 
+    def labels(self, table: pa.Table, name: str) -> list[str | None]:
+        """Return a column of any type as text, None where a cell is empty.
+
+        Raises
+        ------
+        ValueError
+            If there is no such column; the message names it.
+        """
+        if name not in table.column_names:
+            raise ValueError(
+                f"{self}: there is no column {brief(name)} of groups; there are "
+                f"{listed(table.column_names)}"
+            )
+        cells = table[name].to_pylist()
+        return [None if cell is None or cell == "" else str(cell) for cell in cells]
+
     def tables(self, rows: int) -> Iterator[pa.Table]:
         """Read the rows in order, lazily, so many in each table; the last has what is left.
 

@@ -30,6 +30,7 @@ from .measures import MEASURES
 from .models import ReleaseModel
 from .rebounds import CATCHING_HEIGHT, caught_at
 from .resample import Resample
+from .sample import Rows, thrown_rows
 from .scatter import Scatter
 from .spread import counts_of
 from .tallies import Tally, blocks, check_scene, check_share, fields_of, width_of
@@ -166,6 +167,22 @@ class Work:
         if self.measures:
             rows.append(counts_of(*thrown[0], self.measures, self.catching_height))
         return np.concatenate(rows)
+
+    def rows(self, which: int, threads: int | None) -> Rows | None:
+        """Return what becomes of each measured release of a setting; None of another model."""
+        setting = self.settings[which]
+        if not isinstance(setting.model, Resample):
+            return None
+        return thrown_rows(
+            setting.model,
+            setting.parameters,
+            setting.scene,
+            self.max_contacts,
+            self.backend,
+            threads,
+            self.measures,
+            self.catching_height,
+        )
 
     def _simulate(self, setting: _Set, start: int, stop: int) -> tuple[Releases, Shots]:
         releases = setting.model.draw(start, stop, self.seed, setting.parameters)

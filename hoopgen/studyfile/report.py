@@ -77,7 +77,8 @@ def _sections(
         yield _HTML.sub("&lt;", study.description.strip())
     yield (
         f"By hoopgen {version()} from [study.toml](study.toml), seed {study.seed}; "
-        f"intervals of {percent(study.confidence, None)} confidence. "
+        f"intervals of {percent(study.confidence, None)} confidence, of the simulation alone "
+        "unless they are said to be of the sample. "
         "[versions.json](versions.json) says what computed."
     )
     rows = ["| question | answer |", "|---|---|"]

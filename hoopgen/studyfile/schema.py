@@ -135,6 +135,12 @@ class Releases(TableFile):
     place of the file, takes the place of columns.
     """
 
+    group: Annotated[str | None, Text(said="the name of a column")] = Field(
+        None,
+        description="The column that says which rows belong together, such as a game or a player: "
+        "intervals of the sample take groups, not rows, to be independent.",
+    )
+
 
 class Given(Table):
     """Where shots come from."""
@@ -253,7 +259,9 @@ class Optimum(Question):
         "own an end, by default the first.",
     )
     shots: Count = Field(
-        100_000, description="Of the last step of the search, and of the fresh estimate."
+        100_000,
+        description="Of the last step of the search, and of the fresh estimate. Of measured "
+        "releases every row is judged once, by a release that was searched without it.",
     )
     tolerance: Annotated[float, Share()] = Field(
         0.01, description="The fall in probability that is still called flat."

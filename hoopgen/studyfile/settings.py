@@ -138,7 +138,8 @@ class Setting:
         measured = self._measured(self.releases)
         alike = {name: value for name, value in measured.items() if not np.ndim(value)}
         left = given_without(alike, over)
-        return Resample({n: v for n, v in measured.items() if n not in alike or n in left})
+        columns = {n: v for n, v in measured.items() if n not in alike or n in left}
+        return Resample(columns, self._groups(self.releases))
 
     def _measured(self, releases: Releases) -> dict[str, Any]:
         """Return the columns of measured releases, and what is the same for all."""
@@ -147,6 +148,7 @@ class Setting:
         shared = {} if origin is None else origin.release
         names = source.schema().names
         own = {*releases.own, *(() if origin is None else origin.passed)}
+        own |= set() if releases.group is None else {releases.group}
         mapped = {**({} if origin is None else origin.columns), **releases.columns}
         spelled = {column: name for name, column in mapped.items()}
         said = {
@@ -171,6 +173,13 @@ class Setting:
             implausible=releases.implausible,
         )
         return {**source.values(source.whole(), columns), **given}
+
+    def _groups(self, releases: Releases) -> list[str | None] | None:
+        """Return the label of each measured release; None where no column says them."""
+        if releases.group is None:
+            return None
+        source = self._source(releases)
+        return source.labels(source.whole(), releases.group)
 
     def _source(self, releases: Releases) -> Source:
         return releases.reading.source(self.folder / releases.file)

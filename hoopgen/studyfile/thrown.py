@@ -14,11 +14,12 @@ from hoopgen.study.batch import batch
 from hoopgen.study.best import PLOTTED
 from hoopgen.study.compare import compare
 from hoopgen.study.draws import check_two_seeds
-from hoopgen.study.estimate import estimate
+from hoopgen.study.estimate import STILL, estimate
 from hoopgen.study.landings import landings_of
 from hoopgen.study.measures import measures_of
 from hoopgen.study.named import in_units
 from hoopgen.study.resample import Resample
+from hoopgen.study.sample import SampleInterval
 from hoopgen.study.scatter import Scatter
 from hoopgen.study.shares import Shares
 from hoopgen.study.solve import check_scatters, solve
@@ -133,17 +134,27 @@ def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
         ends = asked.engine.kernels.ENDS or tuple(n for n, share in found.shares.items() if share)
         line = ", ".join(
             f"{percent(found.shares[name], digits)} {name} "
-            f"({interval(found.low[name], found.high[name], digits)})"
+            f"({_ends(found, found.low[name], found.high[name], found.sample.get(name))})"
             for name in ends
         )
     else:
-        ends = interval(found.low, found.high, digits)
+        ends = _ends(found, found.low, found.high, found.sample)
         line = f"{percent(found.probability, digits)} made ({ends})"
         line = "; ".join(filter(None, (line, in_brief(found.measured))))
     line += "".join(f"; {_EMPTY[name]}" for name, figure in figures.items() if figure is None)
     return Answer(
         line + _short_of(question, found.half_width), fenced(found), in_units(found.as_dict())
     )
+
+
+def _ends(found: Any, low: float, high: float, sample: SampleInterval | None) -> str:
+    """Say the interval of a share, and of measured releases that of the sample too."""
+    if found.still:
+        return STILL
+    said = interval(low, high, decimals(found.half_width))
+    if sample is None:
+        return said
+    return f"{said} of the simulation alone, {interval(sample.low, sample.high)} of the sample"
 
 
 _EMPTY = {
@@ -235,10 +246,12 @@ def answer_compare(asked: Asked, question: Compare, work: Work) -> Answer:
     )
     work.keep(found.first.shots)
     digits = decimals(found.half_width)
-    line = (
-        f"{points(found.difference, digits)} points by the change "
-        f"({points(found.low, digits)} to {points(found.high, digits)})"
-    )
+    ends = f"{points(found.low, digits)} to {points(found.high, digits)}"
+    if found.sample is not None:
+        sample = [points(end) for end in (found.sample.low, found.sample.high)]
+        ends += f" of the simulation alone, {' to '.join(sample)} of the sample"
+    ends = STILL if found.still else ends
+    line = f"{points(found.difference, digits)} points by the change ({ends})"
     return Answer(
         line + _short_of(question, found.half_width), fenced(found), in_units(found.as_dict())
     )

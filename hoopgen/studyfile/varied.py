@@ -22,6 +22,7 @@ from hoopgen.study.aim_table import OFF, aim_table, write_csv
 from hoopgen.study.bank import bank_or_direct, check_kept, places_of, verdict
 from hoopgen.study.chunks import run
 from hoopgen.study.draws import check_two_seeds
+from hoopgen.study.held_out import check_folds
 from hoopgen.study.maps import check_cells
 from hoopgen.study.maps import map as mapped
 from hoopgen.study.named import in_units
@@ -116,9 +117,16 @@ def _best_cell(dataset: xr.Dataset, cells: str) -> Answer:
     made, low, high = (best[name].item() for name in ("probability", "low", "high"))
     where = ", ".join(f"{name} {say(name, value)}" for name, value in at.items())
     line = f"at best {percent(made)} made ({interval(low, high)}), at {where}"
-    note = "The best of many cells is a little too good."
+    note = "The best of many cells is a little too good, and its interval is that of one cell."
+    note += _of_a_map(dataset)
     numbers = {"best": {**at, "probability": made, "low": low, "high": high}}
     return Answer(line, f"{cells}. {note}", in_units(numbers))
+
+
+def _of_a_map(dataset: xr.Dataset) -> str:
+    """Say what the intervals are of a map of measured releases."""
+    said = dataset.attrs.get("interval")
+    return f" Intervals are {said}." if said else ""
 
 
 def check_optimum(asked: Asked, question: Optimum) -> None:
@@ -129,6 +137,8 @@ def check_optimum(asked: Asked, question: Optimum) -> None:
     setting, model = asked.setting, asked.setting.model(question.over)
     player = scattering(model, question.over, setting.parameters, question.by, asked.engine)
     ends = bounds_of(_ends(question.over), model.centre, player)
+    if isinstance(model, Resample):
+        check_folds(model)
     _try(asked, model, {name: low for name, (low, _) in ends.items()})
 
 
@@ -158,7 +168,10 @@ def answer_optimum(asked: Asked, question: Optimum, work: Work) -> Answer:
         there = f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
     else:
         there = ", ".join(f"{name} {best.release[name]:g}" for name in best.bounds)
-    line = f"{percent(best.probability)} ({interval(best.low, best.high)}) from {there}"
+    of_sample = " of the sample" if isinstance(best.model, Resample) else ""
+    off = ", off the board" if best.is_bank else ""
+    ends = f"{interval(best.low, best.high)}{of_sample}"
+    line = f"{percent(best.probability)} ({ends}) from {there}{off}"
     return Answer(line, fenced(best), in_units(best.as_dict()))
 
 
@@ -172,6 +185,8 @@ def check_bank(asked: Asked, question: Bank) -> None:
     check_two_seeds(asked.study.seed)
     model, parameters = _bank_model(asked, question), asked.setting.parameters
     check_kept(question.shots)
+    if isinstance(model, Resample):
+        check_folds(model)
     x, y = places_of(question.places)[0].tolist()
     here = {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
     player = scattering(model, question.over, parameters, "any")
@@ -234,6 +249,8 @@ def answer_bank(asked: Asked, question: Bank, work: Work) -> Answer:
         picture = plots.plot_aim_points(dataset, asked.setting.parameters, title=question.title)
         asked.draw(work, name, picture)
     better, worse, line = verdict(dataset)
+    if isinstance(job.model, Resample):
+        line += "; intervals of the sample"
     return Answer(line, _bank_table(dataset), {"better": better.tolist(), "worse": worse.tolist()})
 
 
