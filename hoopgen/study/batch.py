@@ -188,8 +188,7 @@ def batch(
         digest, count = table.digest()
         work = _Rows(table, columns, shots, rows, digest, count, stamp)
         with opened(target.with_name(f"{target.name}.parts"), work.identity()) as folder:
-            # In the folder, where the next start removes what was left unfinished.
-            unfinished = folder.path / f"{target.name}.tmp"
+            unfinished = folder.unfinished
             with (
                 written(target, unfinished),
                 sink(unfinished, format, schema, rows, shared, table) as write,

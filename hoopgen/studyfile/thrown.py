@@ -268,7 +268,7 @@ def answer_batch(asked: Asked, question: Batch, work: Work) -> Answer:
     source = Source(asked.folder / question.file, question.format or "")
     counts = batch(
         source.path,
-        work.folder / "results.parquet",
+        work.file("results.parquet"),
         parameters=asked.setting.parameters_of(source),
         scene=asked.engine,
         release=question.release,
