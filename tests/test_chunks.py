@@ -220,8 +220,7 @@ def test_an_identity_that_cannot_be_read_is_an_error(content: str, tmp_path: Pat
 
 def test_what_was_left_unfinished_is_removed(tmp_path: Path, whole: dict[str, bytes]) -> None:
     list(chunks.run(Numbers(), tmp_path))
-    for name in ("chunk-000000001.arrow.tmp", "identity.json.tmp", "hoopgen.json.tmp"):
-        (tmp_path / name).write_bytes(b"half")
+    (tmp_path / ".hoopgen-0123.tmp").write_bytes(b"half")
     list(chunks.run(Numbers(), tmp_path))
     assert contents(tmp_path) == whole
 

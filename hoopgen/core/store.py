@@ -10,6 +10,7 @@ import contextlib
 import errno
 import json
 import os
+import secrets
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
@@ -20,7 +21,7 @@ from hoopgen.brief import cut
 
 from .lock import LOCK, held, read_file
 
-__all__ = ["MARKER", "Store", "find_store", "locked_store", "marker_text", "open_store"]
+__all__ = ["MARKER", "Store", "find_store", "locked_store", "mark", "marker_text", "open_store"]
 
 MARKER = "hoopgen.json"
 """Name of the file that says that a folder is hoopgen's, what for, and which files it owns."""
@@ -30,9 +31,8 @@ FORMAT = 1
 
 _ABOUT = "hoopgen made this folder. It replaces and removes the files listed here, and no others."
 
-_TEMPORARY = ".tmp"
-_BEFORE = frozenset({LOCK, MARKER + _TEMPORARY})
-"""Files of hoopgen that may lie in a folder that has no marker yet."""
+_TEMPORARY = ".hoopgen-*.tmp"
+"""Names of files that are not whole yet; every marker has this pattern."""
 
 _OLDER = frozenset({"identity.json", "versions.json"})
 """Files in the folders of hoopgen 0.2.0, which have no marker."""
@@ -70,15 +70,33 @@ class Store:
         Raises
         ------
         FileExistsError
-            If a file of that name is there and is not hoopgen's, or its folder is a link.
+            If a file of that name is there and is not hoopgen's, or its folder is a link: which.
+        OSError
+            If the marker cannot be written.
+        """
+        for name in names:
+            if (link := self._link_above(name)) is not None:
+                said = "this is a link, not a folder of hoopgen; move it away"
+                raise FileExistsError(errno.EEXIST, said, str(link))
+        new = [name for name in names if not self.owns(name)]
+        for name in new:
+            if os.path.lexists(self.path / name):
+                said = "hoopgen did not make this file; move it away, or give another folder"
+                raise FileExistsError(errno.EEXIST, said, str(self.path / name))
+        if new:
+            self._record(self.files.union(new))
+
+    def adopt(self, names: Iterable[str]) -> None:
+        """Enter names into the marker of files that are there already.
+
+        The caller has made sure that these files hold what hoopgen would write.
+
+        Raises
+        ------
         OSError
             If the marker cannot be written.
         """
         new = [name for name in names if not self.owns(name)]
-        for name in new:
-            if self._parents(name) is None or os.path.lexists(self.path / name):
-                said = "hoopgen did not make this file; move it away, or give another folder"
-                raise FileExistsError(errno.EEXIST, said, str(self.path / name))
         if new:
             self._record(self.files.union(new))
 
@@ -91,12 +109,12 @@ class Store:
             As `claim` does, and if the file cannot be written.
         """
         self.claim(name)
-        with outputs.written(self.path / name, self.temporary(name)) as file:
+        with outputs.written(self.path / name, self.temporary()) as file:
             file.write(content.encode() if isinstance(content, str) else content)
 
-    def temporary(self, name: str) -> Path:
-        """Return where a file that hoopgen owns lies until it is whole."""
-        return self.path / f"{name}{_TEMPORARY}"
+    def temporary(self) -> Path:
+        """Return where a file may lie until it is whole: on the same file system, as no other."""
+        return self.path / _TEMPORARY.replace("*", secrets.token_hex(8))
 
     def present(self) -> list[str]:
         """Return the names of the files that hoopgen owns and that are there, sorted."""
@@ -123,13 +141,33 @@ class Store:
         if self.files.intersection(owned):
             self._record(self.files.difference(owned))
 
+    def keep_only(self, names: Iterable[str]) -> list[str]:
+        """Remove the files that hoopgen owns and that are not among these names.
+
+        Returns
+        -------
+        list of str
+            Names of the files removed, sorted.
+
+        Raises
+        ------
+        OSError
+            If that fails.
+        """
+        kept = frozenset({*names, _TEMPORARY})
+        stale = [name for name in self.present() if name not in kept]
+        for name in stale:
+            self._unlink(name)
+        self._record(kept)
+        return stale
+
     def remove_temporaries(self) -> None:
-        """Remove what a process that was killed left of the files that hoopgen owns."""
-        for pattern in self.files | {MARKER}:
-            whole = f"{pattern}{_TEMPORARY}"
-            paths = self.path.glob(whole) if _is_pattern(whole) else [self.path / whole]
-            for path in paths:
-                self._unlink(path.relative_to(self.path).as_posix())
+        """Remove files that are not whole: what a process that was killed has left.
+
+        No other process may be at work in the folder.
+        """
+        for path in self.path.glob(_TEMPORARY):
+            self._unlink(path.name)
 
     def dissolve(self) -> None:
         """Remove all that hoopgen owns, and the folder, unless somebody else's files are in it.
@@ -142,7 +180,6 @@ class Store:
         OSError
             If a file cannot be removed.
         """
-        self.remove_temporaries()
         for name in self.present():
             self._unlink(name)
         if {entry.name for entry in self.path.iterdir()} <= {MARKER, LOCK}:
@@ -151,27 +188,29 @@ class Store:
                 self.path.rmdir()
 
     def _record(self, files: frozenset[str]) -> None:
-        text = marker_text(self.purpose, files)
+        text = marker_text(self.purpose, files).encode()
         marker = self.path / MARKER
-        with outputs.written(marker, self.temporary(MARKER)) as file:
-            file.write(text.encode())
+        if not (marker.is_file() and marker.read_bytes() == text):
+            with outputs.written(marker, self.temporary()) as file:
+                file.write(text)
         self.files = files
 
     def _unlink(self, name: str) -> None:
         """Remove a file or a link; a folder stays, and so does what a linked folder holds."""
         path = self.path / name
-        if self._parents(name) is not None and (path.is_symlink() or not path.is_dir()):
+        if self._link_above(name) is None and (path.is_symlink() or not path.is_dir()):
             path.unlink(missing_ok=True)
 
-    def _parents(self, name: str) -> list[Path] | None:
-        """Return the folders between this one and a file; None if one of them is a link."""
-        between = [self.path / parent for parent in PurePosixPath(name).parents][:-1]
-        return None if any(folder.is_symlink() for folder in between) else between
+    def _link_above(self, name: str) -> Path | None:
+        """Return the link, if there is one, among the folders between this one and a file."""
+        between = (self.path / parent for parent in PurePosixPath(name).parents)
+        return next((path for path in between if path != self.path and path.is_symlink()), None)
 
 
 def marker_text(purpose: str, files: Iterable[str]) -> str:
     """Return what the marker of a folder says."""
-    said = {"hoopgen": purpose, "format": FORMAT, "about": _ABOUT, "files": sorted(files)}
+    names = sorted({*files, _TEMPORARY})
+    said = {"hoopgen": purpose, "format": FORMAT, "about": _ABOUT, "files": names}
     return f"{json.dumps(said, indent=1)}\n"
 
 
@@ -198,9 +237,10 @@ def find_store(path: str | os.PathLike[str], purpose: str) -> Store | None:
     except (FileNotFoundError, NotADirectoryError):
         return None
     if MARKER not in names:
-        if names <= _BEFORE:
+        others = {name for name in names if name != LOCK and not fnmatchcase(name, _TEMPORARY)}
+        if not others:
             return None
-        raise ValueError(f"{folder} {_foreign(names - _BEFORE)}")
+        raise ValueError(f"{folder} {_foreign(others)}")
     try:
         said = _read_marker(folder / MARKER)
     except FileNotFoundError:  # another process has just removed all that was in the folder
@@ -244,11 +284,22 @@ def open_store(path: str | os.PathLike[str], purpose: str, files: Iterable[str] 
     """
     store = find_store(path, purpose)
     if store is None:
-        store = Store(Path(path), purpose, frozenset())
-        store.path.mkdir(parents=True, exist_ok=True)
-        store._record(frozenset(files))
-    store.remove_temporaries()
+        Path(path).mkdir(parents=True, exist_ok=True)
+        return mark(path, purpose, files)
     store.claim(*files)
+    return store
+
+
+def mark(path: str | os.PathLike[str], purpose: str, files: Iterable[str]) -> Store:
+    """Make a folder hoopgen's, whatever its marker said; the caller answers for what lies in it.
+
+    Raises
+    ------
+    OSError
+        If the marker cannot be written.
+    """
+    store = Store(Path(path), purpose, frozenset())
+    store._record(frozenset({*files, _TEMPORARY}))
     return store
 
 
@@ -271,7 +322,9 @@ def locked_store(
         raise ValueError("folder: expected a name, got ''")
     find_store(path, purpose)  # before a lock is put into a folder of somebody else
     with held(Path(path)):
-        yield open_store(path, purpose, files)
+        store = open_store(path, purpose, files)
+        store.remove_temporaries()
+        yield store
 
 
 _DAMAGED = (

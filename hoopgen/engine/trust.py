@@ -19,6 +19,9 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.core.lock import read_file
+from hoopgen.core.private import private_folder
+
 from . import arithmetic, numpy_backend, raw
 
 __all__ = ["WIDTHS", "Batch", "batches", "differences", "spread", "trusted", "user_cache", "widths"]
@@ -256,16 +259,12 @@ def _folders(library: Path) -> Iterator[Path]:
     """
     yield library.parent / "__pycache__"
     with contextlib.suppress(RuntimeError, OSError):  # no home; no folder of one's own
-        folder = user_cache()
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        status = folder.stat()
-        if os.name == "nt" or (status.st_uid == os.getuid() and not status.st_mode & 0o022):
-            yield folder
+        yield private_folder(user_cache())
 
 
 def _read(file: Path) -> str:
     try:
-        return file.read_text(encoding="ascii").strip()
+        return read_file(file).decode("ascii").strip()
     except (OSError, ValueError):
         return ""
 

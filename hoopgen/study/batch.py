@@ -188,7 +188,7 @@ def batch(
         digest, count = table.digest()
         work = _Rows(table, columns, shots, rows, digest, count, stamp)
         with opened(target.with_name(f"{target.name}.parts"), work.identity()) as folder:
-            unfinished = folder.unfinished
+            unfinished = folder.temporary()
             with (
                 written(target, unfinished),
                 sink(unfinished, format, schema, rows, shared, table) as write,

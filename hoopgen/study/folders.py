@@ -28,6 +28,7 @@ from .workers import versions
 __all__ = [
     "KEPT",
     "Folder",
+    "check_folder",
     "differences",
     "flat",
     "in_short",
@@ -45,8 +46,7 @@ _CHUNKS = f"chunk-{'[0-9]' * 9}.arrow"
 _SHOWN = "chunk-*.arrow"
 """The same in an error message."""
 
-_RESULTS = "results"
-_FILES = (_CHUNKS, _IDENTITY, _RESULTS)
+_FILES = (_CHUNKS, _IDENTITY)
 
 KEPT = "finished chunks are kept, and the same call goes on from there"
 
@@ -70,10 +70,9 @@ class Folder:
         """The folder."""
         return self.store.path
 
-    @property
-    def unfinished(self) -> Path:
-        """Where results may lie until they are whole; the next start removes what is left."""
-        return self.store.temporary(_RESULTS)
+    def temporary(self) -> Path:
+        """Return where results may lie until they are whole; the next start removes the rest."""
+        return self.store.temporary()
 
     def file(self, chunk: int) -> Path:
         """Return where the chunk lies, or will."""
@@ -109,8 +108,7 @@ class Folder:
         with pa.ipc.new_stream(sink, table.schema) as writer:
             writer.write_table(table)
         stream = memoryview(sink.getvalue())
-        target = self.file(chunk)
-        with written(target, self.store.temporary(target.name)) as file:
+        with written(self.file(chunk), self.store.temporary()) as file:
             file.write(stream)
             file.write(self._digest(chunk, stream))
 
@@ -174,7 +172,7 @@ def _identify(store: Store, here: dict[str, str]) -> None:
     """Write what the job is; or compare it with what is written, if there are chunks."""
     folder, file = store.path, store.path / _IDENTITY
     if not any(folder.glob(_CHUNKS)):
-        with written(file, store.temporary(_IDENTITY)) as out:
+        with written(file, store.temporary()) as out:
             out.write(json.dumps(here, indent=1).encode())
         return
     try:
@@ -191,6 +189,19 @@ def _identify(store: Store, here: dict[str, str]) -> None:
             f"{folder} holds another job: {in_short(found)}. Give the same job, "
             f"or another folder; or remove {_SHOWN} from this one to begin anew"
         )
+
+
+def check_folder(path: str | os.PathLike[str]) -> None:
+    """Refuse a folder that is not one of chunks, before any work.
+
+    Raises
+    ------
+    ValueError
+        If hoopgen does not own it, or it is for something else: what lies there, what to do.
+    OSError
+        If it cannot be read.
+    """
+    find_store(path, _PURPOSE)
 
 
 def trim(folder: Path, chunks: int) -> None:

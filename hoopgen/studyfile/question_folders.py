@@ -45,9 +45,6 @@ _CHUNKS = "chunks"
 _UNFINISHED = ".unfinished"
 
 _PURPOSE = "the answer to a question"
-_FILES = (_ASKED, ".hoopgen-*.tmp")
-"""What hoopgen owns in the folder of any question: what is asked, and files that are not whole."""
-
 _Countable = Estimate | Compare | Map
 """Questions that may be asked for other numbers of shots."""
 
@@ -147,7 +144,7 @@ def answer_question(
         if (stopped := find_store(unfinished, _PURPOSE)) is not None:
             stopped.dissolve()
     else:
-        store = open_store(unfinished, _PURPOSE, _FILES)
+        store = open_store(unfinished, _PURPOSE)
         chunks = (store if before is None else before).path / _CHUNKS
         # A figure of the attempt before, for instance, which fewer shots may not have.
         store.remove(set(store.present()) - {_ASKED, _KEPT})
@@ -190,7 +187,7 @@ def _publish(store: Store, finished: Path) -> None:
         for name in store.present():
             if name != _ANSWER:
                 (store.path / name).replace(finished / name)
-        there.remove(there.files - store.files)
+        there.keep_only(store.files)
         (store.path / _ANSWER).replace(finished / _ANSWER)
         sync({finished})
         store.dissolve()
@@ -220,7 +217,7 @@ def _settle(store: Store) -> None:
 def write_file(store: Store, name: str, content: bytes) -> None:
     """Write a file that hoopgen owns in a folder; an error says what is not lost."""
     store.claim(name)
-    with written(store.path / name, store.temporary(name)) as out:
+    with written(store.path / name, store.temporary()) as out:
         out.write(content)
 
 
