@@ -270,10 +270,14 @@ def _read(file: Path) -> str:
 
 
 def _write(file: Path, key: str) -> bool:
-    """Write a stamp; return whether it is there. Part of one says something else, and is none."""
+    """Write a stamp, in the place of whatever is there; return whether it is there."""
+    part = file.with_name(f"{file.name}.{os.getpid()}")
     try:
         file.parent.mkdir(exist_ok=True)
-        file.write_text(key, encoding="ascii")
+        part.write_text(key, encoding="ascii")
+        part.replace(file)
     except OSError:
+        with contextlib.suppress(OSError):
+            part.unlink()
         return False
     return True
