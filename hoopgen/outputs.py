@@ -23,6 +23,7 @@ __all__ = [
     "check_output",
     "followed",
     "sync",
+    "temporary_beside",
     "write",
     "written",
     "written_text",
@@ -117,7 +118,7 @@ def written(path: str | os.PathLike[str], temporary: Path | None = None) -> Iter
             yield file
         return
     place = target if temporary else followed(target)
-    part = temporary or place.with_name(f".hoopgen-{secrets.token_hex(8)}.tmp")
+    part = temporary or temporary_beside(place)
     try:
         with _named(target, part):
             with part.open("wb") as file:
@@ -147,6 +148,11 @@ def write(path: str | os.PathLike[str], content: str | bytes) -> Path:
     with written(path) as file:
         file.write(content.encode() if isinstance(content, str) else content)
     return Path(path)
+
+
+def temporary_beside(path: Path) -> Path:
+    """Return where a file may lie until it is whole: in the same folder, as no other file."""
+    return path.with_name(f".hoopgen-{secrets.token_hex(8)}.tmp")
 
 
 def followed(path: Path) -> Path:

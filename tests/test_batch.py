@@ -284,18 +284,18 @@ hoopgen.batch(source, out, release={"height": 2.1, "distance": 4.2}, rows=100, t
 """
 
 
-@pytest.mark.parametrize("count", [3, 6, 7])
+@pytest.mark.parametrize("count", [4, 7, 8])
 def test_a_batch_that_was_killed_goes_on_to_the_same_bytes(
     count: int, source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     whole, out = tmp_path / "whole.parquet", tmp_path / "out.parquet"
     hoopgen.batch(source, whole, release=PLACE, rows=100)
-    # Files that get their names: the identity, five chunks, the results.
+    # Files that get their names: the marker, the identity, five chunks, the results.
     killed = subprocess.run(
         [sys.executable, "-c", KILLED, str(source), str(out), str(count)], check=False
     )
     assert killed.returncode == -signal.SIGKILL
-    assert out.exists() == (count == 7)
+    assert out.exists() == (count == 8)
     simulations = []
 
     def simulate(states: Any, *arguments: Any, **options: Any) -> hoopgen.Shots:
@@ -304,7 +304,7 @@ def test_a_batch_that_was_killed_goes_on_to_the_same_bytes(
 
     monkeypatch.setattr("hoopgen.study.flights.simulate", simulate)
     hoopgen.batch(source, out, release=PLACE, rows=100)
-    assert sum(simulations) == ROWS - 100 * min(count - 1, 5)
+    assert sum(simulations) == ROWS - 100 * min(count - 2, 5)
     assert out.read_bytes() == whole.read_bytes()
     assert {file.name for file in tmp_path.iterdir()} == {source.name, whole.name, out.name}
 

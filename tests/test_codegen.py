@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import json
 import os
 import re
 import shutil
@@ -58,6 +59,7 @@ from hoopgen.codegen import render
 from hoopgen.codegen.fixed import splits
 from hoopgen.codegen.printers import JS, NUMPY, C, Constants, Spelling, constant
 from hoopgen.codegen.program import lower
+from hoopgen.core.store import MARKER, marker_text
 from hoopgen.engine.sources import FLAGS
 
 # One worker: the derivation takes a few seconds.
@@ -403,7 +405,7 @@ def test_the_repository_is_up_to_date(
 def test_what_is_generated_is_what_is_committed_and_nothing_else(files: dict[str, str]) -> None:
     own = {file_of(template) for template in render.OUTPUTS}
     other = {name.replace("hoop", "court") for name in own - {"derivation.md"}}
-    assert set(files) == own | other | {"derivation_court.md"}
+    assert set(files) == own | other | {"derivation_court.md", "hoopgen.json"}
     assert not set(files) & set(render.KEPT)
     assert all(text.endswith("\n") and "\r" not in text for text in files.values())
 
@@ -465,12 +467,78 @@ def test_only_what_changed_is_written(checkout: Path) -> None:
     assert [path for path in written if path.stat().st_mtime] == [stale]
 
 
-def test_generation_removes_what_is_no_longer_generated(checkout: Path) -> None:
-    extra = checkout / "generated" / "c" / "hoop_old.h"
-    extra.write_text("", encoding="utf-8")
-    assert render.generate(checkout) == [extra]
-    assert not extra.exists()
-    assert all((checkout / "generated" / name).exists() for name in render.KEPT)
+def test_generation_removes_what_is_no_longer_generated(
+    checkout: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    root = checkout / "generated"
+    older = {"c/hoop_old.h": "", **{name: text for name, text in files.items() if name != MARKER}}
+    older[MARKER] = marker_text(render.PURPOSE, older)
+    with monkeypatch.context() as patch:
+        patch.setattr(render, "_render_all", lambda: dict(older))
+        assert render.generate(checkout) == [root / MARKER, root / "c" / "hoop_old.h"]
+    assert render.generate(checkout) == [root / MARKER, root / "c" / "hoop_old.h"]
+    assert not (root / "c" / "hoop_old.h").exists()
+    assert (root / MARKER).read_text(encoding="utf-8") == files[MARKER]
+    assert all((root / name).exists() for name in render.KEPT)
+
+
+def test_generation_leaves_files_that_it_did_not_make(checkout: Path) -> None:
+    """`check` names them, and only who put them there removes them."""
+    extra = checkout / "generated" / "c" / "notes.h"
+    extra.write_bytes(b"mine")
+    assert render.generate(checkout) == []
+    assert extra.read_bytes() == b"mine"
+    assert render.check(checkout) == ["extra file: generated/c/notes.h"]
+
+
+def test_generation_leaves_a_folder_that_is_not_its_own(
+    tmp_path: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(render, "_render_all", lambda: dict(files))
+    (tmp_path / "generated" / "c").mkdir(parents=True)
+    theirs = tmp_path / "generated" / "c" / "hoop.c"
+    theirs.write_bytes(b"theirs")
+    with pytest.raises(ValueError, match=r"generated holds files that hoopgen did not make: c; "):
+        render.generate(tmp_path)
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == [theirs]
+    assert theirs.read_bytes() == b"theirs"
+
+
+def test_generation_takes_no_name_that_another_file_has(checkout: Path) -> None:
+    """Such as one that came with a merge, whose marker did not."""
+    root = checkout / "generated"
+    marker = json.loads((root / MARKER).read_bytes())
+    marker["files"].remove("c/hoop.c")
+    (root / MARKER).write_text(json.dumps(marker), encoding="utf-8")
+    same = (root / "c" / "hoop.c").read_bytes()
+    (root / "c" / "hoop.c").write_bytes(b"theirs")
+    with pytest.raises(FileExistsError, match="hoopgen did not make this file") as raised:
+        render.generate(checkout)
+    assert raised.value.filename == str(root / "c" / "hoop.c")
+    assert (root / "c" / "hoop.c").read_bytes() == b"theirs"
+    (root / "c" / "hoop.c").write_bytes(same)
+    assert render.generate(checkout) == [root / MARKER]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links need rights elsewhere")
+def test_generation_follows_no_link(checkout: Path, tmp_path: Path) -> None:
+    root = checkout / "generated"
+    (root / "js").rename(tmp_path / "elsewhere")
+    (root / "js").symlink_to(tmp_path / "elsewhere")
+    (tmp_path / "elsewhere" / "hoop.js").write_bytes(b"theirs")
+    elsewhere = {file: file.read_bytes() for file in (tmp_path / "elsewhere").iterdir()}
+    linked = tmp_path / "linked.h"
+    (root / "c" / "hoop.h").replace(linked)
+    (root / "c" / "hoop.h").symlink_to(linked)
+    linked.write_bytes(b"theirs")
+    with pytest.raises(FileExistsError, match="is a link") as raised:
+        render.generate(checkout)
+    assert raised.value.filename == str(root / "js")
+    assert {file: file.read_bytes() for file in (tmp_path / "elsewhere").iterdir()} == elsewhere
+    (root / "js").unlink()
+    render.generate(checkout)
+    assert linked.read_bytes() == b"theirs"
+    assert not (root / "c" / "hoop.h").is_symlink()
 
 
 def test_check_is_empty_on_what_was_generated(checkout: Path) -> None:

@@ -10,6 +10,7 @@ import signal
 import stat
 import subprocess
 import sys
+import tempfile
 import threading
 from collections.abc import Iterator
 from dataclasses import replace
@@ -26,6 +27,7 @@ import hoopgen
 from hoopgen import simulation
 from hoopgen.cli import main
 from hoopgen.codegen import render
+from hoopgen.core.store import MARKER, find_store
 from hoopgen.engine import native
 from hoopgen.engines import Engine
 from hoopgen.scene import End, Parameter, Plane, Scene, Sphere, cache, compilers
@@ -96,6 +98,7 @@ def forget() -> None:
     compiling._KNOWN.clear()
     compiling._ENGINES.clear()
     cache.private.cache_clear()
+    cache._say_once.cache_clear()
     simulation._say_once.cache_clear()
 
 
@@ -151,8 +154,8 @@ def wrapped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Wrapped:
 
 
 def entry_of(home: Path) -> Path:
-    (folder,) = (f for f in home.iterdir() if not f.name.startswith(".") and f.name != "pointers")
-    return folder
+    (key,) = cache.Cache(home).keys()
+    return home / key
 
 
 PROCESS = """
@@ -377,7 +380,7 @@ def test_a_forked_process_simulates_and_waits_for_no_lock_of_its_parent(dome: En
         thread.join()
 
 
-@pytest.mark.parametrize("name", [compilers.library_name(), compiling.MODULE])
+@pytest.mark.parametrize("name", [compilers.library_name(), cache.MODULE, cache.SOURCES])
 def test_a_file_that_was_tampered_with_is_not_loaded(
     home: Path, name: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -389,26 +392,130 @@ def test_a_file_that_was_tampered_with_is_not_loaded(
     file.write_bytes(content)
     forget()
     engine = hoopgen.compile(PLANK)
-    line, *others = capsys.readouterr().err.splitlines()
-    assert (
-        line == f"hoopgen: {file} is not the file that was built; it is not used, and built anew."
-    )
-    assert set(others) <= {line}
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line == f"hoopgen: {file.parent} {DAMAGED}"
     assert engine.backend == "c"
     assert engine.simulate(drops(20)).state.tobytes() == wanted
     assert file.read_bytes() != content
 
 
-@pytest.mark.parametrize("record", ["", "{", "[]", '{"files": 3}', '{"files": {"gone": ""}}'])
-def test_a_record_that_says_something_else_is_none(tmp_path: Path, record: str) -> None:
+def test_what_is_loaded_is_what_was_checked(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """And not what the file holds by then."""
+    wanted = hoopgen.compile(PLANK).simulate(drops(20)).state.tobytes()
+    file = entry_of(home) / compilers.library_name()
+    forget()
+    load = compiling.load
+
+    def meanwhile(content: bytes, *rest: Any) -> Any:
+        file.unlink()
+        file.write_bytes(b"not a library")
+        return load(content, *rest)
+
+    monkeypatch.setattr(compiling, "load", meanwhile)
+    engine = hoopgen.compile(PLANK)
+    assert file.read_bytes() == b"not a library"
+    assert engine.backend == "c"
+    assert engine.simulate(drops(20)).state.tobytes() == wanted
+
+
+@pytest.mark.parametrize("memory", [True, False])
+def test_each_library_is_its_own_whatever_descriptor_it_had(
+    dome: Engine, home: Path, memory: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The C library takes a path that it knows for the library that it knows."""
+    if not memory:
+        monkeypatch.delattr(os, "memfd_create", raising=False)
+    engines = [hoopgen.compile(replace(PLANK, name=f"plank_{name}")) for name in ("a", "b", "c")]
+    assert [engine.backend for engine in engines] == 3 * ["c"]
+    for engine in engines:
+        c, numpy = (engine.simulate(drops(20), backend=each) for each in ("c", "numpy"))
+        assert c.state.tobytes() == numpy.state.tobytes()
+
+
+KEY = "5eed" * 16
+DAMAGED = "does not hold what was built; it is not used, and built anew."
+
+
+def keep(there: cache.Cache) -> cache.Entry:
+    """Keep a small scene."""
+    record = {"key": KEY, "scene": "a", "compiler": "cc", "width": 1, "refused": None}
+    return there.built(KEY, lambda _: cache.Entry(record, {cache.MODULE: b"it"}))
+
+
+@pytest.mark.parametrize(
+    "record", [b"", b"{", b"[]", b"\xff", b'{"files": 3}', b'{"files": {"gone": ""}}', b"[" * 9999]
+)
+def test_a_record_that_says_something_else_is_none(
+    tmp_path: Path, record: bytes, capsys: pytest.CaptureFixture[str]
+) -> None:
     there = cache.Cache(tmp_path)
+    cache._say_once.cache_clear()
     for _ in range(2):
-        entry = there.built("key", lambda folder: {"size": (folder / "file").write_bytes(b"it")})
-        assert entry.read("file") == b"it"
-        assert there.entry("key") == entry
-        (entry.folder / cache.RECORD).write_text(record)
-        assert there.entry("key") is None
+        entry = keep(there)
+        assert there.entry(KEY) == entry
+        (tmp_path / KEY / cache.RECORD).write_bytes(record)
+        assert there.entry(KEY) is None
     assert list(there.entries()) == []
+    assert capsys.readouterr().err == f"hoopgen: {tmp_path / KEY} {DAMAGED}\n"
+
+
+@pytest.mark.parametrize("name", [cache.RECORD, cache.MODULE])
+def test_every_bit_of_what_is_kept_is_looked_at(tmp_path: Path, name: str) -> None:
+    there = cache.Cache(tmp_path)
+    entry = keep(there)
+    file = tmp_path / KEY / name
+    content = file.read_bytes()
+    for place in range(8 * len(content)):
+        flipped = bytearray(content)
+        flipped[place // 8] ^= 1 << place % 8
+        file.write_bytes(flipped)
+        assert there.entry(KEY) is None, place
+    for cut in range(len(content)):
+        file.write_bytes(content[:cut])
+        assert there.entry(KEY) is None, cut
+    assert keep(there) == there.entry(KEY) == entry
+    assert file.read_bytes() == content
+
+
+def test_a_scene_under_the_key_of_another_is_not_used(tmp_path: Path) -> None:
+    there = cache.Cache(tmp_path)
+    keep(there)
+    other = KEY[::-1]
+    (tmp_path / KEY).rename(tmp_path / other)
+    assert there.entry(other) is None
+
+
+@posix
+@pytest.mark.parametrize("name", [cache.RECORD, cache.MODULE])
+def test_what_is_no_file_is_not_waited_for(tmp_path: Path, name: str) -> None:
+    there = cache.Cache(tmp_path)
+    keep(there)
+    (tmp_path / KEY / name).unlink()
+    os.mkfifo(tmp_path / KEY / name)
+    assert there.entry(KEY) is None
+    assert keep(there) == there.entry(KEY)
+
+
+def test_after_every_flipped_bit_of_a_record_the_scene_is_compiled(
+    home: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Of one bit in each byte; the compiler is left out, which takes its time."""
+    monkeypatch.setenv("CC", "/nowhere/cc")
+    made = hoopgen.compile(PLANK)
+    states, name = drops(5), made.name
+    file = entry_of(home) / cache.RECORD
+    content = file.read_bytes()
+    for place in range(0, len(content), 5):
+        flipped = bytearray(content)
+        flipped[place] ^= 1 << place % 8
+        file.write_bytes(flipped)
+        forget()
+        capsys.readouterr()
+        engine = hoopgen.compile(PLANK)
+        assert capsys.readouterr().err == f"hoopgen: {file.parent} {DAMAGED}\n"
+        assert (engine.name, engine.found) == (name, made.found)
+        assert file.read_bytes() == content
+    assert engine.simulate(states, max_contacts=5).state.shape == (5, 9)
 
 
 @posix
@@ -429,19 +536,21 @@ def test_a_killed_build_is_in_nobodys_way(home: Path, wrapped: Wrapped, tmp_path
     assert wrapped.runs == 2
 
 
-def test_where_nothing_can_be_written_a_process_has_a_folder_of_its_own(
+def test_where_nothing_can_be_written_a_process_compiles_for_itself(
     home: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     home.parent.parent.mkdir(parents=True)
     home.parent.write_text("in the way")
     engines = [hoopgen.compile(PLANK), hoopgen.compile(DOME)]
     assert [engine.backend for engine in engines] == ["c", "c"]
+    assert hoopgen.compile(replace(PLANK)) is engines[0]
     (line,) = capsys.readouterr().err.splitlines()
-    assert "scenes are compiled for this process alone, in " in line
-    folder = Path(line.rpartition(", in ")[2].removesuffix("."))
-    if os.name == "posix":
-        assert stat.S_IMODE(folder.stat().st_mode) == 0o700
-    shutil.rmtree(folder)
+    assert line.startswith(f"hoopgen: {home.parent}: ")
+    assert line.endswith("; scenes are compiled for this process alone.")
+    assert home.parent.read_text() == "in the way"
+
+
+# ---------------------------------------------------------------------------------- other people
 
 
 @posix
@@ -451,9 +560,101 @@ def test_a_folder_that_others_can_look_into_is_not_used(home: Path) -> None:
     assert cache.own() == f"{home} is open to others; its mode should be 700"
     home.chmod(0o700)
     assert cache.own() == cache.Cache(home)
-    home.rmdir()
-    home.symlink_to(home.parent)
-    assert cache.own() == f"{home} is no folder"
+    home.chmod(0o777)
+    assert cache.own() == f"{home}: {OTHERS}"
+
+
+OTHERS = "other users can write this folder; take that right from them (chmod go-w)"
+
+
+@posix
+@pytest.mark.parametrize("mode", [0o777, 0o707, 0o770])
+@pytest.mark.parametrize("above", [1, 2, 3])
+def test_nor_is_one_below_a_folder_that_others_can_write(
+    home: Path, above: int, mode: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """They could put their own `scenes` in its place, and with it a library."""
+    wanted = hoopgen.compile(PLANK).simulate(drops(20)).state.tobytes()
+    place = home.parents[above - 1]
+    place.chmod(mode)
+    assert cache.own() == f"{place}: {OTHERS}"
+    stranger = entry_of(home) / compilers.library_name()
+    stranger.unlink()
+    stranger.write_bytes(b"a stranger's library")
+    forget()
+    capsys.readouterr()
+    engine = hoopgen.compile(PLANK)
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line == f"hoopgen: {place}: {OTHERS}; scenes are compiled for this process alone."
+    assert engine.backend == "c"
+    assert engine.simulate(drops(20)).state.tobytes() == wanted
+    assert stranger.read_bytes() == b"a stranger's library"
+    place.chmod(0o700)
+
+
+@posix
+def test_a_sticky_folder_above_is_fine(home: Path) -> None:
+    """As /tmp is: others can write there, but not move what is ours."""
+    home.mkdir(parents=True, mode=0o700)
+    home.chmod(0o700)
+    home.parents[1].chmod(0o1777)
+    assert cache.own() == cache.Cache(home)
+    home.parent.chmod(0o1777)
+    assert cache.own() == cache.Cache(home)
+    home.chmod(0o1777)
+    assert isinstance(cache.own(), str)
+
+
+@posix
+def test_a_link_stands_for_where_it_leads(home: Path, tmp_path: Path) -> None:
+    (tmp_path / "elsewhere").mkdir(mode=0o700)
+    home.parents[1].symlink_to(tmp_path / "elsewhere")
+    assert cache.own() == cache.Cache(tmp_path / "elsewhere" / "hoopgen" / "scenes")
+    (tmp_path / "elsewhere").chmod(0o777)
+    assert cache.own() == f"{tmp_path / 'elsewhere'}: {OTHERS}"
+
+
+@pytest.mark.skipif(os.name != "posix" or os.getuid() != 0, reason="gives a folder away")
+@pytest.mark.parametrize("above", [0, 1, 2])
+def test_a_folder_of_another_user_is_not_used(home: Path, above: int) -> None:
+    home.mkdir(parents=True, mode=0o700)
+    place = (home, *home.parents)[above]
+    os.chown(place, 12345, 12345)
+    assert cache.own() == f"{place}: this folder is another user's"
+
+
+@posix
+def test_where_no_folder_is_private_numpy_serves(
+    home: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    home.parents[1].mkdir(parents=True)
+    home.parents[1].chmod(0o777)
+    (tmp_path / "temporary").mkdir()
+    (tmp_path / "temporary").chmod(0o777)
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "temporary"))
+    engine = hoopgen.compile(PLANK)
+    assert engine.backend == "numpy"
+    assert isinstance(engine.found, native.Refused)
+    assert engine.found.reason == (
+        f"of the scene plank was not compiled: {tmp_path / 'temporary'}: {OTHERS}"
+    )
+    assert not list((tmp_path / "temporary").iterdir())
+
+
+def test_a_cache_that_has_no_marker_is_known_by_its_names(home: Path) -> None:
+    """As those of hoopgen 0.2.0 are, and those whose marker is damaged."""
+    hoopgen.compile(PLANK)
+    for content in (None, b"{"):
+        (home / MARKER).unlink()
+        if content is not None:
+            (home / MARKER).write_bytes(content)
+        assert cache.own() == cache.Cache(home)
+        assert find_store(home, "compiled scenes") is not None
+    (home / MARKER).unlink()
+    (home / "notes").mkdir()
+    why = cache.own()
+    assert isinstance(why, str)
+    assert why.startswith(f"{home} holds files that hoopgen did not make: ")
 
 
 # ----------------------------------------------------------------------------------- the compiler
@@ -572,7 +773,7 @@ def test_the_commands(home: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     ]
     result = CliRunner().invoke(main, ["cache", "--clear"])
     assert result.stdout == f"removed 1 scene from {home}\n"
-    assert list(home.iterdir()) == []
+    assert list(home.iterdir()) == [home / MARKER]
     assert "no scene is kept" in CliRunner().invoke(main, ["cache", "--show"]).stdout
     monkeypatch.setenv("CC", "/nowhere/cc")
     forget()

@@ -18,6 +18,7 @@ FLOORS = (
     # Text, files and what is installed: no physics.
     {"brief", "colours", "installed", "layout", "notebook", "phrases", "printable"},
     {"outputs", "sizes", "units"},
+    {"core"},
     {"codegen", "engine", "events", "inputs"},
     # What is given.
     {"parameters", "variables"},

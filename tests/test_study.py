@@ -373,11 +373,6 @@ WRONG = {
         5,
         'question #1, name: expected small letters, digits, - and _, at most 60; got "../up"',
     ),
-    "name of our own": (
-        BEGIN + "[[question]]\nkind = 'estimate'\nname = 'lock'\n",
-        5,
-        'question #1, name: "lock" cannot be a name: a file beside it has it',
-    ),
     "name of a device": (
         BEGIN + ASKED + "[[question]]\nkind = 'estimate'\nname = 'com1'\n",
         8,
@@ -766,6 +761,7 @@ def test_the_report_lists_what_was_asked_and_every_answer(whole: Path) -> None:
     assert all((whole / link).is_file() for link in links)
     files = {name.partition("/")[0] + "/" + name.partition("/")[2] for name in contents(whole)}
     files -= {name for name in files if "/chunks/" in name}  # from which it may go on
+    files -= {name for name in files if name.endswith("hoopgen.json")}
     assert {name for name in files if not name.endswith("/")} <= {*links, "report.md"}
 
 
@@ -815,6 +811,7 @@ def test_the_folder_has_the_file_as_it_was_and_the_versions(whole: Path) -> None
         "study.toml",
         "versions.json",
         "report.md",
+        "hoopgen.json",
     }
 
 
@@ -862,10 +859,10 @@ def test_a_study_that_was_killed_goes_on_to_the_same_bytes(whole: Path, tmp_path
         return {path.relative_to(results).as_posix() for path in results.rglob("*")}
 
     assert "versions.json" not in killed_at(3)
-    there = killed_at(14)
+    there = killed_at(22)
     assert "probability.unfinished/chunks/chunk-000000001.arrow" in there
     assert "probability.unfinished/answer.json" not in there
-    there = killed_at(30)
+    there = killed_at(38)
     assert "probability/answer.json" in there
     assert "report.md" not in there
     run_study(file, results)
@@ -960,7 +957,7 @@ def test_a_question_may_be_asked_for_less_and_what_was_thrown_stays(
     written(file.parent, text + less)
     if interrupted:
         with monkeypatch.context() as patch:
-            patch.setattr("hoopgen.studyfile.run.answer", _stopped)
+            patch.setattr("hoopgen.studyfile.question_folders.answer", _stopped)
             with pytest.raises(KeyboardInterrupt):
                 run_study(file, results)
     (answer,) = run_study(file, results).values()
@@ -1068,7 +1065,7 @@ def test_questions_may_be_added_and_words_changed(
         asked.append(one.question.name)
         return answer(one, work)
 
-    monkeypatch.setattr("hoopgen.studyfile.run.answer", noted)
+    monkeypatch.setattr("hoopgen.studyfile.question_folders.answer", noted)
     again = run_study(file)
     assert asked == ["more"]
     assert list(again) == ["more", "probability"]
@@ -1080,7 +1077,7 @@ def test_questions_may_be_added_and_words_changed(
 
 def test_a_folder_with_something_else_is_left_alone(tmp_path: Path) -> None:
     file = written(tmp_path, HEAD + ESTIMATE)
-    with pytest.raises(ValueError, match="holds something else than a study"):
+    with pytest.raises(ValueError, match=r"did not make: measured\.csv, study\.toml; give"):
         run_study(file, tmp_path)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["measured.csv", "study.toml"]
 
@@ -1092,14 +1089,16 @@ def test_a_damaged_question_is_named(content: str, tmp_path: Path) -> None:
     damaged = tmp_path / "study-results" / "probability" / "question.json"
     whole = damaged.read_bytes()
     damaged.write_text(content)
-    with pytest.raises(ValueError, match=r"question\.json cannot be read; delete .*probability"):
+    with pytest.raises(ValueError, match=r"question\.json cannot be read; move .*probability out"):
         run_study(file)
     damaged.write_bytes(whole)
     damaged.with_name("answer.json").write_text(content)
     with pytest.raises(ExceptionGroup) as raised:
         run_study(file)
     (error,) = raised.value.exceptions
-    assert re.search(r"answer\.json cannot be read; delete .*probability$", str(error))
+    assert re.search(
+        r"answer\.json cannot be read; move .*probability out of the study", str(error)
+    )
 
 
 def test_an_error_that_was_not_foreseen_is_told_with_its_type(
@@ -1109,7 +1108,7 @@ def test_an_error_that_was_not_foreseen_is_told_with_its_type(
         raise KeyError("wrong")
 
     file = written(tmp_path, HEAD + ESTIMATE)
-    monkeypatch.setattr("hoopgen.studyfile.run.answer", broken)
+    monkeypatch.setattr("hoopgen.studyfile.question_folders.answer", broken)
     result = run(file)
     assert result.exit_code == 70
     first, second = result.stderr.splitlines()
@@ -1129,7 +1128,7 @@ def test_a_pipe_in_place_of_a_file_is_named_and_not_waited_for(name: str, tmp_pa
     result = run(file)
     assert result.exit_code == 2
     assert f"{place}" in result.stderr
-    assert "this is no file; remove it" in result.stderr
+    assert "this is no file; move it away" in result.stderr
 
 
 def test_a_file_in_place_of_a_question_is_named_before_the_work(tmp_path: Path) -> None:
@@ -1182,7 +1181,7 @@ def test_a_question_that_fails_leaves_the_others_alone(tmp_path: Path) -> None:
     text = (results / "report.md").read_text(encoding="utf-8")
     assert f"| [far](#far) | not answered: {error} |" in text
     assert loaded(results, "probability")["shots"] == 2000
-    assert not (results / "lock").exists()
+    assert not (results / "hoopgen.lock").exists()
     result = run(file)
     assert result.exit_code == 2
     assert result.stderr.splitlines()[0] == f"hoopgen: error: question far: {error}"

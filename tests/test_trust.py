@@ -309,6 +309,38 @@ def test_a_cache_that_others_write_to_is_not_used(library: Path, tmp_path: Path)
     assert list(cache.iterdir()) == []
 
 
+@pytest.mark.skipif(os.name != "posix", reason="permissions are POSIX's")
+@pytest.mark.parametrize("above", ["cache", "."])
+def test_nor_is_one_below_a_folder_that_others_write_to(
+    library: Path, tmp_path: Path, above: str
+) -> None:
+    """They could put a cache of their own in its place, and a verdict into it."""
+    (library.parent / "__pycache__").write_bytes(b"in the way")
+    assert [compared(library) for _ in range(2)] == [True, False]
+    (tmp_path / above).chmod(0o777)
+    assert compared(library)
+    (tmp_path / above).chmod(0o700)
+    assert not compared(library)
+
+
+@pytest.mark.parametrize("place", [0, 1, 31, 63])
+def test_a_stamp_with_a_wrong_bit_is_none(library: Path, place: int) -> None:
+    assert compared(library)
+    content = bytearray(stamp_of(library).read_bytes())
+    content[place] ^= 1 << place % 8
+    stamp_of(library).write_bytes(content)
+    assert [compared(library) for _ in range(2)] == [True, False]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="there are no pipes")
+def test_a_pipe_in_the_place_of_a_stamp_is_not_waited_for(library: Path) -> None:
+    assert compared(library)
+    stamp = stamp_of(library)
+    stamp.unlink()
+    os.mkfifo(stamp)
+    assert [compared(library) for _ in range(2)] == [True, False]
+
+
 @pytest.mark.parametrize(
     "field",
     ["outcome", "contacts", "counts", "first", "time", "state", "uncertain"]

@@ -54,7 +54,7 @@ def cache(show: bool, clear: bool) -> None:
                 str(entry.record["compiler"]) or "none",
                 str(entry.record["width"]),
                 "numpy" if entry.record["refused"] else "c",
-                f"{sum(file.stat().st_size for file in entry.folder.iterdir()) // 1024}",
+                f"{sum(map(len, entry.files.values())) // 1024}",
             )
             for entry in there.entries()
         ]

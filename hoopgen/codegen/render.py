@@ -13,6 +13,7 @@ from typing import Any
 
 import jinja2
 
+from hoopgen.core.store import MARKER, find_store, marker_text, open_store
 from hoopgen.derive.follow.fields import EVENTS, Result
 from hoopgen.derive.ground.choice import Truth
 from hoopgen.derive.ground.kernel import Kernel
@@ -23,7 +24,6 @@ from hoopgen.derive.scenes import SCENES
 from hoopgen.derive.scenes.ends import meanings
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.scenes.validity import size_limits
-from hoopgen.outputs import write
 
 from .alone import Alone
 from .derivation import derivation_context
@@ -62,6 +62,9 @@ OUTPUTS = {
 
 KEPT = ("__init__.py", "numpy/__init__.py")
 """Files of generated/ that are not generated."""
+
+PURPOSE = "generated code"
+"""What the marker of generated/ says."""
 
 COST_WORDS = {
     "add": "additions",
@@ -312,7 +315,7 @@ def _render_all() -> dict[str, str]:
     files: dict[str, str] = {}
     for scene in SCENES:
         files |= render_scene(scene)
-    return files
+    return files | {MARKER: marker_text(PURPOSE, files)}
 
 
 def generate(root: Path) -> list[Path]:
@@ -321,21 +324,39 @@ def generate(root: Path) -> list[Path]:
     Parameters
     ----------
     root
-        A source checkout. Extra files in generated/ are removed.
+        A source checkout. Files of generated/ that its marker names and that are no longer
+        generated are removed; others that are not generated stay.
+
+    Raises
+    ------
+    ValueError
+        If generated/ has files and no marker, so that it is not hoopgen's.
+    FileExistsError
+        If a file that hoopgen did not generate has the name of one that is generated.
+    OSError
+        If a file cannot be read, written or removed.
     """
     folder = root / "generated"
+    find_store(folder, PURPOSE)  # before the work
     files = _render_all()
-    changed = []
-    for name, text in files.items():
-        path = folder / name
-        if not path.exists() or path.read_text(encoding="utf-8") != text:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            write(path, text)
-            changed.append(path)
-    for name in _extra(folder, files):
-        (folder / name).unlink()
-        changed.append(folder / name)
+    marker = files.pop(MARKER)
+    store = open_store(folder, PURPOSE)
+    store.remove_temporaries()
+    changed = [] if _is(folder / MARKER, marker) else [folder / MARKER]
+    new = [name for name, text in files.items() if not _is(folder / name, text)]
+    # What is as it is generated may have come with a merge of another branch.
+    store.adopt(files.keys() - set(new))
+    store.claim(*new)
+    for name in new:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        store.write(name, files[name])
+    changed += [folder / name for name in (*new, *store.keep_only(files))]
     return changed
+
+
+def _is(file: Path, text: str) -> bool:
+    """Return whether a file has that text, with line ends of any system."""
+    return file.is_file() and file.read_bytes().replace(b"\r\n", b"\n") == text.encode()
 
 
 def check(root: Path) -> list[str]:
@@ -352,7 +373,7 @@ def check(root: Path) -> list[str]:
         if not path.exists():
             differences.append(f"missing file: generated/{name}")
             continue
-        found = path.read_text(encoding="utf-8")
+        found = path.read_text(encoding="utf-8", errors="replace")
         if found != text:
             lines = difflib.unified_diff(
                 found.splitlines(),

@@ -19,6 +19,9 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.core.lock import read_file
+from hoopgen.core.private import private_folder
+
 from . import arithmetic, numpy_backend, raw
 
 __all__ = ["WIDTHS", "Batch", "batches", "differences", "spread", "trusted", "user_cache", "widths"]
@@ -257,25 +260,25 @@ def _folders(library: Path) -> Iterator[Path]:
     """
     yield library.parent / "__pycache__"
     with contextlib.suppress(RuntimeError, OSError):  # no home; no folder of one's own
-        folder = user_cache()
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        status = folder.stat()
-        if os.name == "nt" or (status.st_uid == os.getuid() and not status.st_mode & 0o022):
-            yield folder
+        yield private_folder(user_cache())
 
 
 def _read(file: Path) -> str:
     try:
-        return file.read_text(encoding="ascii").strip()
+        return read_file(file).decode("ascii").strip()
     except (OSError, ValueError):
         return ""
 
 
 def _write(file: Path, key: str) -> bool:
-    """Write a stamp; return whether it is there. Part of one says something else, and is none."""
+    """Write a stamp, in the place of whatever is there; return whether it is there."""
+    part = file.with_name(f"{file.name}.{os.getpid()}")
     try:
         file.parent.mkdir(exist_ok=True)
-        file.write_text(key, encoding="ascii")
+        part.write_text(key, encoding="ascii")
+        part.replace(file)
     except OSError:
+        with contextlib.suppress(OSError):
+            part.unlink()
         return False
     return True

@@ -13,6 +13,7 @@ import hashlib
 import importlib.util
 import json
 import marshal
+import shutil
 import sys
 from collections.abc import Mapping
 from functools import cache, partial
@@ -25,17 +26,15 @@ import numpy as np
 
 from hoopgen import engines
 from hoopgen.engine import native, trust
+from hoopgen.engine.loading import load
 from hoopgen.engines import HOOP, Engine
 
 from . import compilers
-from .cache import Cache, Entry, digest, own, private
+from .cache import MODULE, SOURCES, Entry, Kept, digest, own, private
 from .scene import Scene
 from .trial import trial
 
 __all__ = ["compile", "place"]
-
-MODULE, SOURCES = "module", "sources.gz"
-"""Files of a compiled scene beside its library: its module of NumPy, and all that was printed."""
 
 _LINES = 20
 """Most lines of a compiler's words."""
@@ -98,8 +97,8 @@ def compile(scene: Any) -> Engine:
     return engine
 
 
-def place() -> Cache:
-    """Return where compiled scenes are kept: the user's own folder, or one of this process."""
+def place() -> Kept:
+    """Return where compiled scenes are kept: the user's own folder, or the memory of a process."""
     there = own()
     return private(there) if isinstance(there, str) else there
 
@@ -116,15 +115,11 @@ def _found(scene: Any) -> Engine:
             there.point(name, entry.record["key"])
     key = entry.record["key"]
     if key not in _ENGINES:
-        try:
-            engine = _engine(entry, scene)
-        except (OSError, ValueError):  # cleared or changed since it was looked at
-            engine = _engine(_made(scene, tools, there), scene)
-        _ENGINES.setdefault(key, engine)
+        _ENGINES.setdefault(key, _engine(entry, scene, there))
     return _ENGINES[key]
 
 
-def _made(scene: Any, tools: _Tools, there: Cache) -> Entry:
+def _made(scene: Any, tools: _Tools, there: Kept) -> Entry:
     """Return a scene's files, printed anew."""
     try:
         # Here, and not above: what has been compiled needs neither SymPy nor Jinja2.
@@ -149,7 +144,16 @@ def _made(scene: Any, tools: _Tools, there: Cache) -> Entry:
     try:
         return there.built(key, build)
     except OSError as error:
-        return private(f"{there.folder}: {error.strerror or error}").built(key, build)
+        why = _in_words(error)
+    try:
+        return private(why).built(key, build)
+    except OSError as error:
+        return build(_in_words(error))
+
+
+def _in_words(error: OSError) -> str:
+    said = error.strerror or str(error)
+    return f"{error.filename}: {said}" if error.filename else said
 
 
 class _Tools:
@@ -180,24 +184,27 @@ class _Tools:
 
 
 def _build(
-    key: str, scene: str, files: Mapping[str, str], tools: _Tools, folder: Path
-) -> dict[str, Any]:
-    """Write all that is kept of a scene into a folder; return what is to be said of it."""
-    text = files[f"numpy/{scene}.py"]
-    code = _compiled(text, scene)
-    (folder / MODULE).write_bytes(marshal.dumps(code))
+    key: str, scene: str, files: Mapping[str, str], tools: _Tools, folder: Path | str
+) -> Entry:
+    """Return all that is kept of a scene, compiled in a folder; or NumPy's, and why there is none.
+
+    Parameters
+    ----------
+    folder
+        An empty one that nobody else can change; or why there is no such folder.
+    """
+    code = _compiled(files[f"numpy/{scene}.py"], scene)
     packed = gzip.compress(json.dumps(files).encode(), 6, mtime=0)
-    (folder / SOURCES).write_bytes(packed)
+    made = {MODULE: marshal.dumps(code), SOURCES: packed}
     record: dict[str, Any] = {"key": key, "scene": scene, "refused": None}
+    without = record | {"compiler": "", "width": 0}
     if tools.compiler is None:
-        return record | {
-            "compiler": "",
-            "width": 0,
-            "refused": [
-                f"of the scene {scene} was not compiled: no C compiler was found",
-                "install one, or `pip install ziglang`",
-            ],
-        }
+        why = f"of the scene {scene} was not compiled: no C compiler was found"
+        return Entry(without | {"refused": [why, "install one, or `pip install ziglang`"]}, made)
+    if isinstance(folder, str):
+        why = f"of the scene {scene} was not compiled: {folder}"
+        remedy = "set TMPDIR to a folder that you alone can write"
+        return Entry(without | {"refused": [why, remedy]}, made)
     record |= {"compiler": tools.compiler.name, "width": tools.width}
     sources = folder / "c"
     sources.mkdir()
@@ -210,17 +217,15 @@ def _build(
             print(_told(tools.compiler.name, scene, words), file=sys.stderr)
             reason = f"of the scene {scene} could not be compiled by {tools.compiler.name}"
             remedy = "`hoopgen cache --clear` lets it be tried again"
-            return record | {"refused": [reason, remedy], "passing": passing}
-        library = (sources / compilers.library_name()).rename(folder / compilers.library_name())
+            return Entry(record | {"refused": [reason, remedy], "passing": passing}, made)
+        library = (sources / compilers.library_name()).read_bytes()
+        refused = _differences(library, _module(code, scene))
     finally:
-        for file in sources.iterdir():
-            file.unlink()
-        sources.rmdir()
-    refused = _differences(library, _module(code, scene))
+        shutil.rmtree(sources)
     if refused:
-        library.unlink()
         record |= {"refused": [f"of the scene {scene} {refused}", "report it, with the scene"]}
-    return record
+        return Entry(record, made)
+    return Entry(record, made | {compilers.library_name(): library})
 
 
 def _told(compiler: str, scene: str, words: str) -> str:
@@ -230,10 +235,10 @@ def _told(compiler: str, scene: str, words: str) -> str:
     return f"hoopgen: {compiler} does not compile the scene {scene}:{said}"
 
 
-def _differences(path: Path, kernels: ModuleType) -> str:
+def _differences(content: bytes, kernels: ModuleType) -> str:
     """Return why a library is not to be trusted, "" if it is."""
     try:
-        library = native.Library(path, kernels)
+        library = load(content, None, lambda path: native.Library(path, kernels))
     except (OSError, AttributeError) as error:
         return f"cannot be loaded: {error}"
     if not trust.widths(library, kernels):
@@ -242,24 +247,26 @@ def _differences(path: Path, kernels: ModuleType) -> str:
     return f"does not give NumPy's results ({found})" if found else ""
 
 
-def _engine(entry: Entry, scene: Any) -> Engine:
+def _engine(entry: Entry, scene: Any, there: Kept) -> Engine:
     """Return what simulates a scene, from its files."""
     name = entry.record["scene"]
-    kernels = _module(marshal.loads(entry.read(MODULE)), name)
+    kernels = _module(marshal.loads(entry.files[MODULE]), name)
     found: native.Library | native.Refused
     if entry.record["refused"]:
         found = native.Refused(*entry.record["refused"])
     else:
-        library = entry.checked(compilers.library_name())
+        file = compilers.library_name()
+        path = there.path(entry.record["key"], file)
         try:
-            found = native.Library(library, kernels)
+            found = load(entry.files[file], path, lambda path: native.Library(path, kernels))
         except (OSError, AttributeError) as error:
             again = "`hoopgen cache --clear` lets it be compiled again"
             found = native.Refused(f"of the scene {name} cannot be loaded: {error}", again)
+    packed = entry.files[SOURCES]
     return Engine(
         kernels,
         find=lambda: found,
-        sources=lambda: json.loads(gzip.decompress(entry.read(SOURCES))),
+        sources=lambda: json.loads(gzip.decompress(packed)),
         scene=partial(_definition, scene),
         again=(compile, (scene,)),
         written=scene if isinstance(scene, Scene) else None,

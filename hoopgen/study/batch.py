@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from hoopgen.hoop.releases import from_zero
 from hoopgen.inputs import check_count, doubles
-from hoopgen.outputs import check_output, followed
+from hoopgen.outputs import check_output, followed, temporary_beside
 from hoopgen.parameters import completed, resolve
 from hoopgen.scenes import check_hoop, engine_of, variables_of
 from hoopgen.told import say_of
@@ -223,12 +223,12 @@ def batch(
         work = _Rows(table, found.columns, shots, rows, digest, count, stamp)
         with opened(target.with_name(f"{target.name}.parts"), work.identity()) as folder:
             # In the folder, where the next start removes what was left unfinished.
-            unfinished = folder.path / f"{target.name}.tmp"
+            unfinished = folder.temporary()
             with ExitStack() as stack:
                 stack.enter_context(written(target, unfinished))
                 write = stack.enter_context(sink(unfinished, format, schema, rows, table))
                 if log is not None:
-                    part = log.with_name(f"{log.name}.tmp")
+                    part = temporary_beside(log)
                     stack.enter_context(written(log, part))
                     also = sink(part, log.suffix.lower(), results.log_schema, rows, table)
                     results.log = stack.enter_context(also)

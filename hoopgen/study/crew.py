@@ -16,6 +16,7 @@ from typing import Any, TypeAlias
 import pyarrow as pa
 
 from .chunks import Task, run
+from .folders import check_folder
 
 __all__ = ["Crew", "alone", "crew"]
 
@@ -46,6 +47,8 @@ def crew(
     folder, scheduler, threads, progress
         As for `chunks.run`, which says what may be raised too.
     """
+    if folder is not None:
+        check_folder(folder)  # few shots are computed without it
     asked = _Asked(identity)
     chunks = run(asked, folder, scheduler=scheduler, threads=threads, progress=progress)
     with closing(chunks):

@@ -1,6 +1,7 @@
 """Finished chunks on disk: each with a keyed digest, in a folder that says of which job.
 
-One that is damaged, of another job or of another chunk does not pass.
+One that is damaged, of another job or of another chunk does not pass. The folder is one that
+hoopgen owns (`hoopgen.core.store`): other files in it stay as they are.
 """
 
 from __future__ import annotations
@@ -11,33 +12,41 @@ import json
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import IO, Any
 
 import pyarrow as pa
 
 from hoopgen import outputs
+from hoopgen.core.lock import LOCK, read_file
+from hoopgen.core.store import MARKER, Store, find_store, locked_store
 from hoopgen.words import for_json
 
-from .lock import LOCK, held, read_file
 from .workers import versions
 
 __all__ = [
     "KEPT",
     "Folder",
+    "check_folder",
     "differences",
     "flat",
     "in_short",
     "opened",
     "read_record",
+    "remove_chunks",
     "trim",
     "written",
 ]
 
 _DIGEST = 32  # bytes
-_TEMPORARY = ".tmp"
-_CHUNKS = "chunk-*.arrow"
+_PURPOSE = "finished chunks"
 _IDENTITY = "identity.json"
+_CHUNKS = f"chunk-{'[0-9]' * 9}.arrow"
+_SHOWN = "chunk-*.arrow"
+"""The same in an error message."""
+
+_FILES = (_CHUNKS, _IDENTITY)
 
 KEPT = "finished chunks are kept, and the same call goes on from there"
 
@@ -53,8 +62,17 @@ class Folder:
     a file that is damaged, of another job or of another chunk does not pass.
     """
 
-    path: Path
+    store: Store
     key: bytes
+
+    @property
+    def path(self) -> Path:
+        """The folder."""
+        return self.store.path
+
+    def temporary(self) -> Path:
+        """Return where results may lie until they are whole; the next start removes the rest."""
+        return self.store.temporary()
 
     def file(self, chunk: int) -> Path:
         """Return where the chunk lies, or will."""
@@ -90,7 +108,7 @@ class Folder:
         with pa.ipc.new_stream(sink, table.schema) as writer:
             writer.write_table(table)
         stream = memoryview(sink.getvalue())
-        with written(self.file(chunk)) as file:
+        with written(self.file(chunk), self.store.temporary()) as file:
             file.write(stream)
             file.write(self._digest(chunk, stream))
 
@@ -99,8 +117,7 @@ class Folder:
 
         What others put into it stays, and the folder with it.
         """
-        for file in (*self.path.glob(_CHUNKS), self.path / _IDENTITY):
-            file.unlink(missing_ok=True)
+        self.store.dissolve()
 
     def _digest(self, chunk: int, stream: memoryview) -> bytes:
         return hashlib.blake2b(
@@ -128,38 +145,34 @@ def opened(path: str | os.PathLike[str], identity: Mapping[str, Any]) -> Iterato
     Raises
     ------
     ValueError
-        If the folder has no name, or holds another job; the message says what differs.
+        If the folder has no name, is not hoopgen's, or holds another job: what differs.
     RuntimeError
         If another process is at work in it.
     OSError
         If it cannot be made or written, or has something else in the place of a file.
     """
-    if not os.fspath(path):
-        raise ValueError("folder: expected a name, got ''")
-    folder = Path(path)
     here = flat({**versions(), **identity})
-    with held(folder, _IDENTITY):
-        for stale in folder.glob(f"*{_TEMPORARY}"):
-            stale.unlink()
-        _identify(folder, here)
+    with locked_store(path, _PURPOSE, _FILES) as store:
+        _identify(store, here)
         text = json.dumps(here, sort_keys=True).encode()
-        kept = Folder(folder, hashlib.blake2b(text, digest_size=_DIGEST).digest())
+        kept = Folder(store, hashlib.blake2b(text, digest_size=_DIGEST).digest())
         try:
             yield kept
         except KeyboardInterrupt as error:
-            if {entry.name for entry in folder.iterdir()} - {_IDENTITY, LOCK}:
-                error.add_note(f"finished chunks are in {folder}: the same call goes on from there")
+            if {entry.name for entry in store.path.iterdir()} - {_IDENTITY, LOCK, MARKER}:
+                note = f"finished chunks are in {store.path}: the same call goes on from there"
+                error.add_note(note)
             raise
         finally:
             if not kept.holds_chunks():
                 kept.remove()
 
 
-def _identify(folder: Path, here: dict[str, str]) -> None:
+def _identify(store: Store, here: dict[str, str]) -> None:
     """Write what the job is; or compare it with what is written, if there are chunks."""
-    file = folder / _IDENTITY
+    folder, file = store.path, store.path / _IDENTITY
     if not any(folder.glob(_CHUNKS)):
-        with written(file) as out:
+        with written(file, store.temporary()) as out:
             out.write(json.dumps(here, indent=1).encode())
         return
     try:
@@ -167,25 +180,59 @@ def _identify(folder: Path, here: dict[str, str]) -> None:
         if not all(isinstance(value, str) for value in there.values()):
             raise ValueError(f"{file}: expected text by name, as `flat` gives it")
     except (FileNotFoundError, ValueError):
-        raise ValueError(f"{file} cannot be read; delete the folder to begin anew") from None
+        raise ValueError(
+            f"{file} cannot be read, so it does not say of which job the chunks are; "
+            f"give another folder, or remove {_SHOWN} from {folder} to begin anew"
+        ) from None
     if found := differences(there, here):
         raise ValueError(
             f"{folder} holds another job: {in_short(found)}. Give the same job, "
-            "or another folder; or delete this one to begin anew"
+            f"or another folder; or remove {_SHOWN} from this one to begin anew"
         )
 
 
-def trim(folder: Path, chunks: int) -> None:
-    """Remove all but the first chunks: how many were computed ahead hangs on the threads.
+def check_folder(path: str | os.PathLike[str]) -> None:
+    """Refuse a folder that is not one of chunks, before any work.
 
     Raises
     ------
+    ValueError
+        If hoopgen does not own it, or it is for something else: what lies there, what to do.
+    OSError
+        If it cannot be read.
+    """
+    find_store(path, _PURPOSE)
+
+
+def trim(folder: Path, chunks: int) -> None:
+    """Remove all but the first chunks: how many were computed ahead depends on the threads.
+
+    Raises
+    ------
+    ValueError
+        If the folder is not one of chunks.
     OSError
         If that fails.
     """
-    for file in folder.glob(_CHUNKS):
-        if int(file.stem.rpartition("-")[2]) >= chunks:
-            file.unlink()
+    store = find_store(folder, _PURPOSE)
+    if store is not None:
+        found = [name for name in store.present() if fnmatchcase(name, _CHUNKS)]
+        store.remove(name for name in found if int(name[6:15]) >= chunks)
+
+
+def remove_chunks(folder: Path) -> None:
+    """Remove finished chunks, and their folder if nothing else is in it.
+
+    Raises
+    ------
+    ValueError
+        If the folder is not one of chunks.
+    OSError
+        If that fails.
+    """
+    store = find_store(folder, _PURPOSE)
+    if store is not None:
+        store.dissolve()
 
 
 def count_chunks(folder: Path) -> int:
@@ -245,14 +292,10 @@ def _short(text: str | None) -> str:
 
 
 @contextlib.contextmanager
-def written(path: Path, temporary: Path | None = None) -> Iterator[IO[bytes]]:
-    """Write a file of long work as `outputs.written` does; an error says what is not lost.
-
-    Until it is whole it lies beside under a name that the next start removes, if this one is
-    killed, or under that of `temporary`.
-    """
+def written(path: Path, temporary: Path) -> Iterator[IO[bytes]]:
+    """Write a file of long work as `outputs.written` does; an error says what is not lost."""
     try:
-        with outputs.written(path, temporary or path.with_name(path.name + _TEMPORARY)) as file:
+        with outputs.written(path, temporary) as file:
             yield file
     except OSError as error:
         if error.filename != str(path):

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from hoopgen import plots
+from hoopgen.core.store import Store
 from hoopgen.engines import Engine
 from hoopgen.study.folders import trim
 from hoopgen.study.rebounds import REBOUNDS, caught_at
@@ -18,10 +19,7 @@ from hoopgen.told import say_of
 from .schema import Batch, Compare, Estimate, Given, Question, Study
 from .settings import Setting
 
-__all__ = ["CHUNKS", "Answer", "Asked", "Work", "fenced"]
-
-CHUNKS = "chunks"
-"""Folder of a question's finished chunks, in its own."""
+__all__ = ["Answer", "Asked", "Work", "fenced"]
 
 
 @dataclass(frozen=True)
@@ -30,8 +28,10 @@ class Work:
 
     Attributes
     ----------
-    folder
-        For files of the answer, and for finished chunks.
+    store
+        The folder for files of the answer.
+    chunks
+        The folder of finished chunks.
     threads, scheduler
         As for `hoopgen.study.chunks.run`.
     progress
@@ -40,7 +40,8 @@ class Work:
         Chunks that an answer before this one had, and that stay.
     """
 
-    folder: Path
+    store: Store
+    chunks: Path
     threads: int | None
     scheduler: str | None
     progress: Callable[[int, int | None], None]
@@ -50,7 +51,7 @@ class Work:
     def options(self) -> dict[str, Any]:
         """Return what functions that work in chunks are told."""
         return {
-            "folder": self.folder / CHUNKS,
+            "folder": self.chunks,
             "threads": self.threads,
             "scheduler": self.scheduler,
             "progress": self.progress,
@@ -58,7 +59,12 @@ class Work:
 
     def keep(self, shots: int) -> None:
         """Leave the chunks of so many shots, and those before, from which a study can go on."""
-        trim(self.folder / CHUNKS, max(chunks_of(shots), self.kept))
+        trim(self.chunks, max(chunks_of(shots), self.kept))
+
+    def file(self, name: str) -> Path:
+        """Return where a file of the answer is to be written."""
+        self.store.claim(name)
+        return self.store.path / name
 
 
 @dataclass(frozen=True)
@@ -158,7 +164,7 @@ class Asked:
     def draw(self, work: Work, name: str, figure: Any) -> None:
         """Write a figure in the formats wanted."""
         for format in self.study.formats:
-            plots.save(figure, work.folder / f"{name}.{format}")
+            plots.save(figure, work.file(f"{name}.{format}"))
 
 
 def fenced(found: object) -> str:

@@ -22,6 +22,7 @@ from hoopgen.told import say_release, told_setting
 
 from .asked import Answer, Asked
 from .markdown import check_markdown, rendered
+from .question_folders import answer_files
 from .report import CAPTIONS, asked_of
 from .schema import Aim, Bank, Batch, Compare, Given, Map, Optimum, Question
 
@@ -143,7 +144,7 @@ def _section(
     answer = answers.get(question.name)
     error = "" if answer else " ".join(str(errors[question.name]).split())
     here = folder / question.name
-    there = sorted(file for file in here.iterdir() if file.is_file()) if answer else []
+    there = answer_files(here) if answer else []
     shown = _shown(there)
     drawn = {file.stem for file in there if file.suffix in (*_TYPES, ".pdf")}
     return _Section(

@@ -63,6 +63,7 @@ By default `spin-results`, beside the file; `--out` names another.
 | `<name>/question.json` | all that it depends on |
 | `<name>/…` | its tables (`.nc`, `.csv`, `.parquet`) and figures |
 | `<name>/chunks` | of an estimate, a comparison, a map: it goes on from them when asked for more |
+| `hoopgen.json` | in each of these folders: the files of it that hoopgen replaces and removes |
 
 Numbers in files are SI; their units are in the names of columns and keys, `speed_m_s`,
 `elevation_rad`, and in a `.nc` file beside its variables. The `.csv` of an `aim` has degrees and
@@ -75,11 +76,15 @@ the same bytes with the same versions; `versions.json` alone tells of the machin
 added to the file later. If one that is in the folder has changed, or is no longer asked, the folder
 is refused, and what differs is said.
 
+Files of your own in these folders stay as they are. A folder that has other files and no
+`hoopgen.json` is not used: give one that is empty or does not exist. That holds for `--folder` of
+the other commands, too.
+
 An estimate, a comparison or a map may be asked for other `shots`, and the first two for another
 `precision`. For more only the rest is thrown, and the folder is that of a study which asked for as
 much from the start; for fewer the answer is that of a study which asked for so many, and all chunks
-stay. Other cells of a map are another question. Searches (optimum, solve, bank) begin anew: what is
-thrown next hangs on all shots so far.
+stay. The old answer stays until the new one is finished. Other cells of a map are another question.
+Searches (optimum, solve, bank) begin anew: what is thrown next hangs on all shots so far.
 
 With `--report page.html` the report is written as a page too: one file with all pictures in it, to
 read, to print and to pass on, which says what was asked in words, how it was made, and the digests

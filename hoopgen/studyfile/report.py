@@ -16,6 +16,7 @@ from hoopgen.phrases import percent
 from hoopgen.printable import printable
 
 from .asked import Answer, Asked
+from .question_folders import answer_files
 
 __all__ = ["CAPTIONS", "asked_of", "report"]
 
@@ -107,8 +108,7 @@ def _answer(asked: Asked, answer: Answer, folder: Path) -> Iterator[str]:
     yield f"Scene: {asked.scene}."
     if answer.text:
         yield answer.text
-    there = (folder / asked.question.name).iterdir()
-    files = sorted(file.name for file in there if file.is_file())
+    files = [file.name for file in answer_files(folder / asked.question.name)]
     shown: dict[str, str] = {}
     for file in files:
         stem, suffix = Path(file).stem, Path(file).suffix

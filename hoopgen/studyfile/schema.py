@@ -12,7 +12,6 @@ from pydantic_core import CoreSchema, core_schema
 from hoopgen.hoop.releases import CATCHING_HEIGHT
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.study.aim import Arc
-from hoopgen.study.lock import LOCK
 from hoopgen.study.margins import MARGINS
 from hoopgen.study.player import BY, By
 from hoopgen.study.reading import Reading
@@ -67,12 +66,9 @@ __all__ = [
 _PORTS = (f"{port}{number}" for port in ("com", "lpt") for number in range(10))
 
 _TAKEN: Mapping[str, str] = MappingProxyType(
-    {
-        LOCK: "a file beside it has it",
-        **dict.fromkeys(("con", "prn", "aux", "nul", *_PORTS), "on Windows it is a device"),
-    }
+    dict.fromkeys(("con", "prn", "aux", "nul", *_PORTS), "on Windows it is a device")
 )
-"""What no question's folder can be called, and why; other names of ours have a dot in them."""
+"""What no question's folder can be called, and why; names of other files have a dot in them."""
 
 _CAPPED = "A shot with so many is given up as capped; by default 40 at the hoop, elsewhere 1000."
 _CAUGHT = "Of rebounds, above the floor: of the ball's centre when it is caught. A choice."

@@ -278,7 +278,7 @@ def answer_batch(asked: Asked, question: Batch, work: Work) -> Answer:
     source = question.reading.source(asked.folder / question.file)
     counts = batch(
         source.path,
-        work.folder / "results.parquet",
+        work.file("results.parquet"),
         parameters=asked.setting.parameters_of(source),
         scene=asked.engine,
         release=question.release,

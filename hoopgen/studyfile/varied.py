@@ -79,7 +79,7 @@ def answer_map(asked: Asked, question: Map, work: Work) -> Answer:
         max_contacts=question.max_contacts,
         **work.options,
     )
-    write(work.folder / "map.nc", bytes(dataset.to_netcdf(engine="scipy")))
+    write(work.file("map.nc"), bytes(dataset.to_netcdf(engine="scipy")))
     for name in question.figures:
         asked.draw(work, name, plots.plot_map(dataset, title=question.title))
     cells = " × ".join(f"{len(values)} {name}" for name, values in question.over.items())
@@ -244,7 +244,7 @@ def answer_bank(asked: Asked, question: Bank, work: Work) -> Answer:
     dataset = xr.concat(
         datasets, "place", data_vars="all", coords="minimal", compat="override", join="exact"
     )
-    write(work.folder / "bank.nc", bytes(dataset.to_netcdf(engine="scipy")))
+    write(work.file("bank.nc"), bytes(dataset.to_netcdf(engine="scipy")))
     for name in question.figures:
         picture = plots.plot_aim_points(dataset, asked.setting.parameters, title=question.title)
         asked.draw(work, name, picture)
@@ -310,7 +310,7 @@ def answer_aim(asked: Asked, question: Aim, work: Work) -> Answer:
         parameters=asked.setting.parameters,
         **work.options,
     )
-    write_csv(work.folder / "table.csv", columns, asked.setting.parameters)
+    write_csv(work.file("table.csv"), columns, asked.setting.parameters)
     rows = [
         [
             *(_one_of(columns, name, row) for name in _AIMED),

@@ -33,7 +33,7 @@ else:
 
 __all__ = ["LOCK", "held", "read_file"]
 
-LOCK = "lock"
+LOCK = "hoopgen.lock"
 """Name of the file that is locked."""
 
 _TRIES = 100  # to lock what others remove
@@ -76,19 +76,14 @@ def _opened(path: Path, flags: int, mode: str) -> IO[bytes]:
 
 
 def _no_file(path: Path) -> FileExistsError:
-    return FileExistsError(errno.EEXIST, "this is no file; remove it", str(path))
+    return FileExistsError(errno.EEXIST, "this is no file; move it away", str(path))
 
 
 @contextlib.contextmanager
-def held(folder: Path, stays: str) -> Iterator[None]:
+def held(folder: Path) -> Iterator[None]:
     """Make a folder and hold it; the system lets go of it however the process ends.
 
-    Parameters
-    ----------
-    folder
-        The folder.
-    stays
-        Name of a file. A folder without it at the end is removed, if nothing else is in it.
+    A folder in which nothing is left at the end is removed.
 
     Raises
     ------
@@ -101,12 +96,9 @@ def held(folder: Path, stays: str) -> Iterator[None]:
     try:
         yield
     finally:
-        if os.path.lexists(folder / stays):
-            file.close()
-        else:
-            with contextlib.suppress(OSError):
-                _drop(file, folder / LOCK)
-                folder.rmdir()
+        with contextlib.suppress(OSError):
+            _drop(file, folder / LOCK)
+            folder.rmdir()
 
 
 def _lock(folder: Path) -> IO[bytes]:

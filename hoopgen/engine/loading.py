@@ -1,0 +1,74 @@
+"""Loading a compiled library from bytes that were checked, whatever its file holds by then.
+
+On Linux the bytes lie in memory and are loaded through /proc; elsewhere they are copied into a
+folder of this process. Windows keeps the file of a library that is loaded, so there its own file is
+taken, if it has one: it is in the user's profile.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TypeVar
+
+from hoopgen.core.private import private_folder
+
+__all__ = ["load"]
+
+T = TypeVar("T")
+
+_COUNT = itertools.count(1)
+
+
+def load(content: bytes, file: Path | None, library: Callable[[Path], T]) -> T:
+    """Return what `library` makes of a path from which exactly these bytes are loaded.
+
+    Parameters
+    ----------
+    content
+        All of a shared library.
+    file
+        Where it lies for good; None if nowhere.
+    library
+        Loads a library from a path, which is gone afterwards.
+
+    Raises
+    ------
+    OSError
+        If it cannot be loaded.
+    """
+    if sys.platform == "win32" and file is not None:
+        return library(file)
+    if hasattr(os, "memfd_create") and Path("/proc/self/fd").is_dir():
+        with contextlib.suppress(OSError):  # where memory must not be executed, a copy may be
+            return _from_memory(content, library)
+    with TemporaryDirectory(prefix="hoopgen-", ignore_cleanup_errors=True) as folder:
+        copy = private_folder(Path(folder)) / ("engine.dll" if os.name == "nt" else "engine.so")
+        copy.write_bytes(content)
+        return library(copy)
+
+
+def _from_memory(content: bytes, library: Callable[[Path], T]) -> T:
+    descriptor = os.memfd_create("hoopgen", os.MFD_CLOEXEC)
+    try:
+        with os.fdopen(descriptor, "wb", closefd=False) as file:
+            file.write(content)
+        return library(_path_of(descriptor))
+    finally:
+        os.close(descriptor)
+
+
+def _path_of(descriptor: int) -> Path:
+    """Return a path to an open file that no file before had.
+
+    The C library gives for the same path the library that it loaded first, and numbers of
+    descriptors come again. So the path makes detours, which spell a number that does not.
+    """
+    detours = {"0": "/fd/..", "1": "/task/.."}
+    spelt = "".join(detours[digit] for digit in f"{next(_COUNT):b}")
+    return Path(f"/proc/self{spelt}/fd/{descriptor}")

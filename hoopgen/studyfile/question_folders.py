@@ -1,0 +1,227 @@
+"""The folder of a question: worked on as ``<name>.unfinished``, published when it is finished.
+
+Both are folders that hoopgen owns (`hoopgen.core.store`): other files in them stay as they are.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import json
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from hoopgen.core.store import Store, find_store, open_store
+from hoopgen.outputs import sync
+from hoopgen.study.folders import (
+    count_chunks,
+    differences,
+    flat,
+    in_short,
+    read_record,
+    remove_chunks,
+    written,
+)
+from hoopgen.words import for_json
+
+from .answers import answer
+from .asked import Answer, Asked, Work
+from .schema import Compare, Estimate, Map
+
+__all__ = [
+    "answer_files",
+    "answer_question",
+    "as_json",
+    "check_questions",
+    "publish_finished",
+    "write_file",
+]
+
+_ASKED, _ANSWER = "question.json", "answer.json"
+_KEPT = "kept.json"  # how many chunks the answer before has, while the question is asked anew
+_CHUNKS = "chunks"
+_UNFINISHED = ".unfinished"
+
+_PURPOSE = "the answer to a question"
+_Countable = Estimate | Compare | Map
+"""Questions that may be asked for other numbers of shots."""
+
+_DAMAGED = "cannot be read; move {} out of the study to have the question answered anew"
+
+
+def answer_files(folder: Path) -> list[Path]:
+    """Return the files of a finished question, sorted by name."""
+    store = find_store(folder, _PURPOSE)
+    return [] if store is None else [store.path / name for name in store.present()]
+
+
+def _question_folders(folder: Path) -> Iterator[Store]:
+    """Yield the folders of questions, finished or not, that hoopgen owns in that of a study."""
+    for path in sorted(folder.iterdir()):
+        with contextlib.suppress(ValueError):  # it is somebody else's
+            store = find_store(path, _PURPOSE)
+            if store is not None:
+                yield store
+
+
+def check_questions(
+    folder: Path, identities: Mapping[str, Mapping[str, Any]], questions: Sequence[Asked]
+) -> None:
+    """Compare the questions in the folder with those that are asked.
+
+    Raises
+    ------
+    ValueError
+        If some differ in more than how much is asked for, or are not among those asked.
+    """
+    found = []
+    asked = {one.question.name: one for one in questions}
+    for store in _question_folders(folder):
+        name, file = store.path.name.removesuffix(_UNFINISHED), store.path / _ASKED
+        if not os.path.lexists(file):
+            continue  # it has just begun
+        if name not in identities:
+            found.append(f"it has the question {name}, which the study has not")
+            continue
+        there, here = _question(file), flat(identities[name])
+        changed = differences(there, here)
+        if changed and not _may_go_on(asked[name], there, here):
+            found.append(f"question {name}: {in_short(changed)}")
+    if found:
+        raise ValueError(
+            f"{folder} holds another study: {in_short(found)}. Give another folder, or "
+            "move the folders of those questions out of it to ask them anew"
+        )
+
+
+def _question(file: Path) -> dict[str, str]:
+    """Return what a file says of the question that is answered beside it."""
+    try:
+        return flat(read_record(file))
+    except ValueError:
+        raise ValueError(f"{file} {_DAMAGED.format(file.parent)}") from None
+
+
+_HOW_MANY = {"shots", "precision"}
+"""What of these questions may be another, as with a folder of theirs alone."""
+
+
+def _may_go_on(asked: Asked, there: Mapping[str, str], here: Mapping[str, str]) -> bool:
+    """Tell whether a question is one that was asked before, but for how many shots."""
+    changed = {name for name in {*there, *here} if there.get(name) != here.get(name)}
+    return isinstance(asked.question, _Countable) and changed <= _HOW_MANY
+
+
+def answer_question(
+    asked: Asked, identity: Mapping[str, Any], finished: Path, work: Callable[..., Work]
+) -> Answer:
+    """Return the answer that is in the folder, or find it and put it there.
+
+    Parameters
+    ----------
+    identity
+        All that the answer depends on, in types that JSON knows.
+    finished
+        The folder of the question when it is finished.
+    work
+        Makes a `Work` of its arguments ``store``, ``chunks`` and ``kept``.
+
+    Raises
+    ------
+    ValueError
+        If the folder is not hoopgen's, or a file in it cannot be read; or as the question does.
+    OSError
+        If a file cannot be written, or one that hoopgen did not make is in its place.
+    """
+    if os.path.lexists(finished) and not finished.is_dir():
+        said = "this is no folder; move it away, or give another folder"
+        raise FileExistsError(errno.EEXIST, said, str(finished))
+    before = find_store(finished, _PURPOSE)
+    unfinished = finished.with_name(f"{finished.name}{_UNFINISHED}")
+    if before is not None and _question(finished / _ASKED) == flat(identity):
+        if (stopped := find_store(unfinished, _PURPOSE)) is not None:
+            stopped.dissolve()
+    else:
+        store = open_store(unfinished, _PURPOSE)
+        chunks = (store if before is None else before).path / _CHUNKS
+        # A figure of the attempt before, for instance, which fewer shots may not have.
+        store.remove(set(store.present()) - {_ASKED, _KEPT})
+        if before is not None and _KEPT not in store.present():
+            write_file(store, _KEPT, as_json({"chunks": count_chunks(chunks)}))
+        kept = 0 if before is None else int(read_record(unfinished / _KEPT)["chunks"])
+        write_file(store, _ASKED, as_json(identity))
+        found = answer(asked, work(store=store, chunks=chunks, kept=kept))
+        store.remove([_KEPT])
+        _settle(store)
+        write_file(store, _ANSWER, as_json(vars(found)))
+        _publish(store, finished)
+    if not isinstance(asked.question, _Countable):
+        with contextlib.suppress(ValueError):  # chunks is somebody else's
+            remove_chunks(finished / _CHUNKS)
+    return _answer(finished / _ANSWER)
+
+
+def publish_finished(folder: Path) -> None:
+    """Give the answers their names that were finished when the process was killed."""
+    for store in _question_folders(folder):
+        path = store.path
+        if path.name.endswith(_UNFINISHED) and (path / _ANSWER).is_file():
+            _publish(store, path.with_name(path.name.removesuffix(_UNFINISHED)))
+
+
+def _publish(store: Store, finished: Path) -> None:
+    """Give a finished answer its name; one that is there stays until then.
+
+    The answer itself is moved last: as long as it is in the unfinished folder the next start moves
+    what is left.
+    """
+    there = find_store(finished, _PURPOSE)
+    if there is None:
+        with contextlib.suppress(FileNotFoundError):
+            finished.rmdir()
+        store.path.rename(finished)
+    else:
+        there.claim(*store.files)
+        for name in store.present():
+            if name != _ANSWER:
+                (store.path / name).replace(finished / name)
+        there.keep_only(store.files)
+        (store.path / _ANSWER).replace(finished / _ANSWER)
+        sync({finished})
+        store.dissolve()
+    sync({finished.parent})
+
+
+def _answer(file: Path) -> Answer:
+    """Return the answer of a question that is finished."""
+    try:
+        record = read_record(file)
+        line, text, numbers = (record[name] for name in ("line", "text", "numbers"))
+        if not (isinstance(line, str) and isinstance(text, str) and isinstance(numbers, dict)):
+            raise ValueError("expected two texts, and numbers by name")
+    except (KeyError, ValueError):
+        raise ValueError(f"{file} {_DAMAGED.format(file.parent)}") from None
+    return Answer(line, text, numbers)
+
+
+def _settle(store: Store) -> None:
+    """Make files last before there is an answer, whatever happens to the power."""
+    for name in store.present():
+        with (store.path / name).open("rb+") as opened_file:
+            os.fsync(opened_file.fileno())
+    sync({store.path})
+
+
+def write_file(store: Store, name: str, content: bytes) -> None:
+    """Write a file that hoopgen owns in a folder; an error says what is not lost."""
+    store.claim(name)
+    with written(store.path / name, store.temporary()) as out:
+        out.write(content)
+
+
+def as_json(values: Mapping[str, Any]) -> bytes:
+    """Return names and values as JSON for a reader."""
+    text = json.dumps(for_json(values), indent=1, allow_nan=False, ensure_ascii=False)
+    return f"{text}\n".encode()
