@@ -250,7 +250,7 @@ def runs(driver: Path) -> dict[int, Run]:
     releases = driver.with_name("releases")
     releases.write_bytes(np.concatenate([w.make(2000) for w in WORKLOADS]).tobytes())
     values = [repr(value) for value in PAPER.values()]
-    # The engine allocates nothing; and where a debugger is not allowed, the search for leaks fails.
+    # Where a debugger is not allowed, the search for leaks fails.
     environment = os.environ | {"ASAN_OPTIONS": "detect_leaks=0"}
     started = {}
     for width in native.WIDTHS:
