@@ -10,6 +10,9 @@ COLOURS: Mapping[str, str] = MappingProxyType(
     {
         "path": "#0072B2",
         "ball": "#E69F00",
+        "ball-edge": "#8F5F00",
+        "plain-ball": "#9AA3AB",
+        "plain-ball-edge": "#454D54",
         "ring": "#D55E00",
         "backboard": "#333333",
         "bridge": "#00795C",

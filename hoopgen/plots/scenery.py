@@ -23,7 +23,7 @@ from hoopgen.colours import colours, faces
 from hoopgen.engines import Engine
 from hoopgen.plots.scene import draw_hoop, order_of, scene_corners, scene_points
 from hoopgen.plots.style import COLOURS
-from hoopgen.plots.views import Points, View
+from hoopgen.plots.views import FRONT, SIDE, TOP, Points, View
 from hoopgen.results import SURFACES
 from hoopgen.scene.meshes import Mesh, chains, clip, loops
 from hoopgen.scene.seen import Body, Seen, upright
@@ -42,6 +42,8 @@ _PALE = 0.34
 _FAINT = 0.13  # opacity of a plane
 _PLANES, _INSIDES, _RIMS, _ENDS = 3.0, 3.5, 4.2, 5.0  # drawing order, below paths
 _EDGE_ON = 1e-6
+_FLAT = 1e-6
+"""How far off a plane a path in it may be: m at a hoop, else of the path's size."""
 _SPREAD = 4.0  # of the drawing order, over the depth of a room
 _OBSTACLES = 600
 _NEAR, _PASSES = 2e-4, 6  # of a shape's size, and how often points of its outline are left out
@@ -68,6 +70,23 @@ class Scenery(Protocol):
 
     def upright(self, points: Points) -> Points:
         """Return points (..., 3) turned so that gravity points down."""
+
+    @property
+    def ball(self) -> str:
+        """The colour of the ball, by its name in `COLOURS`: at a hoop it is a basketball."""
+
+    @property
+    def said_of_ends(self) -> str:
+        """What the key says of the lines where shots end; empty where there are none."""
+
+    def views(self, path: Points) -> tuple[View, ...]:
+        """Return the flat views that show a path, upright, (n, 3): the one that shows most first.
+
+        Their axes are named as `axes` says. There is one alone where any other would show lines.
+        """
+
+    def is_in_plane(self, path: Points) -> bool:
+        """Return whether a path, upright, (n, 3), is in one plane, which a flat view shows."""
 
     @property
     def small(self) -> bool:
@@ -106,6 +125,24 @@ class Hoop:
     def colours(self) -> Mapping[str, str]:
         """Of what it is made of."""
         return COLOURS
+
+    @property
+    def ball(self) -> str:
+        """That of a basketball."""
+        return "ball"
+
+    @property
+    def said_of_ends(self) -> str:
+        """There is one plane."""
+        return "end plane"
+
+    def views(self, path: Points) -> tuple[View, ...]:
+        """Return the views from the side and from above: the board is on the left."""
+        return SIDE, TOP
+
+    def is_in_plane(self, path: Points) -> bool:
+        """Return whether a path is in the hoop's own plane of symmetry."""
+        return bool(np.abs(path[:, 1]).max() <= _FLAT)
 
     @property
     def small(self) -> bool:
@@ -160,7 +197,9 @@ def scenery_of(scene: Engine, parameters: Mapping[str, Any], paths: Points) -> S
     ends = tuple(_turned(body, turn) for body in seen.ends(room))
     span = np.sort(np.stack(room) @ turn.T, axis=0)
     own = colours(seen.names)
-    return _Bodies(seen.ball_radius, seen.names, own, names, turn, bodies, ends, span)
+    across = None if seen.across is None else int(np.flatnonzero(turn[:, seen.across])[0])
+    drawn = bodies, ends, span
+    return _Bodies(seen.ball_radius, seen.names, own, names, turn, *drawn, scene.has_hoop, across)
 
 
 def _turned(body: Body, turn: NDArray[np.int64]) -> Body:
@@ -174,7 +213,17 @@ def _turned(body: Body, turn: NDArray[np.int64]) -> Body:
 
 @dataclass(frozen=True)
 class _Bodies:
-    """Bodies of a scene; `room` is its lowest and highest corner."""
+    """Bodies of a scene.
+
+    Attributes
+    ----------
+    room
+        Its lowest and its highest corner.
+    has_hoop
+        Whether there is a hoop, and the ball a basketball.
+    across
+        The axis along which nothing of it changes, upright; None where there is none.
+    """
 
     ball_radius: float
     names: tuple[str, ...]
@@ -184,10 +233,47 @@ class _Bodies:
     bodies: tuple[Body, ...]
     ends: tuple[Body, ...]
     room: Points
+    has_hoop: bool
+    across: int | None
+
+    @property
+    def ball(self) -> str:
+        return "ball" if self.has_hoop else "plain-ball"
 
     @property
     def small(self) -> bool:
         return True
+
+    @property
+    def said_of_ends(self) -> str:
+        return "where shots end" if self.ends else ""
+
+    def views(self, path: Points) -> tuple[View, ...]:
+        if self.has_hoop:
+            return SIDE, TOP
+        size = np.ptp(path, axis=0)
+        along = {0: FRONT, 1: SIDE, 2: TOP}  # by the axis that they look along
+        if self.across is not None:
+            first = along[self.across]
+            alone = size[self.across] <= _FLAT * size.max()
+        else:
+            first = along[int(np.argmin(size)) if size.min() <= _FLAT * size.max() else 1]
+            first = FRONT if first is SIDE and size[0] < size[1] else first
+            alone = False
+        other = SIDE if first is TOP else TOP
+        views = (first,) if alone else (first, other)
+        named = dict(zip("xyz", self.axes, strict=True))
+        return tuple(
+            replace(view, labels=(named[view.labels[0]], named[view.labels[1]]))
+            for view in views
+            if view.labels is not None
+        )
+
+    def is_in_plane(self, path: Points) -> bool:
+        if self.has_hoop:
+            return bool(np.abs(path[:, 1]).max() <= _FLAT)
+        size = np.ptp(path, axis=0)
+        return bool(size.min() <= _FLAT * size.max())
 
     def upright(self, points: Points) -> Points:
         return np.asarray(points @ self.turn.T)
@@ -250,6 +336,7 @@ class _Bodies:
         facing = self._normals(corners) @ view.towards
         corners = clip(corners, -facing)[0]
         if not len(corners):
+            _draw_edge_on(axes, view, body.mesh.corners, facing, colour)
             return
         if np.ptp(self._normals(corners).reshape(-1, 3), axis=0).max() < _EDGE_ON:
             patch = _patch(corners, view, fc=colour, alpha=_FAINT, lw=0.0, zorder=_PLANES)
@@ -258,9 +345,10 @@ class _Bodies:
         self._draw_toned(axes, view, corners, light, colour, _INSIDES, _PALE)
 
     def _draw_solid(self, axes: Axes, view: View, body: Body, light: Points, colour: str) -> None:
-        corners, _, rows = clip(
-            body.mesh.corners, -(self._normals(body.mesh.corners) @ view.towards)
-        )
+        facing = self._normals(body.mesh.corners) @ view.towards
+        corners, _, rows = clip(body.mesh.corners, -facing)
+        if not len(corners):
+            _draw_edge_on(axes, view, body.mesh.corners, facing, colour)
         # Those of about one depth are drawn as one.
         depths = view.depth(corners[..., :3].mean(axis=1)) / (view.near * self.ball_radius)
         total = np.bincount(body.mesh.parts[rows], depths)
@@ -298,6 +386,23 @@ def _edge_on(mesh: Mesh, view: View) -> bool:
     size = float(np.abs(ways).max())
     straight = np.ptp(ways.reshape(-1, 3), axis=0).max() < _EDGE_ON * size
     return bool(straight and np.abs(ways @ view.towards).max() < _EDGE_ON * size)
+
+
+def _draw_edge_on(axes: Axes, view: View, corners: Points, facing: Points, colour: str) -> None:
+    """Draw what of a curved surface is seen as a line: a pipe from its end, for one.
+
+    Parameters
+    ----------
+    axes, view
+        Where, and from where.
+    corners, facing
+        Of its triangles, (m, 3, 6), and how far each corner's normal points towards the eye.
+    colour
+        Of the line.
+    """
+    lines = view.flatten(corners[(np.abs(facing) < _EDGE_ON).all(axis=1)][..., :3])
+    if len(lines):
+        axes.add_collection(LineCollection(lines, colors=[colour], linewidths=1.1, zorder=_RIMS))
 
 
 def _spans(triangles: Points) -> list[Points]:

@@ -118,6 +118,16 @@ class Seen:
         return self._number(self.scene.read.gravity)
 
     @cached_property
+    def across(self) -> int | None:
+        """The axis along which nothing changes: all curved bodies are cylinders along it.
+
+        None where there is no such axis, or nothing curved.
+        """
+        curved = [shape for shape in self.scene.read.bodies if shape.kind not in ("plane", "box")]
+        axes = {shape.axis[0] if shape.kind == "cylinder" else None for shape in curved}
+        return axes.pop() if len(axes) == 1 else None
+
+    @cached_property
     def names(self) -> tuple[str, ...]:
         """Of the bodies."""
         return tuple(shape.name for shape in self.scene.read.bodies)
@@ -214,7 +224,39 @@ class Seen:
         unit[..., across[0]], unit[..., across[1]] = np.cos(u), np.sin(u)
         points = self._centre(shape) + radius * unit
         points[..., axis] = along[:, None]
-        return self._curved(shape, room, points, unit, (False, True))
+        side = self._curved(shape, room, points, unit, (False, True))
+        return side if shape.inside else _joined(side, *self._caps(shape, room))
+
+    def _caps(self, shape: Shape, room: Box) -> list[Mesh]:
+        """Return the ends of a cylinder, as far as they are seen: without them it is a hollow tube.
+
+        Nothing touches them; a cylinder without ends is cut where the room ends.
+        """
+        axis, radius, ball = shape.axis[0], self._number(shape["radius"]), self.ball_radius
+        across = [(axis + 1) % 3, (axis + 2) % 3]
+        u = np.linspace(0.0, 2.0 * np.pi, _ROUND, endpoint=False)
+        extent = self._extent(shape)
+        low, high = max(extent[0][axis], room[0][axis]), min(extent[1][axis], room[1][axis])
+        found: list[Mesh] = []
+        for way, at in ((-1, low), (1, high)):
+            if not low < high:
+                break
+            rim = np.tile(self._centre(shape), (_ROUND, 1))
+            rim[:, axis] = at
+            middle = rim.copy()
+            rim[:, across[0]] += radius * np.cos(u)
+            rim[:, across[1]] += radius * np.sin(u)
+            turn = (rim, np.roll(rim, -1, axis=0))
+            corners = np.stack([middle, *turn[::way]], 1)
+            # Bounds other than those along the axis hold for a ball beside the rim.
+            beside = corners + ball / radius * (corners - middle[:, None])
+            whole = Mesh.of(np.concatenate([corners, beside], -1))
+            others = [b for b in shape.bounds if not _is_along(b, axis)]
+            left = cut_all(whole, self._bounds(others), _walls(room)).corners
+            left[..., 3:] = left[..., :3]
+            left[..., 3 + axis] += way * ball
+            found.append(Mesh.of(left))
+        return found
 
     def _curved(
         self, shape: Shape, room: Box, points: Floats, unit: Floats, around: tuple[bool, bool]
@@ -301,9 +343,8 @@ class Seen:
             low[axis], high[axis] = -np.inf, np.inf
             for terms in shape.bounds:
                 found = {powers: self._number(factor) for powers, factor in terms}
-                steep = found.get((int(axis == 0), int(axis == 1), int(axis == 2)), 0.0)
-                rest = set(found) - {(0, 0, 0)}
-                if steep and len(rest) == 1:
+                steep = found.get(_linear(axis), 0.0)
+                if steep and _is_along(terms, axis):
                     end = -found.get((0, 0, 0), 0.0) / steep
                     if steep > 0:
                         high[axis] = min(high[axis], end)
@@ -317,6 +358,25 @@ class Seen:
             return lambda points: _polynomial(numbers, points)
 
         return [bound(terms) for terms in bounds]
+
+
+def _joined(first: Mesh, *others: Mesh) -> Mesh:
+    """Return meshes as one; parts of the others are new ones."""
+    meshes, parts, free = [first, *others], [first.parts], int(first.parts.max(initial=-1)) + 1
+    for other in others:
+        parts.append(other.parts + free)
+        free += int(other.parts.max(initial=-1)) + 1
+    corners = np.concatenate([mesh.corners for mesh in meshes])
+    return Mesh(corners, np.concatenate([mesh.rims for mesh in meshes]), np.concatenate(parts))
+
+
+def _linear(axis: int) -> tuple[int, int, int]:
+    return int(axis == 0), int(axis == 1), int(axis == 2)
+
+
+def _is_along(terms: Terms, axis: int) -> bool:
+    """Return whether a bound says where along an axis a body ends, and nothing else."""
+    return {powers for powers, _ in terms} - {(0, 0, 0)} == {_linear(axis)}
 
 
 _Numbers = list[tuple[tuple[int, int, int], float]]

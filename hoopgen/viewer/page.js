@@ -19,7 +19,7 @@
   let frame = 0; // asked for by what runs
 
   const { scenery } = page; // of any scene but the hoop
-  const VIEWS = scenery ? Camera.VIEWS.slice(0, 3) : Camera.VIEWS;
+  const VIEWS = scenery?.views ?? Camera.VIEWS;
 
   const chosen = () => shots[state.shot];
 

@@ -45,7 +45,7 @@ const Picture = (() => {
     const things = {}; // what is in the scene, by what it is
     let chosen = shots[0];
     let shown = shots.map((_, k) => k);
-    let view = "3D";
+    let view = scenery ? scenery.views[0] : "3D";
     let together = false; // all shots, and not the chosen one alone
     let now = 0; // s
     let turned = false; // by the reader, who then keeps what is seen
@@ -67,7 +67,7 @@ const Picture = (() => {
       if (things.hoop?.userData.sizes !== sizes) {
         const drawn = scenery ? Scene.bodies(scenery, colour) : Scene.hoop(shot.parameters, colour);
         put("hoop", drawn);
-        put("ball", Scene.ball(shot.parameters.ball_radius, colour));
+        put("ball", Scene.ball(shot.parameters.ball_radius, colour, scenery?.plain));
         things.hoop.userData.sizes = sizes;
       }
       const path = paths[shots.indexOf(shot)];
@@ -186,7 +186,7 @@ const Picture = (() => {
       const starts = (view === "Shooter" ? own : places).map(([start]) => start);
       const mean = (axis) => starts.reduce((sum, at) => sum + at[axis], 0) / starts.length;
       const [east, north] = [0, 1].map((k) => mean(k) - middle[k]);
-      const eye = Camera.direction(view, east, north, camera.aspect);
+      const eye = Camera.direction(view, east, north, camera.aspect, scenery?.side);
       const margin = [width, height].map((size) => Math.min((2 * MARGIN) / size, 0.5));
       const radius = chosen.parameters.ball_radius;
       const flown = view === "Hoop" ? [] : places.flat();
