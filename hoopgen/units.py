@@ -26,6 +26,7 @@ __all__ = [
     "FOOT",
     "INCH",
     "NO_BARE",
+    "SHOWN",
     "TURN",
     "UNITS",
     "Kind",
@@ -255,7 +256,7 @@ class Shown:
     decimals: int
 
 
-_SHOWN: Mapping[System, Mapping[str, Shown]] = MappingProxyType(
+SHOWN: Mapping[System, Mapping[str, Shown]] = MappingProxyType(
     {
         "si": {
             "length": Shown("m", 1.0, 3),
@@ -277,6 +278,7 @@ _SHOWN: Mapping[System, Mapping[str, Shown]] = MappingProxyType(
         },
     }
 )
+"""How each kind is shown in either system; ``short`` is a length that is small."""
 
 _SYSTEM: ContextVar[System] = ContextVar("units shown", default="si")
 
@@ -296,8 +298,8 @@ def showing(system: System) -> Iterator[None]:
     ValueError
         If there is no such system.
     """
-    if system not in _SHOWN:
-        raise ValueError(f"system: expected {' or '.join(_SHOWN)}, got {system!r}")
+    if system not in SHOWN:
+        raise ValueError(f"system: expected {' or '.join(SHOWN)}, got {system!r}")
     token = _SYSTEM.set(system)
     try:
         yield
@@ -307,7 +309,7 @@ def showing(system: System) -> Iterator[None]:
 
 def shown(kind: Kind | Literal["short"]) -> Shown:
     """Return how a kind, or a short length, is shown."""
-    return _SHOWN[_SYSTEM.get()][kind]
+    return SHOWN[_SYSTEM.get()][kind]
 
 
 def shown_system() -> System:

@@ -75,6 +75,8 @@ const Picture = (() => {
       const parts = path.length > 1 ? strokes(path, ink) : [];
       const pixels = (shots.length > 1 ? 9 : 7) * renderer.getPixelRatio();
       parts.push(Scene.beats(shot, beat, ink, pixels));
+      const fall = Flight.fallOf(shot);
+      if (fall.length) parts.push(Scene.dashes(fall, ink));
       parts.forEach((part, k) => (part.renderOrder = k + 1)); // over the others
       put("path", ...parts);
       things.path.userData.turned = Scene.orientations(shot);
@@ -167,7 +169,7 @@ const Picture = (() => {
     function move(shot, asked) {
       now = asked;
       crowd();
-      const time = Math.min(now, shot.duration);
+      const time = Math.min(now, Flight.lasts(shot));
       const [x, y, z] = Flight.stateAt(shot, time);
       const k = Flight.indexAt(shot.flights, time);
       const turn = Scene.turn(things.path.userData.turned[k], shot, k, time - shot.flights[k][0]);
@@ -189,7 +191,9 @@ const Picture = (() => {
       const eye = Camera.direction(view, east, north, camera.aspect, scenery?.side);
       const margin = [width, height].map((size) => Math.min((2 * MARGIN) / size, 0.5));
       const radius = chosen.parameters.ball_radius;
-      const flown = view === "Hoop" ? [] : places.flat();
+      const there = shown.length ? shown.map((k) => shots[k]) : [chosen];
+      const falls = ["3D", "Side"].includes(view) ? there.flatMap((shot) => Flight.fallOf(shot, 1)) : [];
+      const flown = view === "Hoop" ? [] : [...places.flat(), ...falls];
       const spheres = [
         ...flown.map((point) => [...point, radius]),
         ...(scenery ? Scene.room(scenery) : Scene.corners(chosen.parameters)).map((p) => [...p, 0]),

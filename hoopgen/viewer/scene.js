@@ -205,6 +205,14 @@ const Scene = (() => {
     return new THREE.Line2(geometry, stroke(options));
   }
 
+  /** Return a dashed line through points, for what is not simulated. */
+  function dashes(points, color) {
+    const dashed = { dashed: true, dashSize: 0.08, gapSize: 0.06 }; // m
+    const drawn = line(points, { color, linewidth: 1.75, opacity: 0.8, ...dashed });
+    drawn.computeLineDistances();
+    return drawn;
+  }
+
   /** Return many such lines as one object. */
   function lines(paths, options) {
     const ends = paths.flatMap((points) =>
@@ -344,7 +352,7 @@ const Scene = (() => {
   }
 
   return {
-    ball, beatOf, beats, bodies, colours, corners, dispose, edges, floor, ghost, hoop, lights, line,
+    ball, beatOf, beats, bodies, colours, corners, dashes, dispose, edges, floor, ghost, hoop, lights, line,
     lines, orientations, outline, room, turn,
   };
 })();

@@ -42,11 +42,13 @@ def scenery(
     named = {f"body-{k}": own[name] for k, name in enumerate(seen.names)}
     named |= {f"face-{k}": drawn_in[name] for k, name in enumerate(seen.names)}
     across = None if seen.across is None else int(np.flatnonzero(turn[:, seen.across])[0])
+    hoop = shots.scene.has_hoop  # with the board on the left
+    along = 1 if hoop else _look_along(across, low, high, turn)
     found = {
         "axes": axes,
         "views": _views(across),
-        "side": [1, 0, 0] if _look_along(across, low, high, turn) == 0 else [0, -1, 0],
-        "plain": not shots.scene.has_hoop,
+        "side": [1, 0, 0] if along == 0 else [0, -1, 0],
+        "plain": not hoop,
         "room": corners.tolist(),
         "step": float(10.0 ** np.floor(np.log10((corners[1] - corners[0]).max() / 3.0))),
         "bodies": [_body(body, turn) for body in seen.bodies(room)],
