@@ -15,7 +15,20 @@ from hoopgen.engines import Engine
 from .bounds import Terms
 from .drawn import drawn
 from .formulas import Formula
-from .meshes import Bound, Box, Floats, Mesh, cut_all, flat, grid, level, turned
+from .meshes import (
+    Bound,
+    Box,
+    Floats,
+    Mesh,
+    cut_all,
+    flat,
+    grid,
+    joined,
+    level,
+    turned,
+    walls,
+)
+from .polynomials import derivative, evaluate
 from .scene import Scene
 from .shapes import Shape
 
@@ -225,7 +238,7 @@ class Seen:
         points = self._centre(shape) + radius * unit
         points[..., axis] = along[:, None]
         side = self._curved(shape, room, points, unit, (False, True))
-        return side if shape.inside else _joined(side, *self._caps(shape, room))
+        return side if shape.inside else joined(side, *self._caps(shape, room))
 
     def _caps(self, shape: Shape, room: Box) -> list[Mesh]:
         """Return the ends of a cylinder, as far as they are seen: without them it is a hollow tube.
@@ -252,7 +265,7 @@ class Seen:
             beside = corners + ball / radius * (corners - middle[:, None])
             whole = Mesh.of(np.concatenate([corners, beside], -1))
             others = [b for b in shape.bounds if not _is_along(b, axis)]
-            left = cut_all(whole, self._bounds(others), _walls(room)).corners
+            left = cut_all(whole, self._bounds(others), walls(room)).corners
             left[..., 3:] = left[..., :3]
             left[..., 3 + axis] += way * ball
             found.append(Mesh.of(left))
@@ -270,7 +283,7 @@ class Seen:
             parts = np.arange(len(corners)) // (2 * _ROUND)
         real = ~np.all(corners == np.roll(corners, -1, axis=1), axis=2).any(axis=1)
         whole = Mesh.of(corners[real], parts[real])
-        return cut_all(whole, self._bounds(shape.bounds), _walls(room))
+        return cut_all(whole, self._bounds(shape.bounds), walls(room))
 
     def _torus(self, shape: Shape, room: Box) -> Mesh:
         wire = self._number(shape["wire"])
@@ -284,7 +297,7 @@ class Seen:
         unit = np.cos(v)[:, None] * out[:, None] + np.sin(v)[:, None] * along
         corners = grid(turned(circle[:, None] + wire * unit, unit, self.ball_radius), (True, True))
         parts = np.arange(len(corners)) // (2 * _WIRE * _SECTOR)
-        return cut_all(Mesh.of(corners, parts), (), _walls(room))
+        return cut_all(Mesh.of(corners, parts), (), walls(room))
 
     def _circle(self, shape: Shape) -> Floats:
         axis = shape.axis[0]
@@ -302,17 +315,17 @@ class Seen:
             for way in (-1, 1)
         ]
         whole = Mesh.of(np.concatenate([face.corners for face in faces]))
-        return cut_all(whole, (), _walls(room))
+        return cut_all(whole, (), walls(room))
 
     def _surface(self, shape: Shape, room: Box) -> Mesh:
         condition = self._bounds([shape.condition])[0]
         terms = [(powers, self._number(factor)) for powers, factor in shape.condition]
 
         def gradient(points: Floats) -> Floats:
-            return np.stack([_polynomial(_slope(terms, k), points) for k in range(3)], -1)
+            return np.stack([evaluate(derivative(terms, k), points) for k in range(3)], -1)
 
         whole = level(condition, gradient, room, self.ball_radius)
-        return cut_all(whole, self._bounds(shape.bounds), _walls(room))
+        return cut_all(whole, self._bounds(shape.bounds), walls(room))
 
     # Its data
 
@@ -355,19 +368,9 @@ class Seen:
     def _bounds(self, bounds: Sequence[Terms]) -> list[Bound]:
         def bound(terms: Terms) -> Bound:
             numbers = [(powers, self._number(factor)) for powers, factor in terms]
-            return lambda points: _polynomial(numbers, points)
+            return lambda points: evaluate(numbers, points)
 
         return [bound(terms) for terms in bounds]
-
-
-def _joined(first: Mesh, *others: Mesh) -> Mesh:
-    """Return meshes as one; parts of the others are new ones."""
-    meshes, parts, free = [first, *others], [first.parts], int(first.parts.max(initial=-1)) + 1
-    for other in others:
-        parts.append(other.parts + free)
-        free += int(other.parts.max(initial=-1)) + 1
-    corners = np.concatenate([mesh.corners for mesh in meshes])
-    return Mesh(corners, np.concatenate([mesh.rims for mesh in meshes]), np.concatenate(parts))
 
 
 def _linear(axis: int) -> tuple[int, int, int]:
@@ -377,33 +380,3 @@ def _linear(axis: int) -> tuple[int, int, int]:
 def _is_along(terms: Terms, axis: int) -> bool:
     """Return whether a bound says where along an axis a body ends, and nothing else."""
     return {powers for powers, _ in terms} - {(0, 0, 0)} == {_linear(axis)}
-
-
-_Numbers = list[tuple[tuple[int, int, int], float]]
-
-
-def _polynomial(terms: _Numbers, points: Floats) -> Floats:
-    total = np.zeros(points.shape[:-1])
-    for (i, j, k), factor in terms:
-        total += factor * points[..., 0] ** i * points[..., 1] ** j * points[..., 2] ** k
-    return total
-
-
-def _slope(terms: _Numbers, axis: int) -> _Numbers:
-    found: _Numbers = []
-    for powers, factor in terms:
-        if powers[axis]:
-            lower = [power - (k == axis) for k, power in enumerate(powers)]
-            found.append(((lower[0], lower[1], lower[2]), factor * powers[axis]))
-    return found
-
-
-def _walls(room: Box) -> list[Bound]:
-    low, high = room
-    slack = 1e-9 * float((high - low).max())
-
-    def wall(axis: int, way: int) -> Bound:
-        at = high[axis] if way > 0 else -low[axis]
-        return lambda points: way * points[..., axis] - at - slack
-
-    return [wall(axis, way) for axis in range(3) for way in (-1, 1)]

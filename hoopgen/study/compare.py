@@ -18,7 +18,7 @@ from hoopgen.words import for_json
 from .draws import check_seed
 from .estimate import NAMES, Estimate, estimated, told
 from .intervals import newcombe
-from .said import Said
+from .said import SharesOfShots
 from .shares import Shares
 from .tallies import check_share, contacts_of, width_of
 from .throws import Progress, Setting, Until, Work, most_shots, outcome_by, setting_of
@@ -27,7 +27,7 @@ __all__ = ["Comparison", "compare"]
 
 
 @dataclass(frozen=True, repr=False)
-class Comparison(Said):
+class Comparison(SharesOfShots):
     """What the second of two settings adds to the first, over the same random numbers.
 
     Attributes

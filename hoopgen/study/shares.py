@@ -14,7 +14,7 @@ from hoopgen.told import footer, told_setting
 from hoopgen.words import for_json
 
 from .intervals import wilson
-from .said import Said
+from .said import SharesOfShots
 from .tallies import Tally
 
 __all__ = ["Shares", "shares_of"]
@@ -24,7 +24,7 @@ INVALID = "invalid"
 
 
 @dataclass(frozen=True, repr=False)
-class Shares(Said):
+class Shares(SharesOfShots):
     """How shots end, in a scene without a hoop.
 
     An invalid shot is no trial: shares are of the others. Outcomes that are not the scene's ends,
