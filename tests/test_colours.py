@@ -7,6 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 import pytest
+from compiled import ROOT
 
 from hoopgen.colours import BODIES, COLOURS, NEITHER, ended
 from hoopgen.viewer.palette import contrast
@@ -170,6 +171,21 @@ def test_lines_stand_out_from_paper_by_day_and_by_night(colours: object) -> None
         assert contrast(colour, COLOURS["paper"]) >= 3.0, colour
         assert contrast(on_a_dark_page(colour), "#131416") >= 3.0, colour
     assert on_a_dark_page(COLOURS["paper"]) == "#000000"
+    style = (ROOT / "docs" / "_static" / "site.css").read_text(encoding="utf-8")
+    assert style.count("filter: invert(1) hue-rotate(180deg);") == 2  # chosen, and as the system is
+
+
+def test_lines_to_places_on_the_floor_stand_out_too() -> None:
+    pytest.importorskip("matplotlib")
+    from matplotlib import colormaps
+    from matplotlib.colors import to_hex
+
+    from hoopgen.plots.aim_points import _COLOURS, _DARK
+
+    for share in np.linspace(0.0, _DARK, 30):
+        colour = to_hex(colormaps[_COLOURS](share)).upper()
+        assert contrast(colour, COLOURS["paper"]) >= 3.0
+        assert contrast(on_a_dark_page(colour), "#131416") >= 3.0
 
 
 def test_paths_of_made_shots_are_darker_than_those_of_missed_ones() -> None:

@@ -254,7 +254,7 @@ def _draw(fan: Fan, shares: Mapping[Class, float], title: str, note: str, width:
     for panel in panels:
         draw_fan(add_view(figure, panel), panel, fan)
     _outline(figure.axes[0], panels[1].limits)
-    draw_key(figure, shares, _PAD, foot, key_width, lines=True)
+    draw_key(figure, shares, _PAD, foot, key_width, areas=False, lines=True)
     return figure
 
 
@@ -293,7 +293,7 @@ def _draw_parted(
     places = draw_grid(figure, grid, [group.title for group in groups])
     for axes, panel, group in zip(places, grid.panels, groups, strict=True):
         draw_fan(axes, panel, fan.part(group.members), _WIDER)
-    draw_key(figure, shares, _PAD, foot, key_width, lines=True)
+    draw_key(figure, shares, _PAD, foot, key_width, areas=False, lines=True)
     return figure
 
 

@@ -167,6 +167,7 @@ def draw_key(
     top: float,
     width: float,
     *,
+    areas: bool = True,
     lines: bool = False,
 ) -> Axes:
     """Write the key: a table of kinds against made and missed.
@@ -179,8 +180,8 @@ def draw_key(
         The classes that are in the picture, and the share of shots to be said beside each, if any.
     left, top, width
         Of the key, inches.
-    lines
-        Whether the picture has paths, and not areas.
+    areas, lines
+        Whether there are areas in the picture, and whether there are paths.
 
     Returns
     -------
@@ -207,15 +208,22 @@ def draw_key(
             write(table.place(-1.0, row), name)
     for one, share in shares.items():
         x, y = table.place(places[one.kind or one.outcome], rows.get(one.outcome, 0.5))
-        _draw_swatch(axes, left + x, top + y, one.line if lines else one.colour)
+        _draw_swatch(axes, left + x, top + y, one, areas=areas, lines=lines)
         if share is not None:
             write((x + _SWATCH + 0.04, y), percent(share))
     return axes
 
 
-def _draw_swatch(axes: Axes, left: float, middle: float, colour: str) -> None:
+def _draw_swatch(
+    axes: Axes, left: float, middle: float, one: Class, *, areas: bool, lines: bool
+) -> None:
+    """Draw the colour of a class: its areas', its paths', or that of paths before that of areas."""
     corner = left, middle - _SWATCH_HEIGHT / 2.0
-    axes.add_patch(Rectangle(corner, _SWATCH, _SWATCH_HEIGHT, fc=colour, ec=EDGES, lw=0.4))
+    fill = one.colour if areas else one.line
+    axes.add_patch(Rectangle(corner, _SWATCH, _SWATCH_HEIGHT, fc=fill, ec=EDGES, lw=0.4))
+    if areas and lines:
+        ends = [left, left + _SWATCH]
+        axes.plot(ends, [middle, middle], color=one.line, lw=2.2, solid_capstyle="butt")
 
 
 # ---------------------------------------------------------------------------------- of names alone

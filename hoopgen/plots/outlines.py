@@ -51,7 +51,9 @@ def draw_edge_on(axes: Axes, view: View, corners: Points, facing: Points, colour
     """
     lines = view.flatten(corners[(np.abs(facing) < EDGE_ON).all(axis=1)][..., :3])
     if len(lines):
-        axes.add_collection(LineCollection(lines, colors=[colour], linewidths=1.1, zorder=RIMS))
+        axes.add_collection(
+            LineCollection(list(lines), colors=[colour], linewidths=1.1, zorder=RIMS)
+        )
 
 
 def spans(triangles: Points) -> list[Points]:

@@ -202,9 +202,8 @@ def scenery_of(scene: Engine, parameters: Mapping[str, Any], paths: Points) -> S
     ends = tuple(_turned(body, turn) for body in seen.ends(room))
     span = np.sort(np.stack(room) @ turn.T, axis=0)
     own = colours(seen.names)
-    across = None if seen.across is None else int(np.flatnonzero(turn[:, seen.across])[0])
     drawn = bodies, ends, span
-    return _Bodies(seen.ball_radius, seen.names, own, names, turn, *drawn, scene.has_hoop, across)
+    return _Bodies(seen.ball_radius, seen.names, own, names, turn, *drawn, scene.has_hoop, seen)
 
 
 def _turned(body: Body, turn: NDArray[np.int64]) -> Body:
@@ -226,8 +225,8 @@ class _Bodies:
         Its lowest and its highest corner.
     has_hoop
         Whether there is a hoop, and the ball a basketball.
-    across
-        The axis along which nothing of it changes, upright; None where there is none.
+    seen
+        What they are made of.
     """
 
     ball_radius: float
@@ -239,7 +238,7 @@ class _Bodies:
     ends: tuple[Body, ...]
     room: Points
     has_hoop: bool
-    across: int | None
+    seen: Seen
 
     @property
     def ball(self) -> str:
@@ -257,16 +256,16 @@ class _Bodies:
         if self.has_hoop:
             return SIDE, TOP
         size = np.ptp(path, axis=0)
-        along = {0: FRONT, 1: SIDE, 2: TOP}  # by the axis that they look along
-        if self.across is not None:
-            first = along[self.across]
-            alone = size[self.across] <= _FLAT * size.max()
+        along = (FRONT, SIDE, TOP)  # by the axis that they look along
+        flat, side = size <= _FLAT * size.max(), self.seen.side(size)
+        axis = self.seen.axis
+        if self.seen.planar and axis is not None:
+            views = (along[axis],) if flat[axis] else (along[axis], along[side if axis == 2 else 2])
+        elif flat.any() and not flat[side]:
+            axis = int(np.argmax(flat))
+            views = (along[axis], along[side if axis == 2 else 2])
         else:
-            first = along[int(np.argmin(size)) if size.min() <= _FLAT * size.max() else 1]
-            first = FRONT if first is SIDE and size[0] < size[1] else first
-            alone = False
-        other = SIDE if first is TOP else TOP
-        views = (first,) if alone else (first, other)
+            views = (along[side], TOP)
         named = dict(zip("xyz", self.axes, strict=True))
         return tuple(
             replace(view, labels=(named[view.labels[0]], named[view.labels[1]]))

@@ -131,14 +131,25 @@ class Seen:
         return self._number(self.scene.read.gravity)
 
     @cached_property
-    def across(self) -> int | None:
-        """The axis along which nothing changes: all curved bodies are cylinders along it.
+    def axis(self) -> int | None:
+        """The axis that all cylinders have, when upright; None where there is none."""
+        axes = {shape.axis[0] for shape in self.scene.read.bodies if shape.kind == "cylinder"}
+        turn, _ = upright(self.scene.read.down)
+        return int(np.flatnonzero(turn[:, axes.pop()])[0]) if len(axes) == 1 else None
 
-        None where there is no such axis, or nothing curved.
+    @cached_property
+    def planar(self) -> bool:
+        """Whether nothing changes along that axis: all that is curved are cylinders."""
+        kinds = {shape.kind for shape in self.scene.read.bodies} - {"plane", "box"}
+        return kinds == {"cylinder"} and self.axis is not None
+
+    def side(self, size: Floats) -> int:
+        """Return which axis a side view looks along, 0 or 1, when upright.
+
+        It is that of the cylinders, else that along which paths, of a size (3,), are shorter.
         """
-        curved = [shape for shape in self.scene.read.bodies if shape.kind not in ("plane", "box")]
-        axes = {shape.axis[0] if shape.kind == "cylinder" else None for shape in curved}
-        return axes.pop() if len(axes) == 1 else None
+        axis = self.axis
+        return axis if axis is not None and axis < 2 else int(size[1] <= size[0])
 
     @cached_property
     def names(self) -> tuple[str, ...]:

@@ -41,12 +41,11 @@ def scenery(
     corners = np.sort(np.stack(room) @ turn.T, axis=0)
     named = {f"body-{k}": own[name] for k, name in enumerate(seen.names)}
     named |= {f"face-{k}": drawn_in[name] for k, name in enumerate(seen.names)}
-    across = None if seen.across is None else int(np.flatnonzero(turn[:, seen.across])[0])
     hoop = shots.scene.has_hoop  # with the board on the left
-    along = 1 if hoop else _look_along(across, low, high, turn)
+    along = 1 if hoop else seen.side(np.abs(turn @ (high - low)))
     found = {
         "axes": axes,
-        "views": _views(across),
+        "views": _views(seen.axis if seen.planar else None),
         "side": [1, 0, 0] if along == 0 else [0, -1, 0],
         "plain": not hoop,
         "room": corners.tolist(),
@@ -99,14 +98,6 @@ def _views(across: int | None) -> list[str]:
         None: ["3D", "Side", "Top"],
         2: ["Top", "3D", "Side"],
     }.get(across, ["Side", "3D", "Top"])
-
-
-def _look_along(across: int | None, low: Floats, high: Floats, turn: NDArray[np.int64]) -> int:
-    """Return the axis that the side view looks along: that along which paths are shorter."""
-    if across in (0, 1):
-        return across
-    size = np.abs(turn @ (high - low))
-    return 0 if size[0] < size[1] else 1
 
 
 def _body(body: Body, turn: NDArray[np.int64]) -> dict[str, Any]:
