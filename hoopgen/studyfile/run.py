@@ -303,8 +303,8 @@ def _reopen(folder: Path, names: Sequence[str]) -> None:
             _write(unfinished / _KEPT, _json({"chunks": count_chunks(unfinished / CHUNKS)}))
 
 
-_HOW_MANY = {"shots", "precision"}
-"""What of these questions may be another, as with a folder of theirs alone."""
+_HOW_MANY = {"shots", "precision", "units"}
+"""What of these questions may be another, as with a folder of theirs alone; units are of texts."""
 
 
 def _may_go_on(asked: Asked, there: Mapping[str, str], here: Mapping[str, str]) -> bool:
