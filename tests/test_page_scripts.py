@@ -44,7 +44,7 @@ def told(script: str, given: Any = None) -> Any:
         pytest.skip("needs the sources")
     own = (
         FOLDER / name
-        for name in ("three/three.js", "flight.js", "scene.js", "stops.js", "words.js")
+        for name in ("three/three.js", "flight.js", "scene.js", "stops.js", "badges.js", "words.js")
     )
     files = [file.read_text(encoding="utf-8") for file in (flight, *own)]
     whole = "\n".join(
@@ -327,3 +327,31 @@ def test_lengths_and_speeds_are_said_in_either_system(system: units.System) -> N
     assert dict(release)["Height, distance"] == "8.00, 13.75 ft"
     assert (outcome, metre) == ("1.37 ft from the ring’s centre after 1.550 s", "3.28 ft")
     assert dict(now)["x, y, z"] == "6.37, 0.00, 3.13 ft"
+
+
+# Badges
+
+CROWD = """
+(() => {
+  const made = [];
+  const element = (name) => ({
+    name, attributes: {}, parts: [], parentElement: { clientWidth: 1200, clientHeight: 800 },
+    setAttribute(key, value) { this.attributes[key] = value; },
+    append(...parts) { this.parts.push(...parts); },
+    replaceChildren(...parts) { made.push(...parts); },
+  });
+  globalThis.document = { createElementNS: (_, name) => element(name) };
+  const marks = Array.from({ length: 45 }, (_, k) => ({ label: `${k}`, surface: "ring", at: [k] }));
+  const place = ([k]) => [600 + k / 10, 400];
+  Badges.draw(element("svg"), marks, place, [], (part) => part);
+  const rects = made.flatMap((part) => part.parts.filter((one) => one.name === "rect"));
+  return rects.map(({ attributes: { x, y, width, height } }) => [x, y, width, height]);
+})()
+"""
+
+
+def test_no_badge_of_the_page_covers_another_one() -> None:
+    boxes = told(CROWD)
+    assert len(boxes) == 45
+    for (x, y, wide, high), (u, v, width, height) in itertools.combinations(boxes, 2):
+        assert x + wide <= u or u + width <= x or y + high <= v or v + height <= y
