@@ -80,11 +80,12 @@ def free_throws() -> Figure:
         )
         draw_classes(chart, cells)
         chart.axhline(angle, color="#222222", lw=0.7, ls=(0, (4, 3)))
+        chart.text(8.52, angle + 0.25, "paths on the left", ha="right", fontsize=6.5)
         chart.set(xlabel=cells.axes[0].quantity.label, ylabel=cells.axes[1].quantity.label)
         chart.set_title("What becomes of them, and at other angles", loc="left", fontsize=8.5)
         chart.text(8.32, 57.0, "over\nthe\nboard", ha="center", **WORDS)
         chart.text(6.95, 62.5, "too\nshort", ha="center", **WORDS)
-        draw_key(figure, key, edge, foot, width - 2.0 * edge)
+        draw_key(figure, key, edge, foot, width - 2.0 * edge, lines=True)
     return figure
 
 

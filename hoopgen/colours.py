@@ -10,6 +10,9 @@ COLOURS: Mapping[str, str] = MappingProxyType(
     {
         "path": "#0072B2",
         "ball": "#E69F00",
+        "ball-edge": "#8F5F00",
+        "plain-ball": "#9AA3AB",
+        "plain-ball-edge": "#454D54",
         "ring": "#D55E00",
         "backboard": "#333333",
         "bridge": "#00795C",
@@ -65,19 +68,20 @@ def _family(name: str) -> str:
 
 
 # The first two are those of made and missed on pages. As in `hoopgen.plots.style`, no two of these
-# and `NEITHER`, and none and paper, are nearer than 10 (CIEDE2000) with any colour vision.
-_ENDS = ("#0072B2", "#D98200", "#562765", "#4DE08B", "#BA3B1D", "#E394F6")
+# and `NEITHER`, and none and paper, are nearer than 10 (CIEDE2000) with any colour vision; all that
+# a path may be drawn in have a contrast with paper of 3 at least (WCAG 2.2, 1.4.11).
+_ENDS = ("#0072B2", "#C27C00", "#47044E", "#49A56A", "#7B1D03", "#CC026A")
 
 NEITHER: Mapping[str, str] = MappingProxyType(
     {
         "capped": "#000000",
-        "short": "#C1C1C1",
-        "invalid": "#9C9C9C",
+        "short": "#6E727A",
+        "invalid": "#C1C1C1",
         "lodged": "#595959",
         "endless": "#363636",
     }
 )
-"""Of a shot that has no end, by outcome, in any scene."""
+"""Of a shot that has no end, by outcome, in any scene; an invalid one has no path."""
 
 
 def ended(outcomes: Iterable[str], ends: int) -> dict[str, str]:

@@ -177,6 +177,34 @@ class Engine:
         moved = self.kernels.flight(times, *(own[name] for name in asked))
         return np.stack([*moved, *np.moveaxis(states[..., len(moved) :], -1, 0)], -1)
 
+    def fall(
+        self, states: NDArray[np.float64], level: Any, parameters: Mapping[str, Any]
+    ) -> tuple[Any, NDArray[np.float64]]:
+        """Return when balls come down to a height with nothing touched before, and where they are.
+
+        Parameters
+        ----------
+        states
+            Of the balls, (..., 9).
+        level
+            The height of their centres, z, m.
+        parameters
+            Of the scene.
+
+        Returns
+        -------
+        tuple
+            s after the states, (...), NaN where a ball is below already; and states, (..., 9).
+        """
+        own = self._inputs(parameters)
+        own |= dict(zip(self.kernels.STATE, np.moveaxis(states, -1, 0), strict=True))
+        own["level"] = level
+        with np.errstate(invalid="ignore"):
+            given = (own[name] for name in self.kernels.ARGUMENTS["descent"])
+            times, _ = self.kernels.descent(*given)
+            times = np.where(np.asarray(times) >= 0.0, times, np.nan)
+            return times, self.fly(times, states, parameters)
+
     def roll(
         self,
         surface: int,

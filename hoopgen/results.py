@@ -31,8 +31,8 @@ SURFACES = HOOP.surfaces
 """The hoop's, in the order of ``Shots.counts``; the event log numbers the end plane after them."""
 
 
-def _plots() -> Any:
-    """Return the pictures, for the results' own `plot`.
+def pictures() -> Any:
+    """Return `hoopgen.plots`, for the `plot` of results, of shots and of studies.
 
     They draw results, and so stand on this file: no other import leads up, and this one waits until
     a picture is asked for.
@@ -174,7 +174,7 @@ class Trajectory:
         The outcome is said if it is known.
         """
         told = {"outcome": self.outcome} | options
-        drawn: Figure | Axes = _plots().plot_trajectory(self, self.parameters, **told)
+        drawn: Figure | Axes = pictures().plot_trajectory(self, self.parameters, **told)
         return drawn
 
     def to_pandas(self) -> Any:
@@ -306,7 +306,7 @@ class Shots:
 
     def plot(self, **options: Any) -> Figure | Axes:
         """Draw the paths; options, and what is returned and raised, as for `plots.plot_fan`."""
-        drawn: Figure | Axes = _plots().plot_fan(self, self.parameters, **options)
+        drawn: Figure | Axes = pictures().plot_fan(self, self.parameters, **options)
         return drawn
 
     def to_pandas(self) -> Any:

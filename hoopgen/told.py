@@ -171,7 +171,7 @@ def told_setting(setting: Mapping[str, Any], scene: Engine = HOOP) -> dict[str, 
 
 
 def _measured(columns: Iterable[str], sha256: str) -> str:
-    return f"measured: {', '.join(columns)} (SHA-256 {sha256[:12]}...)"
+    return f"measured: {', '.join(columns)} (data {sha256[:6]})"
 
 
 _OF_A_MODEL = ("sd", "correlation", "columns", "sha256")

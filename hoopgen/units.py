@@ -26,6 +26,7 @@ __all__ = [
     "FOOT",
     "INCH",
     "NO_BARE",
+    "SHOWN",
     "TURN",
     "UNITS",
     "Kind",
@@ -267,8 +268,8 @@ def file_unit(unit: str, system: System) -> tuple[str, float]:
     ValueError
         If there is no such system.
     """
-    if system not in _SHOWN:
-        raise ValueError(f"units: expected {' or '.join(_SHOWN)}, got {brief(system)}")
+    if system not in SHOWN:
+        raise ValueError(f"units: expected {' or '.join(SHOWN)}, got {brief(system)}")
     if system == "si" or unit not in _IN_FILES:
         return unit, 1.0
     other = _IN_FILES[unit]
@@ -295,7 +296,7 @@ class Shown:
     decimals: int
 
 
-_SHOWN: Mapping[System, Mapping[str, Shown]] = MappingProxyType(
+SHOWN: Mapping[System, Mapping[str, Shown]] = MappingProxyType(
     {
         "si": {
             "length": Shown("m", 1.0, 3),
@@ -317,6 +318,7 @@ _SHOWN: Mapping[System, Mapping[str, Shown]] = MappingProxyType(
         },
     }
 )
+"""How each kind is shown in either system; ``short`` is a length that is small."""
 
 _SYSTEM: ContextVar[System] = ContextVar("units shown", default="si")
 
@@ -336,8 +338,8 @@ def showing(system: System) -> Iterator[None]:
     ValueError
         If there is no such system.
     """
-    if system not in _SHOWN:
-        raise ValueError(f"system: expected {' or '.join(_SHOWN)}, got {system!r}")
+    if system not in SHOWN:
+        raise ValueError(f"system: expected {' or '.join(SHOWN)}, got {system!r}")
     token = _SYSTEM.set(system)
     try:
         yield
@@ -347,7 +349,7 @@ def showing(system: System) -> Iterator[None]:
 
 def shown(kind: Kind | Literal["short"]) -> Shown:
     """Return how a kind, or a short length, is shown."""
-    return _SHOWN[_SYSTEM.get()][kind]
+    return SHOWN[_SYSTEM.get()][kind]
 
 
 def shown_system() -> System:

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 import pytest
+from compiled import ROOT
 
 from hoopgen.colours import BODIES, COLOURS, NEITHER, ended
 from hoopgen.viewer.palette import contrast
@@ -104,6 +105,15 @@ def of_the_hoop() -> list[str]:
     return [*(one.colour for one in CLASSES), COLOURS["paper"]]
 
 
+def of_paths() -> list[str]:
+    """All that paths at a hoop can be drawn in, and paper; an invalid shot has none."""
+    pytest.importorskip("matplotlib")
+    from hoopgen.plots.key import CLASSES
+
+    lines = [one.line for one in CLASSES if one.outcome != "invalid"]
+    return [*lines, COLOURS["paper"]]
+
+
 def of_scenes() -> list[str]:
     """The same of any other scene, of up to six ends."""
     names = [f"end {number}" for number in range(6)]
@@ -121,7 +131,7 @@ def test_white_numbers_are_legible_on_bodies() -> None:
 
 
 @pytest.mark.parametrize("seen", ["any", "protanopia", "deuteranopia", "tritanopia"])
-@pytest.mark.parametrize("colours", [of_the_hoop, of_scenes, of_bodies])
+@pytest.mark.parametrize("colours", [of_the_hoop, of_paths, of_scenes, of_bodies])
 def test_what_stands_beside_one_another_is_told_apart_with_any_colour_vision(
     colours: object, seen: str
 ) -> None:
@@ -141,6 +151,49 @@ def test_made_and_missed_are_told_apart_in_grey() -> None:
     made, missed = ([lab(one, "grey")[0] for one in kind.values()] for kind in (MADE, MISSED))
     assert np.diff(np.sort(made)).min() > 3 * _LIGHTER
     assert max(made) + 2 * _LIGHTER < min(missed), "a made shot is darker than any missed one"
+
+
+def on_a_dark_page(colour: str) -> str:
+    """Return a colour of a picture as the site shows it by night: see docs/_static/site.css."""
+    # invert(1), then hue-rotate(180deg): the matrix of the Filter Effects module, 9.6.
+    turn = np.array([[-0.574, 1.430, 0.144], [0.426, 0.430, 0.144], [0.426, 1.430, -0.856]])
+    parts = 255 - np.array([int(colour[at : at + 2], 16) for at in (1, 3, 5)])
+    return "#" + "".join(f"{round(part):02X}" for part in np.clip(turn @ parts, 0, 255))
+
+
+@pytest.mark.parametrize("colours", [of_paths, of_scenes, of_bodies])
+def test_lines_stand_out_from_paper_by_day_and_by_night(colours: object) -> None:
+    assert callable(colours)
+    drawn = set(colours()) - {COLOURS["paper"], NEITHER["invalid"]}
+    named = ("path", "ring", "backboard", "bridge", "end", "release", "faint")
+    edges = ("ball-edge", "plain-ball-edge")
+    for colour in sorted(drawn | {COLOURS[name] for name in (*named, *edges)}):
+        assert contrast(colour, COLOURS["paper"]) >= 3.0, colour
+        assert contrast(on_a_dark_page(colour), "#131416") >= 3.0, colour
+    assert on_a_dark_page(COLOURS["paper"]) == "#000000"
+    style = (ROOT / "docs" / "_static" / "site.css").read_text(encoding="utf-8")
+    assert style.count("filter: invert(1) hue-rotate(180deg);") == 2  # chosen, and as the system is
+
+
+def test_lines_to_places_on_the_floor_stand_out_too() -> None:
+    pytest.importorskip("matplotlib")
+    from matplotlib import colormaps
+    from matplotlib.colors import to_hex
+
+    from hoopgen.plots.aim_points import _COLOURS, _DARK
+
+    for share in np.linspace(0.0, _DARK, 30):
+        colour = to_hex(colormaps[_COLOURS](share)).upper()
+        assert contrast(colour, COLOURS["paper"]) >= 3.0
+        assert contrast(on_a_dark_page(colour), "#131416") >= 3.0
+
+
+def test_paths_of_made_shots_are_darker_than_those_of_missed_ones() -> None:
+    pytest.importorskip("matplotlib")
+    from hoopgen.plots.style import LINES
+
+    made, missed = ([lab(one, "grey")[0] for one in of.values()] for of in LINES.values())
+    assert max(made) + 2 * _LIGHTER < min(missed)
 
 
 def test_an_outcome_has_one_colour_in_every_scene() -> None:

@@ -45,6 +45,24 @@ def at(tab: Tab, time: float) -> None:
     tab.until(f"document.body.dataset.time === '{time}'")
 
 
+# Units
+
+
+def test_the_reader_changes_units(show: Show) -> None:  # noqa: F811
+    shots = simulate(STATES["7"])
+    tab = show(page(shots, hoopgen.PAPER))
+    assert tab.text("#units") == "Show ft"
+    assert "m/s" in tab.text("#release")
+    tab.click("#units")
+    assert tab.text("#units") == "Show m"
+    for part in ("#release", "#now"):
+        assert "mph" in tab.text(part)
+        assert "ft" in tab.text(part)
+    assert "10 ft" in tab.text("#scale")
+    tab.click("#units")
+    assert "3.048 m" in tab.text("#scale")
+
+
 # All balls
 
 
@@ -52,15 +70,17 @@ def balls(tab: Tab) -> dict[int, list[float]]:
     return {int(k): place for k, *place in tab.run("hoopgen.balls()")}
 
 
-def test_all_balls_are_released_together_and_stay_where_they_end(show: Show) -> None:  # noqa: F811
+def test_all_balls_are_released_together_and_fall_to_the_floor(show: Show) -> None:  # noqa: F811
     shots = simulate(SAMPLE[:12])
-    tab = show(page(shots, hoopgen.PAPER))
+    text = page(shots, hoopgen.PAPER)
+    tab = show(text)
     assert [*balls(tab)] == [0]
     tab.click("#together")
     assert pressed(tab, "together") == "true"
     tab.until("Number(document.body.dataset.time) > 0")  # it plays
     tab.press(" ", " ")
-    last = float(shots.time.max())
+    fallen = [shot["floor_time"] for shot in data_of(text)["shots"]]
+    last = max(fallen)
     assert tab.run("Number(document.getElementById('slider').max)") == last
     for time in (0.25, 0.9, float(shots.time.min()) + 0.01, last):
         at(tab, time)
@@ -68,20 +88,33 @@ def test_all_balls_are_released_together_and_stay_where_they_end(show: Show) -> 
         assert [*found] == [*range(12)]
         for row, place in found.items():
             path = shots.trajectory(row)
-            assert place == path.at(min(time, path.duration))[:3].tolist()
+            if time <= path.duration:
+                assert place == path.at(time)[:3].tolist()
+            else:
+                since = min(time, fallen[row]) - path.duration
+                assert (
+                    place == hoopgen.HOOP.fly(since, shots.state[row], hoopgen.PAPER)[:3].tolist()
+                )
+            if time == last:
+                floor = hoopgen.PAPER["ball_radius"] - 3.048
+                assert place[2] == pytest.approx(floor, rel=0, abs=1e-12)
     # What is said is of the chosen shot, which ended before.
-    assert tab.text("#when") == f"At {shots.time[0]:.3f} s"
+    assert tab.text("#when") == f"At {fallen[0]:.3f} s"
+    assert tab.text("#stop") == "After the end: falls to the floor, not simulated"
 
 
 def test_what_is_sifted_out_is_not_played(show: Show) -> None:  # noqa: F811
     shots = simulate(SAMPLE[:12])
     made = np.flatnonzero(shots.outcome == hoopgen.Outcome.MADE)
     assert 1 < len(made) < 12
-    tab = show(page(shots, hoopgen.PAPER))
+    text = page(shots, hoopgen.PAPER)
+    tab = show(text)
     tab.click("#together")
     tab.click("#filters input[value=missed]")
     assert [*balls(tab)] == made.tolist()
-    assert tab.run("Number(document.getElementById('slider').max)") == shots.time[made].max()
+    fallen = [shot["floor_time"] for shot in data_of(text)["shots"]]
+    last = max(fallen[row] for row in made)
+    assert tab.run("Number(document.getElementById('slider').max)") == last
     tab.click("#filters input[value=made]")
     assert balls(tab) == {}
 

@@ -384,6 +384,20 @@ def test_what_is_wrong_with_the_page_is_said_before_any_work(
     assert not (tmp_path / "study-results").exists()
 
 
+def test_a_study_is_said_in_the_units_asked_for_also_when_it_was_kept(tmp_path: Path) -> None:
+    file, out = _written(tmp_path, HEAD + ESTIMATE), tmp_path / "page.html"
+    answers = set()
+    for system, said in (("us", "13.75 ft"), ("si", "4.191 m"), ("us", "13.75 ft")):
+        words = ["study", str(file), "--report", str(out), "--units", system]
+        result = CliRunner().invoke(main, words)
+        assert result.exit_code == 0, result.output
+        (report,) = tmp_path.glob("*/report.md")
+        for text in (report.read_text("utf-8"), out.read_text("utf-8")):
+            assert f"distance {said}" in " ".join(text.split())
+        answers.add(result.stdout.partition("report")[0])
+    assert len(answers) == 1, "the same shots"
+
+
 def test_the_command_writes_the_page_and_says_where(tmp_path: Path) -> None:
     file, out = _written(tmp_path, HEAD + ESTIMATE), tmp_path / "page.html"
     result = CliRunner().invoke(main, ["study", str(file), "--report", str(out)])

@@ -109,7 +109,8 @@ def test_bounds_cut_a_sphere_and_a_span_a_cylinder() -> None:
     assert cap.mesh.corners[..., 2].min() == pytest.approx(0.1, abs=1e-3)
     assert area(cap.mesh.corners) == pytest.approx(2 * np.pi * 0.2 * 0.1, rel=0.01)
     assert np.ptp(post.mesh.corners[..., 2]) == pytest.approx(0.2, abs=1e-12)
-    assert area(post.mesh.corners) == pytest.approx(2 * np.pi * 0.1 * 0.2, rel=0.01)
+    side, ends = 2 * np.pi * 0.1 * 0.2, 2 * np.pi * 0.1**2
+    assert area(post.mesh.corners) == pytest.approx(side + ends, rel=0.01)
 
 
 def test_a_surface_of_ones_own_lies_a_ball_below_its_condition() -> None:
@@ -217,7 +218,7 @@ class _Kernels:
 class _StandIn:
     """As much of an engine as a picture needs: nothing is derived for it."""
 
-    is_hoop = False
+    is_hoop = has_hoop = False
     kernels = _Kernels
 
     def __init__(self, scene: Scene) -> None:
@@ -306,7 +307,7 @@ def test_many_paths_are_drawn_by_how_they_end(netball: Engine) -> None:
     figure = shots.plot(title="Twenty")
     (legend,) = figure.legends
     words = [text.get_text() for text in legend.get_texts()]
-    assert [word.split()[0] for word in words] == ["goal", "out"]
+    assert [word.split()[0] for word in words] == ["goal", "out", "where"]
     axes = Figure().add_subplot()
     assert shots.plot(ax=axes) is axes
 

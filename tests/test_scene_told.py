@@ -555,3 +555,12 @@ def test_a_study_of_results_is_in_their_scene_or_its_own(
     assert json.loads(table.schema.metadata[b"hoopgen"])["scene"] == said
     if not scene:
         assert table["again_outcome"].to_pylist() == table["outcome"].to_pylist()
+
+
+def test_a_page_on_the_command_line_begins_in_the_units_asked_for(
+    results: Path, tmp_path: Path
+) -> None:
+    for system in ("si", "us"):
+        out = tmp_path / f"{system}.html"
+        run("view", results, "--out", out, "--sample", 5, "--units", system)
+        assert f'"system":"{system}"' in out.read_text("utf-8")

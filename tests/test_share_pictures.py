@@ -58,6 +58,34 @@ def bars(axes: Axes) -> dict[str, list[float]]:
     return parts
 
 
+def same(one: Any, other: Any) -> bool:
+    """Return whether two pictures have the same pixels."""
+    drawn = []
+    for figure in (one, other):
+        canvas = FigureCanvasAgg(figure)
+        canvas.draw()
+        drawn.append(np.asarray(canvas.buffer_rgba()))
+    return np.array_equal(*drawn)
+
+
+def test_each_result_made_of_shares_draws_itself(found: Any) -> None:
+    compared = hoopgen.compare(player(), player(speed=7.2), shots=500)
+    solved = hoopgen.solve(player(), 0.5, shots=500)
+    for result in (found, compared, solved):
+        assert same(result.plot(title="A title"), plot_estimate(result, title="A title"))
+    axes = Figure().add_subplot()
+    assert found.plot(ax=axes) is axes
+
+
+def test_answers_are_drawn_as_the_reference_says() -> None:
+    aimed = hoopgen.aim(elevation=np.radians(52.0), height=2.1336, distance=4.191)
+    paths = hoopgen.simulate(hoopgen.release(**aimed.arguments), record=True).plot()
+    assert isinstance(paths, Figure)
+    others = {name: value for name, value in RELEASE.items() if name != "speed"}
+    best = hoopgen.optimum(hoopgen.Scatter(others, SD), {"speed": (7.0, 7.3)}, shots=300)
+    assert isinstance(best.plot(), Figure)
+
+
 def whiskers(axes: Axes) -> dict[str, tuple[float, float]]:
     names = [label.get_text() for label in axes.get_yticklabels()]
     lines = [line for line in axes.lines if line.get_linestyle() == "-" and line.get_lw() == 1.2]

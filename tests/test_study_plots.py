@@ -53,7 +53,7 @@ from hoopgen.plots import (  # noqa: E402
     save,
 )
 from hoopgen.plots.key import CLASSES, classify  # noqa: E402
-from hoopgen.plots.style import MADE, MISSED, NEITHER  # noqa: E402
+from hoopgen.plots.style import LINES, MADE, MISSED, NEITHER  # noqa: E402
 from hoopgen.study.aim_table import aim_table  # noqa: E402
 
 FREE_THROW = {"height": 2.1336, "distance": 4.191, "backspin": 6.0 * np.pi}
@@ -306,7 +306,7 @@ def test_a_cell_has_the_colour_of_its_kind() -> None:
     assert drawn.shape[:2] == outcome.shape == (50, 90)
     for place in np.ndindex(outcome.shape):
         what, touched = Outcome(outcome[place]).name.lower(), Kind(kind[place]).name.lower()
-        wanted = {"made": MADE, "missed": MISSED}.get(what, {}).get(touched) or NEITHER[what]
+        wanted = LINES.get(what, {}).get(touched) or NEITHER[what]
         assert to_hex(drawn[place]).upper() == wanted
 
 
@@ -493,13 +493,13 @@ def test_a_fan_has_each_path_in_its_colour() -> None:
         for shot in range(40):
             end = shots.trajectory(shot).events[-1]["after"][[0, 2]]
             what, touched = Outcome(shots.outcome[shot]).name.lower(), Kind(kind[shot]).name.lower()
-            wanted = {"made": MADE, "missed": MISSED}.get(what, {}).get(touched)
+            wanted = LINES.get(what, {}).get(touched)
             assert found[tuple(np.round(end, 9))] == (wanted or NEITHER[what])
 
 
 def test_made_shots_are_drawn_over_missed_ones() -> None:
     lines = one(plot_fan(shots_of(100), SCENE).axes[0], PathCollection)
-    made = [to_hex(colour).upper() in MADE.values() for colour in lines.get_edgecolors()]
+    made = [to_hex(colour).upper() in LINES["made"].values() for colour in lines.get_edgecolors()]
     assert made == sorted(made)
     assert set(made) == {False, True}
 
@@ -565,7 +565,7 @@ def test_many_paths_have_a_panel_for_each_kind() -> None:
     place = classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))[:120]
     for axes, each in zip(panels, np.unique(place).tolist(), strict=True):
         lines, which = one(axes, PathCollection), CLASSES[each]
-        assert {to_hex(colour).upper() for colour in lines.get_edgecolors()} == {which.colour}
+        assert {to_hex(colour).upper() for colour in lines.get_edgecolors()} == {which.line}
         count = np.count_nonzero(place == each)
         assert len(lines.get_paths()) == count
         assert axes.get_title(loc="left") == f"{which.words} ({count})"

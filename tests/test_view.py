@@ -185,7 +185,7 @@ def test_surfaces_have_the_colours_of_the_pictures(tmp_path: Path) -> None:
     written = view(hoopgen.simulate(SAMPLE[0], record=True), hoopgen.PAPER, tmp_path / "shot.html")
     style = Path(written).read_text("utf-8").partition("<style>")[2].partition("</style>")[0]
     by_day = "".join(re.findall(r":root \{.*?\}", style, re.S))
-    given = re.findall(r"--([a-z]+): (#[0-9A-F]{6});", by_day)
+    given = re.findall(r"--([a-z-]+): (#[0-9A-F]{6});", by_day)
     assert len(given) == len(dict(given)), "no colour is given twice"
     assert {name: dict(given)[name] for name in COLOURS} == dict(COLOURS)
     own = (FOLDER / "page.css").read_text("utf-8").upper()
@@ -486,7 +486,8 @@ def test_it_plays_pauses_and_jumps(show: Callable[..., Tab]) -> None:
     tab.click("#speeds button:last-child")
     tab.click("#play")
     tab.until("document.getElementById('play').ariaLabel === 'Play'")
-    assert tab.time == shots.time[0]
+    (shot,) = data_of(page(shots, hoopgen.PAPER))["shots"]
+    assert tab.time == shot["floor_time"] > shots.time[0]
 
 
 def test_the_ball_moves_with_time(show: Callable[..., Tab]) -> None:
@@ -554,12 +555,13 @@ def test_a_click_on_a_path_chooses_its_shot(show: Callable[..., Tab]) -> None:
         assert int(tab.data["shot"]) == shot
 
 
-def test_a_shot_without_an_event_is_still(show: Callable[..., Tab]) -> None:
+def test_a_shot_without_an_event_falls_to_the_floor(show: Callable[..., Tab]) -> None:
     short = simulate([3.0, 0, -1, 0, 0, -1, 0, 0, 0])
     assert short.outcome[0] == hoopgen.Outcome.SHORT
     tab = show(page(short, hoopgen.PAPER))
     assert tab.data["outcome"] == "short"
-    assert tab.run("document.getElementById('play').disabled")
+    assert not tab.run("document.getElementById('play').disabled")
+    assert float(tab.run("document.getElementById('slider').max")) > 0.0
 
 
 def test_nothing_foreign_runs_in_the_page(browser: Browser) -> None:

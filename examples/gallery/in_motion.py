@@ -2,7 +2,7 @@
 A shot in motion
 ================
 
-A missed free throw as a GIF, four times slower than it is: `save_film` writes an .mp4 too, where
+A free throw as a GIF, four times slower than it is: `save_film` writes an .mp4 too, where
 there is ffmpeg.
 """
 
@@ -18,5 +18,9 @@ states = hoopgen.release(7.17, np.radians(51), np.radians(2), height=2.1336, dis
 shots = hoopgen.simulate(states, hoopgen.NBA, record=True)
 shot = shots.trajectory(0)
 film = save_film(
-    shot, shot.parameters, Path(mkdtemp()) / "missed.gif", outcome=shot.outcome, title="Missed"
+    shot,
+    shot.parameters,
+    Path(mkdtemp()) / "missed.gif",
+    outcome=shot.outcome,
+    title="A free throw",
 )

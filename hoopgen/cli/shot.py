@@ -180,7 +180,7 @@ def _draw(shots: hoopgen.Shots, picture: Path) -> None:
     path = shots.trajectory(0)
     title = shots.scene.outcomes(int(shots.outcome[0])).name.capitalize()
     if picture.suffix.lower() in FILMS:
-        plots.save_film(path, path.parameters, picture, outcome=path.outcome, title=title)
+        plots.save_film(path, path.parameters, picture, outcome=path.outcome)
     else:
         drawn = plots.plot_trajectory(path, path.parameters, outcome=path.outcome, title=title)
         plots.save(drawn, picture)

@@ -11,7 +11,7 @@ from typing import Any
 import click
 
 from hoopgen.cli.errors import OwnError, foreseen, in_words
-from hoopgen.cli.options import examples, scheduler_option, threads_option
+from hoopgen.cli.options import examples, scheduler_option, threads_option, units_option
 from hoopgen.cli.types import FILE, FOLDER, PAGE
 from hoopgen.phrases import counted
 from hoopgen.printable import printable
@@ -49,6 +49,7 @@ def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> No
 )
 @threads_option
 @scheduler_option
+@units_option
 @click.option("--check", is_flag=True, help="Say what is wrong with FILE, and compute nothing.")
 @click.option(
     "--reference",

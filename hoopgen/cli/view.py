@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from hoopgen.cli.flown import say_lines
-from hoopgen.cli.options import backend_option, examples, seed_option, table_options
+from hoopgen.cli.options import backend_option, examples, seed_option, table_options, units_option
 from hoopgen.cli.types import PAGE, whole
 from hoopgen.inputs import Backend
 from hoopgen.printable import printable
@@ -44,6 +44,7 @@ __all__ = ["view"]
 @click.option("--title", default="", help="At the top of the page; by default the number of shots.")
 @table_options
 @backend_option
+@units_option
 def view(
     file: Path,
     out: Path,

@@ -105,12 +105,13 @@ class KernelView:
 
 
 @dataclass(frozen=True)
-class NormalView:
-    """What a template sees of the normal of a surface that shares its kernels with another."""
+class SharedKernelView:
+    """What a template sees of a kernel that a surface shares with the first one of its kind."""
 
     name: str
     kernel: str
     given: list[str]
+    output_names: tuple[str, ...]
     summary: str
 
     @property
@@ -119,15 +120,20 @@ class NormalView:
         return list(dict.fromkeys(self.given))
 
 
-def _normals(model: Model) -> list[NormalView]:
-    """Return the normals of such surfaces: who draws a contact asks each by its name."""
+_BY_NAME = ("normal", "off", "tube", "seam", "round")
+"""Parts of a surface that drawing a contact, or following a roll, asks for by the body's name."""
+
+
+def _shared(model: Model) -> list[SharedKernelView]:
+    """Return such kernels of the surfaces that are not the first of their kind."""
     views = []
     for made in model.surfaces:
-        kernel = made.kernels["normal"]
-        name = f"{made.surface.name}_normal"
-        if name != kernel.name:
-            given = [identifier(made.sizes.get(symbol, symbol)) for symbol in kernel.arguments]
-            views.append(NormalView(name, kernel.name, given, kernel.summary))
+        for part, kernel in made.kernels.items():
+            name = f"{made.surface.name}_{part}"
+            if part.startswith(_BY_NAME) and name != kernel.name:
+                given = [identifier(made.sizes.get(symbol, symbol)) for symbol in kernel.arguments]
+                outputs = kernel.output_names
+                views.append(SharedKernelView(name, kernel.name, given, outputs, kernel.summary))
     return views
 
 
@@ -275,7 +281,7 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
         "max_size": MAX_SIZE,
         "max_time": MAX_TIME,
         "kernels": list(views.values()),
-        "normals": _normals(model),
+        "shared": _shared(model),
         "state": tuple(symbol.name for symbol in STATE),
         "loops": loops,
         "grouped": any(e.groups for e in model.loop.tables),

@@ -254,7 +254,7 @@ def _draw(fan: Fan, shares: Mapping[Class, float], title: str, note: str, width:
     for panel in panels:
         draw_fan(add_view(figure, panel), panel, fan)
     _outline(figure.axes[0], panels[1].limits)
-    draw_key(figure, shares, _PAD, foot, key_width)
+    draw_key(figure, shares, _PAD, foot, key_width, areas=False, lines=True)
     return figure
 
 
@@ -293,7 +293,7 @@ def _draw_parted(
     places = draw_grid(figure, grid, [group.title for group in groups])
     for axes, panel, group in zip(places, grid.panels, groups, strict=True):
         draw_fan(axes, panel, fan.part(group.members), _WIDER)
-    draw_key(figure, shares, _PAD, foot, key_width)
+    draw_key(figure, shares, _PAD, foot, key_width, areas=False, lines=True)
     return figure
 
 
@@ -302,7 +302,7 @@ def _draw_on(axes: Axes, fan: Fan, shares: Mapping[Class, float], title: str, no
     draw_fan(axes, fit_view(axes, fan.view, fan.limits()), fan)
     add_title(axes, title, note)
     said = {one: f"{one.words} {percent(share)}" for one, share in shares.items()}
-    add_key(axes, [Line2D([], [], color=one.colour, label=text) for one, text in said.items()])
+    add_key(axes, [Line2D([], [], color=one.line, label=text) for one, text in said.items()])
     return axes
 
 
@@ -331,7 +331,7 @@ def draw_fan(axes: Axes, panel: Panel, fan: Fan, wide: float = _LINE) -> None:
     lines = PathCollection(
         [fan.curves[shot] for shot in order],
         facecolors="none",
-        edgecolors=[fan.classes[shot].colour for shot in order],
+        edgecolors=[fan.classes[shot].line for shot in order],
         linewidths=wide,
         zorder=10.0,  # between the far half of the ring and the near one
     )

@@ -40,7 +40,7 @@ from hoopgen.plots.trajectory import (
     times_of,
     told_of,
 )
-from hoopgen.plots.views import SIDE, TOP, Limits, Points, View
+from hoopgen.plots.views import Points
 
 __all__ = ["RATE", "Film", "check_film", "save_film"]
 
@@ -55,7 +55,6 @@ _DPI = 110
 _COLOURS = 128
 _PIECES = 40  # of a path, with an order from far to near each
 _OBSTACLES = 2_000
-_FLAT = 1e-6  # m
 
 # Inches around and between the panels.
 _LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE, _LINE = 0.62, 0.15, 0.72, 0.5, 0.62, 0.14
@@ -96,7 +95,8 @@ def save_film(
     """Write a shot in motion: from the side and, where it leaves the plane y = 0, from above.
 
     The ball is to scale. At a contact its outline takes the colour of what it touches for a moment,
-    and a numbered badge stays there.
+    and a numbered badge stays there, and in the key. Nothing is said before it happens: the outcome
+    is added to the title at the end.
 
     Parameters
     ----------
@@ -196,7 +196,7 @@ class Film:
         self._beats = beats_of(duration)
         told = [*told_of(trajectory, parameters), f"Shown {_said(self.speed)}."]
         panels = _arrange(drawing, told)
-        still = _still(panels, drawing, title, told)
+        still = _still(panels, drawing, told)
         size = still.get_size_inches().tolist()
         self.figure = Figure(figsize=(size[0], size[1]), dpi=_DPI, frameon=False)
         self.figure.add_artist(_Still(_pixels(still)))
@@ -205,6 +205,11 @@ class Film:
         edge, top = panels[0].left + panels[0].width, panels[0].bottom + panels[0].height
         at = edge / size[0], (top + 0.06) / size[1]
         self._clock = self.figure.text(*at, "", ha="right", fontsize=9.0)
+        self._head = draw_title(self.figure, title, ())
+        self._title, self._verdict = self._head.get_text(), ""
+        if outcome is not None:
+            self._verdict = outcome.name.lower() if self._title else outcome.name.capitalize()
+        self._key = draw_key(self.figure, drawing.marks, panels[0].left, 0.12)
 
     def show(self, time: float) -> None:
         """Put everything where it is at a time, s."""
@@ -215,6 +220,14 @@ class Film:
         for view in self._views:
             view.show(centre, path, beats, time, recent)
         self._clock.set_text(f"{time:.2f} s")
+        ended = time >= self._trajectory.duration
+        for mark, artists in self._key:
+            # What has no place in the scene says how it ends, but for what a line means.
+            seen = ended or mark.kind == "line" or bool(mark.label and mark.time <= time)
+            for artist in artists:
+                artist.set_visible(seen)
+        said = [self._title, self._verdict] if ended else [self._title]
+        self._head.set_text(": ".join(filter(None, said)))
 
     def frame(self, time: float) -> NDArray[np.uint8]:
         """Return the picture at a time, s: its pixels, (height, width, 4)."""
@@ -263,7 +276,9 @@ class _Moving:
         dots = Line2D([], [], ls="none", marker="o", ms=2.4, mec="none", color=COLOURS["path"])
         self.dots = axes.add_line(dots)
         radius = drawing.scenery.ball_radius
-        self.fill = axes.add_patch(Circle((0.0, 0.0), radius, fc=COLOURS["ball"], alpha=0.85, lw=0))
+        self.fill = axes.add_patch(Circle((0.0, 0.0), radius, alpha=0.85, lw=0))
+        self.fill.set_facecolor(COLOURS[drawing.scenery.ball])
+        self.edge = COLOURS[f"{drawing.scenery.ball}-edge"]
         self.outline = axes.add_patch(Circle((0.0, 0.0), radius, fill=False))
         self.badges = self._badges(axes, panel, drawing)
 
@@ -295,7 +310,7 @@ class _Moving:
             line.set_visible(len(here) > 0)
             self.whole[number] = whole
         self.dots.set_data(*self.beats[:beats].T)
-        colour, wide = "#8F5F00", 0.9
+        colour, wide = self.edge, 0.9
         for mark, artists in self.badges:
             for artist in artists:
                 artist.set_visible(mark.time <= time)
@@ -321,11 +336,11 @@ def _said(speed: float) -> str:
 
 
 def _arrange(drawing: Drawing, told: list[str]) -> list[Panel]:
-    """Place the side view and, if it shows more, the top view below it."""
-    flat = np.abs(drawing.path[:, 1]).max() <= _FLAT
-    views: list[tuple[View, Limits]] = [(SIDE, flat_limits(drawing, SIDE))]
-    views += [] if flat else [(TOP, flat_limits(drawing, TOP))]
-    across = views[0][1][1] - views[0][1][0]
+    """Place the view that shows most and, if it shows more, the other one below it."""
+    flat = drawing.scenery.is_in_plane(drawing.path)
+    shown = drawing.views[:1] if flat else drawing.views
+    views = [(view, flat_limits(drawing, view)) for view in shown]
+    across = max(limits[1] - limits[0] for _, limits in views)
     up = sum(limits[3] - limits[2] for _, limits in views)
     scale = min((PAGE - _LEFT - _RIGHT) / across, _TALLEST / up)
     bottom = 0.15 + KEY_ROW * key_rows(drawing.marks, _width(across * scale) - _LEFT) + _BELOW
@@ -340,7 +355,7 @@ def _width(across: float) -> float:
     return max(_LEFT + across + _RIGHT, _NARROWEST)
 
 
-def _still(panels: list[Panel], drawing: Drawing, title: str, told: list[str]) -> Figure:
+def _still(panels: list[Panel], drawing: Drawing, told: list[str]) -> Figure:
     """Draw what does not move: on a page of whole, even numbers of pixels, as films have."""
     width = _width(panels[0].width)
     lines = broken(told, width)
@@ -350,6 +365,5 @@ def _still(panels: list[Panel], drawing: Drawing, title: str, told: list[str]) -
     for panel in panels:
         axes = add_panel(figure, panel)
         dress_flat(axes, panel, drawing)
-    draw_title(figure, title, lines)
-    draw_key(figure, drawing.marks, panels[0].left, 0.12)
+    draw_title(figure, "", lines)
     return figure

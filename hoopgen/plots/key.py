@@ -16,7 +16,7 @@ from hoopgen.colours import ended
 from hoopgen.hoop.kinds import Kind
 from hoopgen.phrases import percent
 from hoopgen.plots.page import add_axes
-from hoopgen.plots.style import EDGES, INK, MADE, MISSED, NEITHER, SMALL, letter
+from hoopgen.plots.style import EDGES, INK, LINES, MADE, MISSED, NEITHER, SMALL, letter
 from hoopgen.results import Outcome
 
 __all__ = [
@@ -41,13 +41,14 @@ class Class:
         Name of a `Outcome`, in lower case.
     kind
         Name of a `Kind`, in lower case; empty where the shot is neither made nor missed.
-    colour
-        Of its shots.
+    colour, line
+        Of areas that stand for its shots, and of their paths.
     """
 
     outcome: str
     kind: str
     colour: str
+    line: str
 
     @property
     def words(self) -> str:
@@ -56,9 +57,11 @@ class Class:
 
 
 def _classes() -> tuple[Class, ...]:
-    made = [Class("made", kind, colour) for kind, colour in MADE.items()]
-    missed = [Class("missed", kind, colour) for kind, colour in MISSED.items()]
-    return (*made, *missed, *(Class(outcome, "", colour) for outcome, colour in NEITHER.items()))
+    return (
+        *(Class("made", kind, colour, LINES["made"][kind]) for kind, colour in MADE.items()),
+        *(Class("missed", kind, colour, LINES["missed"][kind]) for kind, colour in MISSED.items()),
+        *(Class(outcome, "", colour, colour) for outcome, colour in NEITHER.items()),
+    )
 
 
 CLASSES = _classes()
@@ -68,7 +71,7 @@ CLASSES = _classes()
 def by_outcome(names: Sequence[str]) -> tuple[Class, ...]:
     """Return a class for each outcome of a scene, in small letters: its ends, then all others."""
     ends = sum(name not in NEITHER for name in names)
-    return tuple(Class(name, "", colour) for name, colour in ended(names, ends).items())
+    return tuple(Class(name, "", colour, colour) for name, colour in ended(names, ends).items())
 
 
 def _index() -> NDArray[np.int64]:
@@ -163,6 +166,9 @@ def draw_key(
     left: float,
     top: float,
     width: float,
+    *,
+    areas: bool = True,
+    lines: bool = False,
 ) -> Axes:
     """Write the key: a table of kinds against made and missed.
 
@@ -174,6 +180,8 @@ def draw_key(
         The classes that are in the picture, and the share of shots to be said beside each, if any.
     left, top, width
         Of the key, inches.
+    areas, lines
+        Whether there are areas in the picture, and whether there are paths.
 
     Returns
     -------
@@ -186,29 +194,36 @@ def draw_key(
     axes.set(xlim=(0.0, across), ylim=(0.0, up))
     table = _table(shares, width)
     rows = {"made": 0.0, "missed": 1.0}
-    lines = {name: float(line) for line, name in enumerate(table.names)}
+    places = {name: float(line) for line, name in enumerate(table.names)}
 
     def write(cell: tuple[float, float], text: str, size: float = _SIZE) -> None:
         at = left + cell[0], top + cell[1]
         axes.text(*at, text, va="center_baseline", fontsize=size, color=INK, linespacing=1.0)
 
-    for name, line in lines.items():
+    for name, line in places.items():
         words = name.replace("_", ",\n" if table.wrapped else ", ")
         write(table.place(line, -1.0), words, _SMALL if table.wrapped else _SIZE)
     for name, row in rows.items():
         if any(one.outcome == name for one in shares):
             write(table.place(-1.0, row), name)
     for one, share in shares.items():
-        x, y = table.place(lines[one.kind or one.outcome], rows.get(one.outcome, 0.5))
-        _draw_swatch(axes, left + x, top + y, one.colour)
+        x, y = table.place(places[one.kind or one.outcome], rows.get(one.outcome, 0.5))
+        _draw_swatch(axes, left + x, top + y, one, areas=areas, lines=lines)
         if share is not None:
             write((x + _SWATCH + 0.04, y), percent(share))
     return axes
 
 
-def _draw_swatch(axes: Axes, left: float, middle: float, colour: str) -> None:
+def _draw_swatch(
+    axes: Axes, left: float, middle: float, one: Class, *, areas: bool, lines: bool
+) -> None:
+    """Draw the colour of a class: its areas', its paths', or that of paths before that of areas."""
     corner = left, middle - _SWATCH_HEIGHT / 2.0
-    axes.add_patch(Rectangle(corner, _SWATCH, _SWATCH_HEIGHT, fc=colour, ec=EDGES, lw=0.4))
+    fill = one.colour if areas else one.line
+    axes.add_patch(Rectangle(corner, _SWATCH, _SWATCH_HEIGHT, fc=fill, ec=EDGES, lw=0.4))
+    if areas and lines:
+        ends = [left, left + _SWATCH]
+        axes.plot(ends, [middle, middle], color=one.line, lw=2.2, solid_capstyle="butt")
 
 
 # ---------------------------------------------------------------------------------- of names alone

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 __all__ = ["Box", "place_labels"]
 
 _DIRECTIONS, _STEPS = 32, 6  # places tried around an anchor, and further off
+_FURTHER = 8  # times as many steps, so many at a time, where a label would cover another one
 
 # What a place costs, in heights of the label away from its anchor.
 _OUTSIDE = 1e6
@@ -46,7 +47,8 @@ def place_labels(
     """Choose the centre of each label, one after the other.
 
     Of places all around the anchor, near ones first, the one that covers the fewest obstacles
-    is taken; places over another label or out of bounds only when nothing else is left.
+    is taken; further ones are tried where each of these is over another label or out of bounds,
+    and a place like that is taken only when nothing else is left.
 
     Parameters
     ----------
@@ -64,26 +66,33 @@ def place_labels(
     """
     placed: list[tuple[Box, tuple[float, float]]] = []
     for box in boxes:
-        places = _around(box)
-        cost = (
-            np.hypot(*(places - box.anchor).T) / box.height
-            + _OUTSIDE * _outside(places, box, bounds)
-            + _COVERED_POINT * _covered(places, box, obstacles)
-        )
-        for other, centre in placed:
-            cost += _OVERLAP * _overlap(places, box, other, centre)
-        for other in boxes:
-            if other is not box:
-                cost += _OTHER_BALL * _near(places, box, other)
-        best = places[int(np.argmin(cost))]
-        placed.append((box, (float(best[0]), float(best[1]))))
+        least, best = np.inf, box.anchor
+        for turn in range(_FURTHER):
+            places = _around(box, turn * _STEPS)
+            cost = (
+                np.hypot(*(places - box.anchor).T) / box.height
+                + _OUTSIDE * _outside(places, box, bounds)
+                + _COVERED_POINT * _covered(places, box, obstacles)
+            )
+            for other, centre in placed:
+                cost += _OVERLAP * _overlap(places, box, other, centre)
+            for other in boxes:
+                if other is not box:
+                    cost += _OTHER_BALL * _near(places, box, other)
+            first = int(np.argmin(cost))
+            if cost[first] < least:
+                least, best = float(cost[first]), (float(places[first, 0]), float(places[first, 1]))
+            if least < _OVERLAP:
+                break
+        placed.append((box, best))
     return [centre for _, centre in placed]
 
 
-def _around(box: Box) -> NDArray[np.float64]:
-    """List the places to try, the nearest first, shape (m, 2)."""
+def _around(box: Box, step: int) -> NDArray[np.float64]:
+    """List the places to try from a step away on, the nearest first, shape (m, 2)."""
     angle = 2.0 * np.pi * np.arange(_DIRECTIONS) / _DIRECTIONS + np.pi / 4.0
-    away = box.clearance + 0.35 * np.arange(_STEPS)[:, np.newaxis] * box.height
+    steps = np.arange(step, step + _STEPS)
+    away = box.clearance + 0.35 * steps[:, np.newaxis] * box.height
     x = box.anchor[0] + np.cos(angle) * (away + box.width / 2.0)
     y = box.anchor[1] + np.sin(angle) * (away + box.height / 2.0)
     return np.stack([x.ravel(), y.ravel()], axis=1)

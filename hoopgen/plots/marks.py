@@ -8,13 +8,14 @@ from enum import IntEnum
 from typing import Any
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from hoopgen.events import Event, impacts, rolls
 from hoopgen.plots.layout import Box, place_labels
-from hoopgen.plots.style import COLOURS, POINTS_PER_INCH
+from hoopgen.plots.style import COLOURS, POINTS_PER_INCH, letter
 from hoopgen.plots.views import Points, View
 from hoopgen.results import SURFACES
 
@@ -44,7 +45,8 @@ class Mark:
     label
         In the badge: ``"2"``, ``"9-40"``, ``"rolls"``, ``"end"``; empty for what has no place.
     kind
-        A surface's name, ``"release"`` or ``"end"``; of another scene, ``"body"``.
+        A surface's name, ``"release"`` or ``"end"``; of another scene, ``"body"``; of the dashed
+        line where shots end ``"line"``, which is in the key alone.
     text
         In the key; empty for none.
     position
@@ -65,7 +67,7 @@ class Mark:
     @property
     def colour(self) -> str:
         """What it is drawn in."""
-        return self.own or COLOURS[self.kind]
+        return self.own or COLOURS["end" if self.kind == "line" else self.kind]
 
 
 def collect_marks(
@@ -74,6 +76,7 @@ def collect_marks(
     ball_radius: float,
     outcome: IntEnum | None,
     bodies: Mapping[str, str] | None = None,
+    line: str = "",
 ) -> tuple[Mark, ...]:
     """Turn a shot's events into badges: release, contacts, and the end.
 
@@ -89,6 +92,8 @@ def collect_marks(
         If it is to be said.
     bodies
         Of another scene than the hoop, in the order of its results, and their colours.
+    line
+        What the dashed line is where shots end; empty where none is drawn.
     """
     names = SURFACES if bodies is None else tuple(bodies)
     contacts = impacts(events)
@@ -107,6 +112,8 @@ def collect_marks(
     elif outcome is not None:
         said = _unended(outcome, len(contacts), hoop=bodies is None)
         marks.append(Mark("", "end", said, release))
+    if line:
+        marks.append(Mark("", "line", line, release))
     return tuple(marks)
 
 
@@ -221,11 +228,11 @@ def _wide(mark: Mark) -> float:
     return 0.68 * _TEXT_SIZE * len(mark.label) + 6.0
 
 
-def _write_badge(axes: Axes, centre: tuple[float, float], mark: Mark) -> None:
+def _write_badge(axes: Axes, centre: tuple[float, float], mark: Mark) -> Artist:
     colour = mark.colour
     disc = mark.kind in ("ring", "body") and len(mark.label) == 1
     hollow = mark.kind in ("bridge", "release", "end")
-    axes.text(
+    return axes.text(
         *centre,
         mark.label,
         ha="center",
@@ -246,35 +253,54 @@ def _write_badge(axes: Axes, centre: tuple[float, float], mark: Mark) -> None:
 def key_rows(marks: tuple[Mark, ...], width: float) -> int:
     """Count the rows of the key on a page of that width, inches."""
     entries = sum(bool(mark.text) for mark in marks)
-    return -(-entries // _columns(width))
+    return -(-entries // _columns(marks, width))
 
 
-def draw_key(figure: Figure, marks: tuple[Mark, ...], left: float, bottom: float) -> None:
-    """Write the key; left and bottom in inches."""
+def draw_key(
+    figure: Figure, marks: tuple[Mark, ...], left: float, bottom: float
+) -> list[tuple[Mark, list[Artist]]]:
+    """Write the key; left and bottom in inches. Return its entries, and what they are drawn of."""
     width, height = figure.get_size_inches()
     entries = [mark for mark in marks if mark.text]
-    columns = _columns(width - left)
+    columns = _columns(marks, width - left)
     rows = -(-len(entries) // columns)
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0), label="key", zorder=-1)
     axes.set_axis_off()
     axes.set_xlim(0.0, width)
     axes.set_ylim(0.0, height)
+    drawn: list[tuple[Mark, list[Artist]]] = []
     for number, mark in enumerate(entries):
         row, column = divmod(number, columns)
-        x = left + column * _KEY_COLUMN
+        x = left + column * _column(marks)
         y = bottom + (rows - row - 0.5) * KEY_ROW
-        wide = _wide(mark) / POINTS_PER_INCH if mark.label else 0.0
+        parts: list[Artist] = []
         if mark.label:
-            _write_badge(axes, (x + max(_BADGE, wide) / 2.0, y), mark)
-        axes.text(
-            x + (max(_BADGE, wide) + _AFTER if mark.label else 0.1),
-            y,
-            mark.text,
-            ha="left",
-            va="center",
-            fontsize=_TEXT_SIZE + 0.5,
-        )
+            parts.append(_write_badge(axes, (x + _room(mark) / 2.0, y), mark))
+        elif mark.kind == "line":
+            ends = [x + 0.06, x + _BADGE - 0.02]
+            parts += axes.plot(ends, [y, y], color=mark.colour, lw=0.9, ls=(0, (5, 3)))
+        at = x + (_room(mark) + _AFTER if _room(mark) else 0.1)
+        parts.append(axes.text(at, y, mark.text, ha="left", va="center", fontsize=_TEXT_SIZE + 0.5))
+        drawn.append((mark, parts))
+    return drawn
 
 
-def _columns(width: float) -> int:
-    return max(1, int((width + 0.1) // _KEY_COLUMN))
+def _room(mark: Mark) -> float:
+    """Return how wide what stands before a text of the key is, inches."""
+    if not mark.label:
+        return _BADGE if mark.kind == "line" else 0.0
+    return max(_BADGE, _wide(mark) / POINTS_PER_INCH)
+
+
+def _column(marks: tuple[Mark, ...]) -> float:
+    """Return how wide a column of the key is, inches: no entry reaches into the next."""
+    wide = (
+        _room(mark) + 2.0 * _AFTER + 0.1 + letter(_TEXT_SIZE + 0.5) * len(mark.text)
+        for mark in marks
+        if mark.text
+    )
+    return max(_KEY_COLUMN, *wide, _KEY_COLUMN)
+
+
+def _columns(marks: tuple[Mark, ...], width: float) -> int:
+    return max(1, int((width + 0.1) // _column(marks)))

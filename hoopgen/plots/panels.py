@@ -62,6 +62,8 @@ class Drawing:
         What stands around it.
     room
         What is shown.
+    views
+        The flat ones, the one that shows most first.
     """
 
     path: Points
@@ -70,6 +72,7 @@ class Drawing:
     marks: tuple[Mark, ...]
     scenery: Scenery
     room: Room
+    views: tuple[View, ...]
 
 
 @dataclass(frozen=True)
@@ -138,7 +141,8 @@ def draw_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
     draw_path(axes, view, drawing.path)
     for mark in drawing.marks:
         if mark.label:
-            draw_ball(axes, view, mark.position, radius, ghost=mark.kind == "release")
+            ghost = mark.kind == "release"
+            draw_ball(axes, view, mark.position, radius, drawing.scenery.ball, ghost=ghost)
     _draw_dots(axes, view, drawing)
     lines = np.vstack([some(drawing.path, _LEFT_VISIBLE), drawing.scenery.points()])
     obstacles = np.vstack([view.flatten(lines), *written])
@@ -173,9 +177,7 @@ def dress_flat(axes: Axes, panel: Panel, drawing: Drawing) -> None:
     """Give a side or top view its labels, and the end plane where it is seen edge on."""
     view = panel.view
     assert view.labels is not None
-    named = dict(zip("xyz", drawing.scenery.axes, strict=True))
-    across, up = (named.get(name, name) for name in view.labels)
-    label_lengths(axes, (across, up))
+    label_lengths(axes, view.labels)
     metres = shown("length").size
     left, right, bottom, top = panel.limits
     for axis, span in ((axes.xaxis, right - left), (axes.yaxis, top - bottom)):

@@ -21,7 +21,7 @@ from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scenery import Scenery, scenery_of
-from hoopgen.plots.style import GRID, style
+from hoopgen.plots.style import COLOURS, GRID, style
 from hoopgen.plots.views import Limits, View
 from hoopgen.results import Shots, Trajectory
 from hoopgen.told import say_of
@@ -55,7 +55,7 @@ def draw_paths(
     curves = {shot: bezier(trajectory) for shot, trajectory in flown.items()}
     points = np.concatenate(list(curves.values()))
     scenery = scenery_of(shots.scene, parameters, points)
-    view = scenery.look(_from_the_side(scenery, points))
+    view = scenery.look(scenery.views(scenery.upright(points))[0])
     codes = np.asarray(shots.outcome)
     shares = {one.name: float(np.mean(codes == one)) for one in shots.scene.outcomes}
     colour = ended(shots.scene.outcomes.__members__, len(shots.scene.kernels.ENDS))
@@ -84,6 +84,9 @@ def draw_paths(
         for name, share in shares.items()
         if share
     ]
+    if scenery.said_of_ends:
+        ink = COLOURS["end"]
+        key.append(Line2D([], [], color=ink, lw=0.9, ls=(0, (5, 3)), label=scenery.said_of_ends))
     limits = _limits(paths, view, scenery)
     shown = f"{len(paths)} {'is' if len(paths) == 1 else 'are'} drawn{say_by(by)}"
     scene = say_of(shots.scene, parameters)
@@ -134,15 +137,6 @@ def _draw(axes: Axes, panel: Panel, scenery: Scenery, lines: PathCollection) -> 
     scenery.draw(axes, panel.view, panel.scale)
     scenery.draw_ends(axes, panel.view)
     axes.add_collection(lines)
-
-
-def _from_the_side(scenery: Scenery, points: NDArray[np.float64]) -> View:
-    """Look along whichever horizontal axis the paths are shorter along."""
-    size = np.ptp(scenery.upright(points), axis=0)
-    x, y, z = scenery.axes
-    if size[1] > size[0]:
-        return View("side view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (y, z))
-    return View("side view", (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (x, z))
 
 
 def _limits(paths: list[Path], view: View, scenery: Scenery) -> Limits:

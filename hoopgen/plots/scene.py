@@ -58,16 +58,26 @@ def draw_path(axes: Axes, view: View, path: Points) -> None:
 
 
 def draw_ball(
-    axes: Axes, view: View, centre: ArrayLike, radius: float, *, ghost: bool = False
+    axes: Axes,
+    view: View,
+    centre: ArrayLike,
+    radius: float,
+    colour: str = "ball",
+    *,
+    ghost: bool = False,
 ) -> None:
-    """Draw the ball to scale; as a ghost, its outline only, dashed."""
+    """Draw the ball to scale; as a ghost, its outline only, dashed.
+
+    Its colour is one of `COLOURS`, as is that of its edge.
+    """
     at = view.flatten(centre)
     depth = order_of(view, np.asarray(centre))
-    outline = Circle((at[0], at[1]), radius, fill=False, lw=0.8, ec="#8F5F00", zorder=depth + 0.01)
+    outline = Circle((at[0], at[1]), radius, fill=False, lw=0.8, zorder=depth + 0.01)
+    outline.set_edgecolor(COLOURS[f"{colour}-edge"])
     if ghost:
         outline.set_linestyle((0, (3, 2)))
     else:
-        fill = Circle((at[0], at[1]), radius, fc=COLOURS["ball"], alpha=0.38, lw=0, zorder=depth)
+        fill = Circle((at[0], at[1]), radius, fc=COLOURS[colour], alpha=0.38, lw=0, zorder=depth)
         axes.add_patch(fill)
     axes.add_patch(outline)
 

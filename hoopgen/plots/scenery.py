@@ -14,18 +14,25 @@ from typing import Any, Protocol
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
-from matplotlib.colors import to_rgb
-from matplotlib.patches import PathPatch
-from matplotlib.path import Path
 from numpy.typing import NDArray
 
 from hoopgen.colours import colours, faces
 from hoopgen.engines import Engine
+from hoopgen.plots.outlines import (
+    EDGE_ON,
+    RIMS,
+    draw_edge_on,
+    draw_lines,
+    edge_on,
+    mixed,
+    patch,
+    spans,
+)
 from hoopgen.plots.scene import draw_hoop, order_of, scene_corners, scene_points
 from hoopgen.plots.style import COLOURS
-from hoopgen.plots.views import Points, View
+from hoopgen.plots.views import FRONT, SIDE, TOP, Points, View
 from hoopgen.results import SURFACES
-from hoopgen.scene.meshes import Mesh, chains, clip, loops
+from hoopgen.scene.meshes import Mesh, chains, clip
 from hoopgen.scene.seen import Body, Seen, upright
 
 __all__ = ["Hoop", "Scenery", "scenery_of"]
@@ -40,11 +47,11 @@ _PALE = 0.34
 """How much further what is seen from inside is, so that paths stand out before it."""
 
 _FAINT = 0.13  # opacity of a plane
-_PLANES, _INSIDES, _RIMS, _ENDS = 3.0, 3.5, 4.2, 5.0  # drawing order, below paths
-_EDGE_ON = 1e-6
+_PLANES, _INSIDES, _ENDS = 3.0, 3.5, 5.0  # drawing order, below paths
+_FLAT = 1e-6
+"""How far off a plane a path in it may be: m at a hoop, else of the path's size."""
 _SPREAD = 4.0  # of the drawing order, over the depth of a room
 _OBSTACLES = 600
-_NEAR, _PASSES = 2e-4, 6  # of a shape's size, and how often points of its outline are left out
 
 
 class Scenery(Protocol):
@@ -68,6 +75,23 @@ class Scenery(Protocol):
 
     def upright(self, points: Points) -> Points:
         """Return points (..., 3) turned so that gravity points down."""
+
+    @property
+    def ball(self) -> str:
+        """The colour of the ball, by its name in `COLOURS`: at a hoop it is a basketball."""
+
+    @property
+    def said_of_ends(self) -> str:
+        """What the key says of the lines where shots end; empty where there are none."""
+
+    def views(self, path: Points) -> tuple[View, ...]:
+        """Return the flat views that show a path, upright, (n, 3): the one that shows most first.
+
+        Their axes are named as `axes` says. There is one alone where any other would show lines.
+        """
+
+    def is_in_plane(self, path: Points) -> bool:
+        """Return whether a path, upright, (n, 3), is in one plane, which a flat view shows."""
 
     @property
     def small(self) -> bool:
@@ -106,6 +130,24 @@ class Hoop:
     def colours(self) -> Mapping[str, str]:
         """Of what it is made of."""
         return COLOURS
+
+    @property
+    def ball(self) -> str:
+        """That of a basketball."""
+        return "ball"
+
+    @property
+    def said_of_ends(self) -> str:
+        """There is one plane."""
+        return "end plane"
+
+    def views(self, path: Points) -> tuple[View, ...]:
+        """Return the views from the side and from above: the board is on the left."""
+        return SIDE, TOP
+
+    def is_in_plane(self, path: Points) -> bool:
+        """Return whether a path is in the hoop's own plane of symmetry."""
+        return bool(np.abs(path[:, 1]).max() <= _FLAT)
 
     @property
     def small(self) -> bool:
@@ -160,7 +202,8 @@ def scenery_of(scene: Engine, parameters: Mapping[str, Any], paths: Points) -> S
     ends = tuple(_turned(body, turn) for body in seen.ends(room))
     span = np.sort(np.stack(room) @ turn.T, axis=0)
     own = colours(seen.names)
-    return _Bodies(seen.ball_radius, seen.names, own, names, turn, bodies, ends, span)
+    drawn = bodies, ends, span
+    return _Bodies(seen.ball_radius, seen.names, own, names, turn, *drawn, scene.has_hoop, seen)
 
 
 def _turned(body: Body, turn: NDArray[np.int64]) -> Body:
@@ -174,7 +217,17 @@ def _turned(body: Body, turn: NDArray[np.int64]) -> Body:
 
 @dataclass(frozen=True)
 class _Bodies:
-    """Bodies of a scene; `room` is its lowest and highest corner."""
+    """Bodies of a scene.
+
+    Attributes
+    ----------
+    room
+        Its lowest and its highest corner.
+    has_hoop
+        Whether there is a hoop, and the ball a basketball.
+    seen
+        What they are made of.
+    """
 
     ball_radius: float
     names: tuple[str, ...]
@@ -184,10 +237,47 @@ class _Bodies:
     bodies: tuple[Body, ...]
     ends: tuple[Body, ...]
     room: Points
+    has_hoop: bool
+    seen: Seen
+
+    @property
+    def ball(self) -> str:
+        return "ball" if self.has_hoop else "plain-ball"
 
     @property
     def small(self) -> bool:
         return True
+
+    @property
+    def said_of_ends(self) -> str:
+        return "where shots end" if self.ends else ""
+
+    def views(self, path: Points) -> tuple[View, ...]:
+        if self.has_hoop:
+            return SIDE, TOP
+        size = np.ptp(path, axis=0)
+        along = (FRONT, SIDE, TOP)  # by the axis that they look along
+        flat, side = size <= _FLAT * size.max(), self.seen.side(size)
+        axis = self.seen.axis
+        if self.seen.planar and axis is not None:
+            views = (along[axis],) if flat[axis] else (along[axis], along[side if axis == 2 else 2])
+        elif flat.any() and not flat[side]:
+            axis = int(np.argmax(flat))
+            views = (along[axis], along[side if axis == 2 else 2])
+        else:
+            views = (along[side], TOP)
+        named = dict(zip("xyz", self.axes, strict=True))
+        return tuple(
+            replace(view, labels=(named[view.labels[0]], named[view.labels[1]]))
+            for view in views
+            if view.labels is not None
+        )
+
+    def is_in_plane(self, path: Points) -> bool:
+        if self.has_hoop:
+            return bool(np.abs(path[:, 1]).max() <= _FLAT)
+        size = np.ptp(path, axis=0)
+        return bool(size.min() <= _FLAT * size.max())
 
     def upright(self, points: Points) -> Points:
         return np.asarray(points @ self.turn.T)
@@ -217,13 +307,13 @@ class _Bodies:
             else:
                 self._draw_solid(axes, view, body, light, colour)
             for lines, wide in ((body.mesh.rims, 0.7), (body.lines, 1.4)):
-                _draw_lines(axes, view, lines, colour, wide, behind=body.behind)
+                draw_lines(axes, view, lines, colour, wide, behind=body.behind)
 
     def draw_ends(self, axes: Axes, view: View) -> None:
         for end in self.ends:
             outline = [view.flatten(line) for line in chains(end.mesh.rims)]
-            if _edge_on(end.mesh, view):
-                outline = _spans(view.flatten(end.mesh.corners[..., :3]))
+            if edge_on(end.mesh, view):
+                outline = spans(view.flatten(end.mesh.corners[..., :3]))
             lines = LineCollection(
                 outline,
                 colors=COLOURS["end"],
@@ -241,26 +331,25 @@ class _Bodies:
     def _draw_behind(self, axes: Axes, view: View, body: Body, light: Points, colour: str) -> None:
         """Draw a plane, or the far side of what is touched from inside."""
         corners = body.mesh.corners
-        if _edge_on(body.mesh, view):
-            lines = _spans(view.flatten(corners[..., :3]))
-            axes.add_collection(
-                LineCollection(lines, colors=[colour], linewidths=1.1, zorder=_RIMS)
-            )
+        if edge_on(body.mesh, view):
+            lines = spans(view.flatten(corners[..., :3]))
+            axes.add_collection(LineCollection(lines, colors=[colour], linewidths=1.1, zorder=RIMS))
             return
         facing = self._normals(corners) @ view.towards
         corners = clip(corners, -facing)[0]
         if not len(corners):
+            draw_edge_on(axes, view, body.mesh.corners, facing, colour)
             return
-        if np.ptp(self._normals(corners).reshape(-1, 3), axis=0).max() < _EDGE_ON:
-            patch = _patch(corners, view, fc=colour, alpha=_FAINT, lw=0.0, zorder=_PLANES)
-            axes.add_patch(patch)
+        if np.ptp(self._normals(corners).reshape(-1, 3), axis=0).max() < EDGE_ON:
+            axes.add_patch(patch(corners, view, fc=colour, alpha=_FAINT, lw=0.0, zorder=_PLANES))
             return
         self._draw_toned(axes, view, corners, light, colour, _INSIDES, _PALE)
 
     def _draw_solid(self, axes: Axes, view: View, body: Body, light: Points, colour: str) -> None:
-        corners, _, rows = clip(
-            body.mesh.corners, -(self._normals(body.mesh.corners) @ view.towards)
-        )
+        facing = self._normals(body.mesh.corners) @ view.towards
+        corners, _, rows = clip(body.mesh.corners, -facing)
+        if not len(corners):
+            draw_edge_on(axes, view, body.mesh.corners, facing, colour)
         # Those of about one depth are drawn as one.
         depths = view.depth(corners[..., :3].mean(axis=1)) / (view.near * self.ball_radius)
         total = np.bincount(body.mesh.parts[rows], depths)
@@ -285,97 +374,5 @@ class _Bodies:
             left = clip(corners, least - self._normals(corners) @ light)[0]
             left = clip(left, self._normals(left) @ light - most)[0]
             if len(left):
-                tone = _mixed(colour, white + pale * (1.0 - white))
-                axes.add_patch(_patch(left, view, fc=tone, ec=tone, lw=0.3, zorder=order))
-
-
-def _edge_on(mesh: Mesh, view: View) -> bool:
-    """Return whether a mesh is flat, and seen as a line."""
-    ways = mesh.corners[..., 3:] - mesh.corners[..., :3]
-    if not ways.any():  # an end: its ball has no size
-        flat = mesh.corners[..., :3].reshape(-1, 3)
-        return bool(len(flat)) and bool(np.ptp(view.flatten(flat), axis=0).min() < _EDGE_ON)
-    size = float(np.abs(ways).max())
-    straight = np.ptp(ways.reshape(-1, 3), axis=0).max() < _EDGE_ON * size
-    return bool(straight and np.abs(ways @ view.towards).max() < _EDGE_ON * size)
-
-
-def _spans(triangles: Points) -> list[Points]:
-    """Return what triangles that lie on one line cover of it, as few segments."""
-    points = triangles.reshape(-1, 2)
-    if not len(points):
-        return []
-    along = points[np.argmax(np.linalg.norm(points - points[0], axis=1))] - points[0]
-    order = (triangles @ along).reshape(-1, 3)
-    starts, stops = triangles[:, 0] * 0.0, triangles[:, 0] * 0.0
-    for ends, pick in ((starts, order.argmin(axis=1)), (stops, order.argmax(axis=1))):
-        ends[:] = triangles[np.arange(len(triangles)), pick]
-    sort = np.argsort(starts @ along, kind="stable")
-    found: list[list[Points]] = []
-    for start, stop in zip(starts[sort], stops[sort], strict=True):
-        slack = 1e-9 * float(along @ along)
-        if found and start @ along <= found[-1][1] @ along + slack:
-            found[-1][1] = max(found[-1][1], stop, key=lambda end: float(end @ along))
-        else:
-            found.append([start, stop])
-    return [np.array(ends) for ends in found]
-
-
-def _patch(corners: Points, view: View, **look: Any) -> PathPatch:
-    """Return the triangles as one shape, without the lines between them."""
-    vertices, codes = [], []
-    for line in loops(corners[..., :3]):
-        flat = _fewer(view.flatten(line))
-        vertices.append(flat)
-        codes += [Path.MOVETO, *[Path.LINETO] * (len(flat) - 2), Path.CLOSEPOLY]
-    shape = Path(np.concatenate([np.empty((0, 2)), *vertices]), codes)
-    return PathPatch(shape, joinstyle="round", **look)
-
-
-def _fewer(line: Points) -> Points:
-    """Return a line without the points that are as good as between their neighbours."""
-    near = _NEAR * float(np.ptp(line, axis=0).max())
-    for _ in range(_PASSES):
-        if len(line) < 5:
-            break
-        before, at, after = line[:-2:2], line[1:-1:2], line[2::2]
-        way, off = after - before[: len(after)], at - before[: len(at)]
-        across = np.abs(way[:, 0] * off[:, 1] - way[:, 1] * off[:, 0])
-        needed = across > near * np.linalg.norm(way, axis=1)
-        keep = np.ones(len(line), np.bool_)
-        keep[1:-1:2] = needed
-        line = line[keep]
-    return line
-
-
-def _draw_lines(
-    axes: Axes, view: View, lines: Points, colour: str, wide: float, *, behind: bool
-) -> None:
-    """Draw segments (k, 2, 3), the near ones over the ball."""
-    if not len(lines):
-        return
-    if behind:
-        groups = [(np.arange(len(lines)), _RIMS)]
-    else:
-        depth = view.depth(lines.mean(axis=1))
-        rows = np.array_split(np.argsort(depth, kind="stable"), min(16, len(lines)))
-        middle = [lines[group].mean(axis=(0, 1)) for group in rows]
-        groups = [(g, order_of(view, m)) for g, m in zip(rows, middle, strict=True)]
-    for group, order in groups:
-        flat = [view.flatten(line) for line in chains(lines[group])]
-        axes.add_collection(
-            LineCollection(
-                flat,
-                colors=[_mixed(colour, -0.2)],
-                linewidths=wide,
-                zorder=order,
-                capstyle="round",
-            )
-        )
-
-
-def _mixed(colour: str, white: float) -> tuple[float, float, float]:
-    """Return a colour on the way to white, or with a minus to black."""
-    aim = float(white > 0.0)
-    red, green, blue = (c + abs(white) * (aim - c) for c in to_rgb(colour))
-    return red, green, blue
+                tone = mixed(colour, white + pale * (1.0 - white))
+                axes.add_patch(patch(left, view, fc=tone, ec=tone, lw=0.3, zorder=order))

@@ -25,6 +25,7 @@ __all__ = [
     "FRAME",
     "GRID",
     "INK",
+    "LINES",
     "MADE",
     "MISSED",
     "NARROW",
@@ -53,9 +54,10 @@ SMALL = 7.5
 INK, DARK, FRAME, EDGES, GRID = "#333333", "#222222", "#444444", "#777777", "#ECECEC"
 """Of text, of lines over colours, of axes, around areas, and behind everything."""
 
-# The same hues, each kind of shot at a lightness of its own: made ones dark, missed ones light. One
-# colour serves areas and lines: none is lost on paper, and no two are nearer than 10 (CIEDE2000)
-# to readers of any colour vision; found by a search, and measured by tests/test_colours.py.
+# The same hues, each kind of shot at a lightness of its own: made ones dark, missed ones light. No
+# two colours of areas, and no two of lines, are nearer than 10 (CIEDE2000) to readers of any colour
+# vision; lines, which have no edge, have a contrast of 3 with paper at least (WCAG 2.2, 1.4.11).
+# Found by a search, and measured by tests/test_colours.py.
 MADE: Mapping[str, str] = MappingProxyType(
     {
         "swish": "#115789",
@@ -77,6 +79,30 @@ MISSED: Mapping[str, str] = MappingProxyType(
     }
 )
 """Of a missed shot, by kind; an airball is the pale blue of a swish: neither touched anything."""
+
+LINES: Mapping[str, Mapping[str, str]] = MappingProxyType(
+    {
+        "made": MappingProxyType(
+            {
+                "swish": "#072A63",
+                "rim": "#721800",
+                "bank": "#025732",
+                "bank_rim": "#704C8B",
+                "rim_board": "#875B09",
+            }
+        ),
+        "missed": MappingProxyType(
+            {
+                "rim": "#D76E21",
+                "bank": "#567F65",
+                "bank_rim": "#AC709F",
+                "rim_board": "#A39165",
+                "airball": "#217CE5",
+            }
+        ),
+    }
+)
+"""Of paths, by outcome and kind."""
 
 SHADES = "YlGnBu"
 """Matplotlib's colours of a share: lightness falls evenly, in grey and with any colour vision."""

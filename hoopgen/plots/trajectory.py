@@ -12,6 +12,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.text import Text
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.engines import Engine
@@ -21,7 +22,7 @@ from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, draw_view, so
 from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scenery import Scenery, scenery_of
 from hoopgen.plots.style import INK, PAGE, SMALL, style, wrap
-from hoopgen.plots.views import SIDE, TOP, Limits, Points, View, oblique
+from hoopgen.plots.views import Limits, Points, View, oblique
 from hoopgen.printable import printable
 from hoopgen.told import say_of
 from hoopgen.units import shown, shown_system
@@ -74,11 +75,13 @@ _WIDEST_BESIDE = 3.2  # of the side and top views, to have the 3D view beside th
 _BOX_BELOW = 3.5
 _LABELS = 0.48  # around a 3D view
 _PAD = 0.06  # m
-_FLAT = 1e-6  # m
 _ROUND = 0.25  # m: the room's sides
 _FAR = 1e290  # m: near the end of the doubles' range matplotlib computes with infinity
 _ELEVATION = np.radians(25.0)
 _ALONG, _ACROSS = np.radians(62.0), np.radians(36.0)  # azimuth, for a long and for a wide room
+
+
+_SHADOW = "Grey in the 3D view: the path straight below on its floor, and lines down to it."
 
 
 class _Options(TypedDict, total=False):
@@ -114,6 +117,9 @@ def plot_trajectory(
 ) -> Figure | Axes:
     """Draw a shot to scale: from the side, from above and, out of plane, in space.
 
+    In a scene of one's own the side view looks across the plane in which the ball moves; where all
+    bodies are cylinders across that plane, it is the only view.
+
     Parameters
     ----------
     trajectory
@@ -125,7 +131,8 @@ def plot_trajectory(
     title
         Above the picture.
     three_d
-        Whether there is a 3D view; by default where the ball leaves the plane y = 0.
+        Whether there is a 3D view; by default where the ball leaves the plane of the side view,
+        at a hoop the plane y = 0.
     ax
         To draw on, from the side only. The key is to the right of them: figures with
         ``layout="constrained"`` make room for it.
@@ -149,10 +156,11 @@ def plot_trajectory(
         with style():
             return _draw_on(check_axes(ax), drawing, title, *told_of(trajectory, parameters))
     if three_d is None:
-        three_d = bool(np.abs(drawing.path[:, 1]).max() > _FLAT)
+        three_d = not drawing.scenery.is_in_plane(drawing.path)
     with style():
         page = _arrange(drawing, three_d)
-        told = broken(told_of(trajectory, parameters), page.width)
+        shadow = [_SHADOW] if three_d else []
+        told = broken([*told_of(trajectory, parameters), *shadow], page.width)
         room = max(0, len(told) - _LINES) * _LINE
         figure = Picture(figsize=(page.width, page.height + room))
         for panel in page.panels:
@@ -169,7 +177,8 @@ def broken(told: Sequence[str], width: float) -> list[str]:
 
 def _draw_on(axes: Axes, drawing: Drawing, title: str, *told: str) -> Axes:
     """Draw the side view on axes that there are."""
-    draw_view(axes, fit_view(axes, SIDE, flat_limits(drawing, SIDE)), drawing)
+    view = drawing.views[0]
+    draw_view(axes, fit_view(axes, view, flat_limits(drawing, view)), drawing)
     add_title(axes, title, *told, formulas=True)
     add_key(axes, [_key_of(mark) for mark in drawing.marks if mark.text])
     return axes
@@ -177,6 +186,8 @@ def _draw_on(axes: Axes, drawing: Drawing, title: str, *told: str) -> Axes:
 
 def _key_of(mark: Mark) -> Line2D:
     text = f"{mark.label}  {mark.text}".strip()
+    if mark.kind == "line":
+        return Line2D([], [], color=mark.colour, label=text, lw=0.9, ls=(0, (5, 3)))
     return Line2D(
         [], [], color=mark.colour, label=text, marker="o", markersize=5.0, linestyle="none"
     )
@@ -196,8 +207,9 @@ def collect(trajectory: Path, parameters: Mapping[str, float], outcome: IntEnum 
     dots = some(events["before"], _PATH // 2)[:, :3]
     hoop = trajectory.scene.is_hoop
     bodies = None if hoop else {name: scenery.colours[name] for name in scenery.names}
-    marks = collect_marks(path[0], events, scenery.ball_radius, outcome, bodies)
-    return Drawing(path, beats, dots, marks, scenery, _room(path, scenery))
+    line = scenery.said_of_ends
+    marks = collect_marks(path[0], events, scenery.ball_radius, outcome, bodies, line)
+    return Drawing(path, beats, dots, marks, scenery, _room(path, scenery), scenery.views(path))
 
 
 def beats_of(duration: float) -> NDArray[np.float64]:
@@ -246,8 +258,9 @@ class _Page:
 
 def _arrange(drawing: Drawing, three_d: bool) -> _Page:
     """Place the views: side over top, the 3D view beside them or, for a long shot, below."""
-    side, top = flat_limits(drawing, SIDE), flat_limits(drawing, TOP)
-    across, up = side[1] - side[0], side[3] - side[2] + top[3] - top[2]
+    flat = [(view, flat_limits(drawing, view)) for view in drawing.views]
+    across = max(right - left for _, (left, right, _, _) in flat)
+    up = sum(top - bottom for _, (_, _, bottom, top) in flat)
     widest = PAGE - _LEFT - _RIGHT
     beside = three_d and across * _TALLEST / up < _WIDEST_BESIDE
     tallest = _TALLEST_OVER if three_d and not beside else _TALLEST
@@ -257,17 +270,19 @@ def _arrange(drawing: Drawing, three_d: bool) -> _Page:
     left = _LEFT if beside else _LEFT + (width - _LEFT - column - _RIGHT) / 2.0
     key = 0.15 + KEY_ROW * key_rows(drawing.marks, width - _LEFT)
     bottom = key + _BELOW + (_BOX_BELOW if three_d and not beside else 0.0)
-    lower = Panel(TOP, top, scale, left, bottom)
-    upper = Panel(SIDE, side, scale, left, bottom + lower.height + _BETWEEN)
-    height = upper.bottom + upper.height + _ABOVE
+    panels: list[Panel] = []
+    for view, limits in reversed(flat):
+        panels.insert(0, Panel(view, limits, scale, left, bottom))
+        bottom += panels[0].height + _BETWEEN
+    height = bottom - _BETWEEN + _ABOVE
     if not three_d:
-        return _Page(width, height, (upper, lower))
+        return _Page(width, height, tuple(panels))
     edge = left + column + 0.1
     box = (edge, key, width - edge, height - key - _ABOVE)
     space = _space_panel(
         drawing, box if beside else (_LEFT, key, width - _LEFT - _RIGHT, _BOX_BELOW - 0.3)
     )
-    return _Page(width, height, (upper, lower, space))
+    return _Page(width, height, (*panels, space))
 
 
 def flat_limits(drawing: Drawing, view: View) -> Limits:
@@ -355,12 +370,14 @@ def _aside(x: float, y: float, vx: float, vy: float) -> str:
     return f" and {abs(azimuth):.1f}\N{DEGREE SIGN} to the {'left' if azimuth > 0.0 else 'right'}"
 
 
-def draw_title(figure: Figure, title: str, told: Sequence[str]) -> None:
-    """Write the title of a page, and lines below it."""
+def draw_title(figure: Figure, title: str, told: Sequence[str]) -> Text:
+    """Write the title of a page, which is returned, and lines below it."""
     width, height = figure.get_size_inches()
     x = _LEFT / width
     head = printable(title)
-    figure.text(x, 1.0 - 0.16 / height, head, fontsize=10, fontweight="bold", va="center")
+    top = 1.0 - 0.16 / height
+    written = figure.text(x, top, head, fontsize=10, fontweight="bold", va="center")
     for number, line in enumerate(told):
         y = 1.0 - (0.34 + _LINE * number) / height
         figure.text(x, y, line, fontsize=SMALL, color=INK, va="center", parse_math=True)
+    return written

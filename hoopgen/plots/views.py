@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["SIDE", "TOP", "Limits", "Points", "View", "oblique"]
+__all__ = ["FRONT", "SIDE", "TOP", "Limits", "Points", "View", "oblique"]
 
 Vector = tuple[float, float, float]
 Points = NDArray[np.float64]
@@ -54,6 +54,7 @@ class View:
 
 
 SIDE = View("side view", (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), ("x", "z"))
+FRONT = View("side view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), ("y", "z"))
 TOP = View("top view", (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), ("x", "y"))
 
 

@@ -14,7 +14,20 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Box", "Bound", "Mesh", "chains", "clip", "cut_all", "flat", "level", "loops", "turned"]
+__all__ = [
+    "Box",
+    "Bound",
+    "Mesh",
+    "chains",
+    "clip",
+    "cut_all",
+    "flat",
+    "joined",
+    "level",
+    "loops",
+    "turned",
+    "walls",
+]
 
 Floats = NDArray[np.float64]
 
@@ -113,6 +126,28 @@ def cut_all(mesh: Mesh, bounds: Sequence[Bound], room: Sequence[Bound] = ()) -> 
         if real:
             rims = np.concatenate([rims, cuts[..., :3]])
     return Mesh(corners, rims, parts)
+
+
+def joined(first: Mesh, *others: Mesh) -> Mesh:
+    """Return meshes as one; parts of the others are new ones."""
+    meshes, parts, free = [first, *others], [first.parts], int(first.parts.max(initial=-1)) + 1
+    for other in others:
+        parts.append(other.parts + free)
+        free += int(other.parts.max(initial=-1)) + 1
+    corners = np.concatenate([mesh.corners for mesh in meshes])
+    return Mesh(corners, np.concatenate([mesh.rims for mesh in meshes]), np.concatenate(parts))
+
+
+def walls(room: Box) -> list[Bound]:
+    """Return the bounds of a room."""
+    low, high = room
+    slack = 1e-9 * float((high - low).max())
+
+    def wall(axis: int, way: int) -> Bound:
+        at = high[axis] if way > 0 else -low[axis]
+        return lambda points: way * points[..., axis] - at - slack
+
+    return [wall(axis, way) for axis in range(3) for way in (-1, 1)]
 
 
 def _shortened(segments: Floats, bound: Bound) -> Floats:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import numpy as np
+from numpy.typing import NDArray
+
 from .formulas import POSITION, ZERO, Formula, FormulaError, constant
 
-__all__ = ["Polynomial", "polynomial", "product", "total"]
+__all__ = ["Numbers", "Polynomial", "derivative", "evaluate", "polynomial", "product", "total"]
 
 TERMS = 200
 """Terms of a polynomial, multiplied out."""
@@ -71,3 +74,27 @@ def product(left: Polynomial, right: Polynomial) -> Polynomial:
         for p, factor in left.items()
         for q, other in right.items()
     )
+
+
+# Of numbers
+
+Numbers = list[tuple[tuple[int, int, int], float]]
+"""Powers of x, y, z and what they are multiplied by."""
+
+
+def evaluate(terms: Numbers, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the values of a polynomial at points (..., 3)."""
+    total = np.zeros(points.shape[:-1])
+    for (i, j, k), factor in terms:
+        total += factor * points[..., 0] ** i * points[..., 1] ** j * points[..., 2] ** k
+    return total
+
+
+def derivative(terms: Numbers, axis: int) -> Numbers:
+    """Return the derivative of a polynomial along an axis."""
+    found: Numbers = []
+    for powers, factor in terms:
+        if powers[axis]:
+            lower = [power - (k == axis) for k, power in enumerate(powers)]
+            found.append(((lower[0], lower[1], lower[2]), factor * powers[axis]))
+    return found

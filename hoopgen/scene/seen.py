@@ -15,7 +15,20 @@ from hoopgen.engines import Engine
 from .bounds import Terms
 from .drawn import drawn
 from .formulas import Formula
-from .meshes import Bound, Box, Floats, Mesh, cut_all, flat, grid, level, turned
+from .meshes import (
+    Bound,
+    Box,
+    Floats,
+    Mesh,
+    cut_all,
+    flat,
+    grid,
+    joined,
+    level,
+    turned,
+    walls,
+)
+from .polynomials import derivative, evaluate
 from .scene import Scene
 from .shapes import Shape
 
@@ -118,6 +131,27 @@ class Seen:
         return self._number(self.scene.read.gravity)
 
     @cached_property
+    def axis(self) -> int | None:
+        """The axis that all cylinders have, when upright; None where there is none."""
+        axes = {shape.axis[0] for shape in self.scene.read.bodies if shape.kind == "cylinder"}
+        turn, _ = upright(self.scene.read.down)
+        return int(np.flatnonzero(turn[:, axes.pop()])[0]) if len(axes) == 1 else None
+
+    @cached_property
+    def planar(self) -> bool:
+        """Whether nothing changes along that axis: all that is curved are cylinders."""
+        kinds = {shape.kind for shape in self.scene.read.bodies} - {"plane", "box"}
+        return kinds == {"cylinder"} and self.axis is not None
+
+    def side(self, size: Floats) -> int:
+        """Return which axis a side view looks along, 0 or 1, when upright.
+
+        It is that of the cylinders, else that along which paths, of a size (3,), are shorter.
+        """
+        axis = self.axis
+        return axis if axis is not None and axis < 2 else int(size[1] <= size[0])
+
+    @cached_property
     def names(self) -> tuple[str, ...]:
         """Of the bodies."""
         return tuple(shape.name for shape in self.scene.read.bodies)
@@ -214,7 +248,39 @@ class Seen:
         unit[..., across[0]], unit[..., across[1]] = np.cos(u), np.sin(u)
         points = self._centre(shape) + radius * unit
         points[..., axis] = along[:, None]
-        return self._curved(shape, room, points, unit, (False, True))
+        side = self._curved(shape, room, points, unit, (False, True))
+        return side if shape.inside else joined(side, *self._caps(shape, room))
+
+    def _caps(self, shape: Shape, room: Box) -> list[Mesh]:
+        """Return the ends of a cylinder, as far as they are seen: without them it is a hollow tube.
+
+        Nothing touches them; a cylinder without ends is cut where the room ends.
+        """
+        axis, radius, ball = shape.axis[0], self._number(shape["radius"]), self.ball_radius
+        across = [(axis + 1) % 3, (axis + 2) % 3]
+        u = np.linspace(0.0, 2.0 * np.pi, _ROUND, endpoint=False)
+        extent = self._extent(shape)
+        low, high = max(extent[0][axis], room[0][axis]), min(extent[1][axis], room[1][axis])
+        found: list[Mesh] = []
+        for way, at in ((-1, low), (1, high)):
+            if not low < high:
+                break
+            rim = np.tile(self._centre(shape), (_ROUND, 1))
+            rim[:, axis] = at
+            middle = rim.copy()
+            rim[:, across[0]] += radius * np.cos(u)
+            rim[:, across[1]] += radius * np.sin(u)
+            turn = (rim, np.roll(rim, -1, axis=0))
+            corners = np.stack([middle, *turn[::way]], 1)
+            # Bounds other than those along the axis hold for a ball beside the rim.
+            beside = corners + ball / radius * (corners - middle[:, None])
+            whole = Mesh.of(np.concatenate([corners, beside], -1))
+            others = [b for b in shape.bounds if not _is_along(b, axis)]
+            left = cut_all(whole, self._bounds(others), walls(room)).corners
+            left[..., 3:] = left[..., :3]
+            left[..., 3 + axis] += way * ball
+            found.append(Mesh.of(left))
+        return found
 
     def _curved(
         self, shape: Shape, room: Box, points: Floats, unit: Floats, around: tuple[bool, bool]
@@ -228,7 +294,7 @@ class Seen:
             parts = np.arange(len(corners)) // (2 * _ROUND)
         real = ~np.all(corners == np.roll(corners, -1, axis=1), axis=2).any(axis=1)
         whole = Mesh.of(corners[real], parts[real])
-        return cut_all(whole, self._bounds(shape.bounds), _walls(room))
+        return cut_all(whole, self._bounds(shape.bounds), walls(room))
 
     def _torus(self, shape: Shape, room: Box) -> Mesh:
         wire = self._number(shape["wire"])
@@ -242,7 +308,7 @@ class Seen:
         unit = np.cos(v)[:, None] * out[:, None] + np.sin(v)[:, None] * along
         corners = grid(turned(circle[:, None] + wire * unit, unit, self.ball_radius), (True, True))
         parts = np.arange(len(corners)) // (2 * _WIRE * _SECTOR)
-        return cut_all(Mesh.of(corners, parts), (), _walls(room))
+        return cut_all(Mesh.of(corners, parts), (), walls(room))
 
     def _circle(self, shape: Shape) -> Floats:
         axis = shape.axis[0]
@@ -260,17 +326,17 @@ class Seen:
             for way in (-1, 1)
         ]
         whole = Mesh.of(np.concatenate([face.corners for face in faces]))
-        return cut_all(whole, (), _walls(room))
+        return cut_all(whole, (), walls(room))
 
     def _surface(self, shape: Shape, room: Box) -> Mesh:
         condition = self._bounds([shape.condition])[0]
         terms = [(powers, self._number(factor)) for powers, factor in shape.condition]
 
         def gradient(points: Floats) -> Floats:
-            return np.stack([_polynomial(_slope(terms, k), points) for k in range(3)], -1)
+            return np.stack([evaluate(derivative(terms, k), points) for k in range(3)], -1)
 
         whole = level(condition, gradient, room, self.ball_radius)
-        return cut_all(whole, self._bounds(shape.bounds), _walls(room))
+        return cut_all(whole, self._bounds(shape.bounds), walls(room))
 
     # Its data
 
@@ -301,9 +367,8 @@ class Seen:
             low[axis], high[axis] = -np.inf, np.inf
             for terms in shape.bounds:
                 found = {powers: self._number(factor) for powers, factor in terms}
-                steep = found.get((int(axis == 0), int(axis == 1), int(axis == 2)), 0.0)
-                rest = set(found) - {(0, 0, 0)}
-                if steep and len(rest) == 1:
+                steep = found.get(_linear(axis), 0.0)
+                if steep and _is_along(terms, axis):
                     end = -found.get((0, 0, 0), 0.0) / steep
                     if steep > 0:
                         high[axis] = min(high[axis], end)
@@ -314,36 +379,15 @@ class Seen:
     def _bounds(self, bounds: Sequence[Terms]) -> list[Bound]:
         def bound(terms: Terms) -> Bound:
             numbers = [(powers, self._number(factor)) for powers, factor in terms]
-            return lambda points: _polynomial(numbers, points)
+            return lambda points: evaluate(numbers, points)
 
         return [bound(terms) for terms in bounds]
 
 
-_Numbers = list[tuple[tuple[int, int, int], float]]
+def _linear(axis: int) -> tuple[int, int, int]:
+    return int(axis == 0), int(axis == 1), int(axis == 2)
 
 
-def _polynomial(terms: _Numbers, points: Floats) -> Floats:
-    total = np.zeros(points.shape[:-1])
-    for (i, j, k), factor in terms:
-        total += factor * points[..., 0] ** i * points[..., 1] ** j * points[..., 2] ** k
-    return total
-
-
-def _slope(terms: _Numbers, axis: int) -> _Numbers:
-    found: _Numbers = []
-    for powers, factor in terms:
-        if powers[axis]:
-            lower = [power - (k == axis) for k, power in enumerate(powers)]
-            found.append(((lower[0], lower[1], lower[2]), factor * powers[axis]))
-    return found
-
-
-def _walls(room: Box) -> list[Bound]:
-    low, high = room
-    slack = 1e-9 * float((high - low).max())
-
-    def wall(axis: int, way: int) -> Bound:
-        at = high[axis] if way > 0 else -low[axis]
-        return lambda points: way * points[..., axis] - at - slack
-
-    return [wall(axis, way) for axis in range(3) for way in (-1, 1)]
+def _is_along(terms: Terms, axis: int) -> bool:
+    """Return whether a bound says where along an axis a body ends, and nothing else."""
+    return {powers for powers, _ in terms} - {(0, 0, 0)} == {_linear(axis)}

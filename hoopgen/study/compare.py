@@ -20,7 +20,7 @@ from .estimate import NAMES, STILL, Estimate, estimated, told
 from .intervals import newcombe, newcombe_apart
 from .models import is_still
 from .resample import Resample
-from .said import Said
+from .said import SharesOfShots
 from .sample import Rows, SampleInterval, difference_of_rows, say_difference
 from .shares import Shares
 from .tallies import check_share, contacts_of, width_of
@@ -30,7 +30,7 @@ __all__ = ["Comparison", "compare"]
 
 
 @dataclass(frozen=True, repr=False)
-class Comparison(Said):
+class Comparison(SharesOfShots):
     """What the second of two settings adds to the first, over the same random numbers.
 
     Attributes

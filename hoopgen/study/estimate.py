@@ -29,7 +29,7 @@ from .intervals import wilson
 from .measures import MEASURES, measures_of
 from .models import ReleaseModel, is_still
 from .rebounds import CATCHING_HEIGHT, check_height
-from .said import Said
+from .said import SharesOfShots
 from .sample import Rows, SampleInterval, say_sample
 from .shares import Shares, shares_of
 from .spread import Spread, spread_lines, spreads, spreads_of_sample, width_of
@@ -52,7 +52,7 @@ NAMES = 9
 
 
 @dataclass(frozen=True, repr=False)
-class Estimate(Said):
+class Estimate(SharesOfShots):
     """How probably a shot is made.
 
     An invalid shot is no trial: `probability` is of the others. A capped one is a trial and not

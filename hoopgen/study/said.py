@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import html
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hoopgen.installed import need
+from hoopgen.results import pictures
 
 from .named import in_units
 
-__all__ = ["Said"]
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["Said", "SharesOfShots"]
 
 
 class Said:
@@ -36,3 +41,28 @@ class Said:
 
     def _repr_html_(self) -> str:
         return f"<pre>{html.escape(str(self))}</pre>"
+
+
+class SharesOfShots(Said):
+    """A result that is made of shares of shots, and is drawn as bars."""
+
+    def plot(self, **options: Any) -> Figure | Axes:
+        """Draw how shots end, with the intervals of the shares.
+
+        Parameters
+        ----------
+        **options
+            As for `hoopgen.plots.plot_estimate`.
+
+        Returns
+        -------
+        Figure or Axes
+            As of `hoopgen.plots.plot_estimate`.
+
+        Raises
+        ------
+        ImportError
+            If matplotlib is missing.
+        """
+        drawn: Figure | Axes = pictures().plot_estimate(self, **options)
+        return drawn

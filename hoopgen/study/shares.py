@@ -17,7 +17,7 @@ from hoopgen.words import for_json
 
 from .intervals import wilson
 from .models import is_still
-from .said import Said
+from .said import SharesOfShots
 from .sample import Rows, SampleInterval
 from .tallies import Tally
 
@@ -28,7 +28,7 @@ INVALID = "invalid"
 
 
 @dataclass(frozen=True, repr=False)
-class Shares(Said):
+class Shares(SharesOfShots):
     """How shots end, in a scene without a hoop.
 
     An invalid shot is no trial: shares are of the others. Outcomes that are not the scene's ends,

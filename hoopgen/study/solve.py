@@ -31,7 +31,7 @@ from .draws import check_two_seeds
 from .estimate import Estimate, estimated
 from .intervals import wilson
 from .resample import Resample
-from .said import Said
+from .said import SharesOfShots
 from .scatter import Scatter
 from .scattering import scaled
 from .shares import Shares
@@ -45,7 +45,7 @@ FACTORS = (0.0, *(2.0 ** (half / 2) for half in range(-8, 9)))
 
 
 @dataclass(frozen=True, repr=False)
-class Solution(Said):
+class Solution(SharesOfShots):
     """The factor times a scatter with which a wanted share of the shots is made.
 
     Attributes

@@ -15,6 +15,7 @@ from hoopgen.study.folders import trim
 from hoopgen.study.rebounds import REBOUNDS, caught_at
 from hoopgen.study.throws import chunks_of, scene_identity
 from hoopgen.told import say_of
+from hoopgen.units import shown_system
 
 from .schema import Batch, Compare, Estimate, Given, Question, Study
 from .settings import Setting
@@ -141,6 +142,8 @@ class Asked:
             identity["max_contacts"] = self.engine.max_contacts
         caught = {"catching_height"} - set(self._caught)
         unsaid = {"measures"} if isinstance(question, Estimate) and not question.measures else set()
+        if (system := shown_system()) != "si":  # in which its answer is said, and drawn
+            identity["units"] = system
         identity = {name: v for name, v in identity.items() if name not in caught | unsaid}
         if isinstance(question, Batch):
             source = question.reading.source(self.folder / question.file)

@@ -104,8 +104,8 @@ def _question(file: Path) -> dict[str, str]:
         raise ValueError(f"{file} {_DAMAGED.format(file.parent)}") from None
 
 
-_HOW_MANY = {"shots", "precision"}
-"""What of these questions may be another, as with a folder of theirs alone."""
+_HOW_MANY = {"shots", "precision", "units"}
+"""What of these questions may be another, as with a folder of theirs alone; units are of texts."""
 
 
 def _may_go_on(asked: Asked, there: Mapping[str, str], here: Mapping[str, str]) -> bool:

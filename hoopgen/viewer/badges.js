@@ -6,6 +6,9 @@ const Badges = (() => {
   const HERE = 0.75; // ball radii: contacts on one surface nearer together share a badge
   const [HEIGHT, GLYPH, PAD] = [20, 7.2, 8]; // px
   const [EDGE, TOP] = [6, 60]; // px left free at the edges, and for the buttons at the top
+  const OFF = [30, 44, 62, 84, 110]; // px from an anchor to a place tried
+  const FAR = [140, 175, 215, 260, 310, 365]; // where each of those is over another badge
+  const OVER = 1e3; // what it costs to be over another badge, or out of the picture
   const ROUND = Array.from({ length: 16 }, (_, k) => (2 * Math.PI * (k + 0.5)) / 16);
 
   /** Return an event's number among the impacts, or what else it is. */
@@ -59,7 +62,8 @@ const Badges = (() => {
     const placed = [];
     for (const box of boxes) {
       let least = Infinity;
-      for (const off of [30, 44, 62, 84, 110]) {
+      for (const off of [...OFF, ...FAR]) {
+        if (off > OFF.at(-1) && least < OVER) break;
         for (const angle of ROUND) {
           const centre = [
             box.anchor[0] + (off + box.wide / 2 - HEIGHT / 2) * Math.cos(angle),
@@ -81,7 +85,7 @@ const Badges = (() => {
     if (centre[0] < half + EDGE || centre[0] > width - half - EDGE) cost += 1e6;
     if (centre[1] < TOP || centre[1] > height - HEIGHT / 2 - EDGE) cost += 1e6;
     for (const other of placed) {
-      if (covers(other.centre, half + other.wide / 2 + 3, HEIGHT + 3)) cost += 1e3;
+      if (covers(other.centre, half + other.wide / 2 + 3, HEIGHT + 3)) cost += OVER;
       if (covers(other.anchor, half + 6, HEIGHT / 2 + 6)) cost += 20;
     }
     for (const point of avoid) if (covers(point, half + 3, HEIGHT / 2 + 3)) cost += 2;

@@ -7,9 +7,10 @@ const Camera = (() => {
   const ACROSS = 0.9; // rad round the hoop, from the line of the shot to the eye
   const VIEWS = ["3D", "Side", "Top", "Shooter", "Hoop"];
 
-  /** Return the direction from the scene to the eye, for one of `VIEWS` and a release at x, y. */
-  function direction(view, x, y, aspect) {
-    if (view === "Side") return towards(-Math.PI / 2, 0); // the board on the left
+  /** Return the direction from the scene to the eye, for one of `VIEWS` and a release at x, y.
+   * `side` is that of the side view, from which at a hoop the board is on the left. */
+  function direction(view, x, y, aspect, side = [0, -1, 0]) {
+    if (view === "Side") return new THREE.Vector3(...side);
     if (view === "Top") return towards(-Math.PI / 2, 1.5699); // a little aside: which way is up
     const away = Math.hypot(x, y) > 0 ? Math.atan2(y, x) : 0;
     if (view === "Shooter") return towards(away, 0.14);

@@ -42,9 +42,15 @@ const Flight = (() => {
     return [0, 1].flatMap((k) => moved.map((one) => one[k])).concat([7, 8, 9].map(between));
   }
 
-  /** Return the state of a shot at a time, s; after its end, the one there. */
+  /** Return when a shot is no longer followed, s: at its end, or when the ball is on the floor. */
+  function lasts(shot) {
+    return shot.floor_time ?? shot.duration;
+  }
+
+  /** Return the state of a shot at a time, s. After its end the ball falls on to the floor, as if
+   * it touched nothing: that is not simulated. Where there is no floor, it stays at the end. */
   function stateAt(shot, asked) {
-    const time = Math.min(asked, shot.duration);
+    const time = Math.min(asked, lasts(shot));
     const k = indexAt(shot.flights, time);
     const [flight, next] = [shot.flights[k], shot.flights[k + 1]];
     if (rolls(shot, k)) return rolled(flight, next, time - flight[0]);
@@ -74,5 +80,14 @@ const Flight = (() => {
     return points;
   }
 
-  return { indexAt, stateAt, spinOver, pathOf };
+  /** Return points of a ball's fall from the end of its shot to the floor; none if there is none. */
+  function fallOf(shot, pieces = 40) {
+    const { duration } = shot;
+    const over = lasts(shot) - duration;
+    if (!(over > 0)) return [];
+    const times = Array.from({ length: pieces + 1 }, (_, k) => duration + (over * k) / pieces);
+    return times.map((time) => stateAt(shot, time).slice(0, 3));
+  }
+
+  return { fallOf, indexAt, lasts, stateAt, spinOver, pathOf };
 })();

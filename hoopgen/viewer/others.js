@@ -26,8 +26,8 @@ const Others = (() => {
     return new THREE.MeshStandardMaterial({ color, roughness: 0.75, ...clear });
   }
 
-  /** Place the balls of the shown shots, all released at time 0, and hide the others. Each stays
-   * where its shot ends. */
+  /** Place the balls of the shown shots, all released at time 0, and hide the others. Each is paler
+   * once its shot has ended. */
   function move(group, shots, shown, chosen, time) {
     for (const ball of group.children) ball.visible = false;
     for (const k of shown) {

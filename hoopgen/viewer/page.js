@@ -19,7 +19,7 @@
   let frame = 0; // asked for by what runs
 
   const { scenery } = page; // of any scene but the hoop
-  const VIEWS = scenery ? Camera.VIEWS.slice(0, 3) : Camera.VIEWS;
+  const VIEWS = scenery?.views ?? Camera.VIEWS;
 
   const chosen = () => shots[state.shot];
 
@@ -103,14 +103,15 @@
       ...(touched.has("end") ? [["end", "hoop", words.named("end")]] : []),
     ];
     entries.push([shots.length > 1 ? "" : "path", "dots", `every ${Scene.beatOf(shots)} s`]);
+    const falls = shots.some((shot) => Flight.lasts(shot) > shot.duration);
+    if (falls) entries.push([shots.length > 1 ? "" : "fall", "dashes", "after the end, not simulated"]);
     const items = entries.map(([name, form, text]) =>
       make("li", {}, paint(make("span", { className: `swatch ${form} ${name}` }), name), text),
     );
     $("legend").replaceChildren(...items);
-    const height = `${page.ring_height} m`;
     $("scale").textContent = scenery
-      ? `To scale. The grid below is ${scenery.step} m.`
-      : `To scale. The floor’s grid is 1 m; the ring hangs at ${height}.`;
+      ? `To scale. The grid below is ${words.round(scenery.step)}.`
+      : `To scale. The floor’s grid is ${words.round(1)}; the ring hangs at ${words.round(page.ring_height)}.`;
   }
 
   function filters() {
@@ -174,7 +175,7 @@
   /** Return how long what is played lasts, s: the chosen shot, or the longest of those shown. */
   function span() {
     const played = state.together && state.shown.length ? state.shown : [state.shot];
-    return played.reduce((most, k) => Math.max(most, shots[k].duration), 0);
+    return played.reduce((most, k) => Math.max(most, Flight.lasts(shots[k])), 0);
   }
 
   /** Play all shots, released together; pressed again, the chosen one alone is there. */
@@ -196,6 +197,17 @@
     state.shot = k;
     const shot = chosen();
     $("shot").value = k;
+    Object.assign(document.body.dataset, { shot: k, outcome: shot.outcome, kind: shot.kind });
+    tell();
+    listEvents(shot);
+    measure();
+    picture?.choose(shot);
+    seek(state.together ? state.time : 0);
+  }
+
+  /** Say how the chosen shot is released, and how it ends. */
+  function tell() {
+    const shot = chosen();
     $("outcome").replaceChildren(
       make("b", { textContent: said(Words.capital(shot.outcome)) }),
       make("span", { textContent: `${words.kind(shot)}, ${words.outcome(shot)}` }),
@@ -204,12 +216,16 @@
       const why = ". Uncertain: some decision is within the bound on its rounding error.";
       $("outcome").append(make("span", { textContent: why }));
     }
-    Object.assign(document.body.dataset, { shot: k, outcome: shot.outcome, kind: shot.kind });
     fill($("release"), words.release(shot));
-    listEvents(shot);
-    measure();
-    picture?.choose(shot);
-    seek(state.together ? state.time : 0);
+  }
+
+  /** Say lengths and speeds in the other units. */
+  function convert() {
+    words.convert();
+    $("units").textContent = words.other();
+    legend();
+    tell();
+    seek(state.time, state.playing, state.stop);
   }
 
   /** Go to a time, or to a stop of the chosen shot, of which several may be at one time. */
@@ -224,9 +240,9 @@
     $("play").setAttribute("aria-label", state.playing ? "Pause" : "Play");
     const forms = { play: "M3 1l11 7-11 7z", pause: "M3 1h3.5v14H3zM9.5 1H13v14H9.5z" };
     $("play").querySelector("path").setAttribute("d", forms[state.playing ? "pause" : "play"]);
-    $("when").textContent = `At ${seconds(Math.min(state.time, shot.duration))}`;
+    $("when").textContent = `At ${seconds(Math.min(state.time, Flight.lasts(shot)))}`;
     fill($("now"), words.now(shot, state.time));
-    const told = words.stop(shot, state.stop);
+    const told = words.stop(shot, state.stop, state.time);
     if ($("stop").textContent !== told) $("stop").textContent = told;
     [...$("events").querySelectorAll("button")].forEach((button, k) => {
       if (k === state.stop - 1) button.setAttribute("aria-current", "step");
@@ -331,6 +347,8 @@
   $("together").onclick = gather;
   $("ghost").onchange = ({ target }) => picture?.haunt(target.checked);
   $("theme").onclick = Theme.toggle;
+  $("units").textContent = words.other();
+  $("units").onclick = convert;
   $("slider").oninput = () => seek($("slider").valueAsNumber, false);
   $("shot").onchange = () => choose(Number($("shot").value));
   $("previous").onclick = () => step(-1);

@@ -28,6 +28,7 @@ from hoopgen.phrases import counted
 from hoopgen.printable import printable
 from hoopgen.results import Shots, Trajectory
 from hoopgen.told import say_of
+from hoopgen.units import SHOWN, shown_system
 
 from .ghost import ghost
 from .palette import palette
@@ -95,6 +96,11 @@ def page(
         "title": printable(title) or _title(shots, valid),
         "about": _about(about, shots, parameters),
         "ring_height": RING_HEIGHT,
+        "units": {
+            system: {kind: vars(unit) for kind, unit in shown.items()}
+            for system, shown in SHOWN.items()
+        },
+        "system": shown_system(),
         "ghost": ghost(shots, values),
         "surfaces": shots.surfaces,
         "outcomes": [outcome.name.lower() for outcome in shots.scene.outcomes],
@@ -159,6 +165,7 @@ def _shot(
         # No name of a scene's author is a class of the page's style.
         surfaces = (*(f"body-{k}" for k in range(len(shots.surfaces))), "end")
         own = shown_parameters(shots, values, row)
+    fall = _fall(shots, row, trajectory)
     return {
         "label": label,
         "outcome": shots.scene.outcomes(int(shots.outcome[row])).name.lower(),
@@ -167,6 +174,7 @@ def _shot(
         "parameters": own,
         "flights": np.column_stack([starts, turned(shots, states)]).tolist(),
         "rolls": np.flatnonzero(np.diff(rolling, prepend=False)).reshape(-1, 2).tolist(),
+        **({} if fall is None else {"floor_time": fall}),
         "events": [
             {
                 "number": number or 0,
@@ -180,6 +188,21 @@ def _shot(
             )
         ],
     }
+
+
+def _fall(shots: Shots, row: int, trajectory: Trajectory) -> float | None:
+    """Return when the ball would be on the floor, s, if after the end it touched nothing else.
+
+    None where there is no hoop, and so no floor, and of a shot that does not end in flight.
+    """
+    scene = shots.scene
+    name = scene.outcomes(int(shots.outcome[row])).name
+    if not scene.has_hoop or name not in ("MADE", "MISSED", "SHORT"):
+        return None
+    events, parameters = trajectory.events, trajectory.parameters
+    last = events["after"][-1] if len(events) else trajectory.release
+    time, _ = scene.fall(last, parameters["ball_radius"] - RING_HEIGHT, parameters)
+    return trajectory.duration + float(time) if np.isfinite(time) else None
 
 
 def _touched(shots: Shots, values: Mapping[str, Value]) -> NDArray[np.float64]:

@@ -45,7 +45,7 @@ const Picture = (() => {
     const things = {}; // what is in the scene, by what it is
     let chosen = shots[0];
     let shown = shots.map((_, k) => k);
-    let view = "3D";
+    let view = scenery ? scenery.views[0] : "3D";
     let together = false; // all shots, and not the chosen one alone
     let now = 0; // s
     let turned = false; // by the reader, who then keeps what is seen
@@ -67,7 +67,7 @@ const Picture = (() => {
       if (things.hoop?.userData.sizes !== sizes) {
         const drawn = scenery ? Scene.bodies(scenery, colour) : Scene.hoop(shot.parameters, colour);
         put("hoop", drawn);
-        put("ball", Scene.ball(shot.parameters.ball_radius, colour));
+        put("ball", Scene.ball(shot.parameters.ball_radius, colour, scenery?.plain));
         things.hoop.userData.sizes = sizes;
       }
       const path = paths[shots.indexOf(shot)];
@@ -75,6 +75,8 @@ const Picture = (() => {
       const parts = path.length > 1 ? strokes(path, ink) : [];
       const pixels = (shots.length > 1 ? 9 : 7) * renderer.getPixelRatio();
       parts.push(Scene.beats(shot, beat, ink, pixels));
+      const fall = Flight.fallOf(shot);
+      if (fall.length) parts.push(Scene.dashes(fall, ink));
       parts.forEach((part, k) => (part.renderOrder = k + 1)); // over the others
       put("path", ...parts);
       things.path.userData.turned = Scene.orientations(shot);
@@ -167,7 +169,7 @@ const Picture = (() => {
     function move(shot, asked) {
       now = asked;
       crowd();
-      const time = Math.min(now, shot.duration);
+      const time = Math.min(now, Flight.lasts(shot));
       const [x, y, z] = Flight.stateAt(shot, time);
       const k = Flight.indexAt(shot.flights, time);
       const turn = Scene.turn(things.path.userData.turned[k], shot, k, time - shot.flights[k][0]);
@@ -186,10 +188,12 @@ const Picture = (() => {
       const starts = (view === "Shooter" ? own : places).map(([start]) => start);
       const mean = (axis) => starts.reduce((sum, at) => sum + at[axis], 0) / starts.length;
       const [east, north] = [0, 1].map((k) => mean(k) - middle[k]);
-      const eye = Camera.direction(view, east, north, camera.aspect);
+      const eye = Camera.direction(view, east, north, camera.aspect, scenery?.side);
       const margin = [width, height].map((size) => Math.min((2 * MARGIN) / size, 0.5));
       const radius = chosen.parameters.ball_radius;
-      const flown = view === "Hoop" ? [] : places.flat();
+      const there = shown.length ? shown.map((k) => shots[k]) : [chosen];
+      const falls = ["3D", "Side"].includes(view) ? there.flatMap((shot) => Flight.fallOf(shot, 1)) : [];
+      const flown = view === "Hoop" ? [] : [...places.flat(), ...falls];
       const spheres = [
         ...flown.map((point) => [...point, radius]),
         ...(scenery ? Scene.room(scenery) : Scene.corners(chosen.parameters)).map((p) => [...p, 0]),

@@ -11,9 +11,9 @@ const Scene = (() => {
   /** Return the colours of the page's style, as they are now, by name; those of a list too. */
   function colours(others) {
     const style = getComputedStyle(document.documentElement);
-    const names = "path ball seam ring backboard bridge end floor glass faint paper";
+    const names = "path ball seam plain-ball plain-ball-edge ring backboard bridge end floor glass";
     return Object.fromEntries(
-      [...names.split(" "), ...others].map((name) => [name, style.getPropertyValue(`--${name}`).trim()]),
+      [...names.split(" "), "faint", "paper", ...others].map((name) => [name, style.getPropertyValue(`--${name}`).trim()]),
     );
   }
 
@@ -136,9 +136,10 @@ const Scene = (() => {
     return mesh;
   }
 
-  /** Return a ball with seams, so that its spin is seen. */
-  function ball(radius, colour) {
-    const texture = new THREE.CanvasTexture(skin(colour.ball, colour.seam));
+  /** Return a ball with seams, or a plain one with a line around it: its spin is seen. */
+  function ball(radius, colour, plain = false) {
+    const inks = plain ? ["plain-ball", "plain-ball-edge"] : ["ball", "seam"];
+    const texture = new THREE.CanvasTexture(skin(...inks.map((name) => colour[name]), plain));
     texture.colorSpace = THREE.SRGBColorSpace;
     texture.anisotropy = 4;
     const material = new THREE.MeshStandardMaterial({ map: texture, roughness: 0.75 });
@@ -147,8 +148,9 @@ const Scene = (() => {
     return mesh;
   }
 
-  /** Paint a ball's skin, longitude across and latitude up: two great circles and two loops. */
-  function skin(base, seam) {
+  /** Paint a ball's skin, longitude across and latitude up: of a basketball two great circles and
+   * two loops, of a plain ball one great circle. */
+  function skin(base, seam, plain) {
     const [width, height] = [1024, 512];
     const canvas = document.createElement("canvas");
     [canvas.width, canvas.height] = [width, height];
@@ -167,7 +169,7 @@ const Scene = (() => {
         const y = Math.cos(up);
         const z = Math.sin(up) * Math.sin(round);
         const loop = Math.abs(Math.abs(x) - 0.53 - 0.3 * y * y) / Math.hypot(1, 0.6 * y);
-        const gap = Math.min(Math.abs(y), Math.abs(z), loop);
+        const gap = plain ? Math.abs(y) : Math.min(Math.abs(y), Math.abs(z), loop);
         const share = Math.min(Math.max((gap - HALF) / SOFT, 0), 1);
         const at = 4 * (row * width + column);
         for (let k = 0; k < 3; k++) image.data[at + k] = dark[k] + share * (light[k] - dark[k]);
@@ -201,6 +203,14 @@ const Scene = (() => {
   function line(points, options) {
     const geometry = new THREE.LineGeometry().setPositions(points.flat());
     return new THREE.Line2(geometry, stroke(options));
+  }
+
+  /** Return a dashed line through points, for what is not simulated. */
+  function dashes(points, color) {
+    const dashed = { dashed: true, dashSize: 0.08, gapSize: 0.06 }; // m
+    const drawn = line(points, { color, linewidth: 1.75, opacity: 0.8, ...dashed });
+    drawn.computeLineDistances();
+    return drawn;
   }
 
   /** Return many such lines as one object. */
@@ -342,7 +352,7 @@ const Scene = (() => {
   }
 
   return {
-    ball, beatOf, beats, bodies, colours, corners, dispose, edges, floor, ghost, hoop, lights, line,
+    ball, beatOf, beats, bodies, colours, corners, dashes, dispose, edges, floor, ghost, hoop, lights, line,
     lines, orientations, outline, room, turn,
   };
 })();

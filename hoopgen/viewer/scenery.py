@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from hoopgen.colours import colours, faces
 from hoopgen.results import Shots, Trajectory
 from hoopgen.scene.drawn import drawn
-from hoopgen.scene.meshes import chains
+from hoopgen.scene.meshes import chains, loops
 from hoopgen.scene.seen import Body, Seen, upright
 
 __all__ = ["PIECE", "ball_radius", "scenery", "shown_parameters", "turned"]
@@ -41,8 +41,13 @@ def scenery(
     corners = np.sort(np.stack(room) @ turn.T, axis=0)
     named = {f"body-{k}": own[name] for k, name in enumerate(seen.names)}
     named |= {f"face-{k}": drawn_in[name] for k, name in enumerate(seen.names)}
+    hoop = shots.scene.has_hoop  # with the board on the left
+    along = 1 if hoop else seen.side(np.abs(turn @ (high - low)))
     found = {
         "axes": axes,
+        "views": _views(seen.axis if seen.planar else None),
+        "side": [1, 0, 0] if along == 0 else [0, -1, 0],
+        "plain": not hoop,
         "room": corners.tolist(),
         "step": float(10.0 ** np.floor(np.log10((corners[1] - corners[0]).max() / 3.0))),
         "bodies": [_body(body, turn) for body in seen.bodies(room)],
@@ -87,17 +92,32 @@ def _reach(paths: Iterable[Trajectory]) -> tuple[Floats, Floats]:
     return rows.min(axis=0), rows.max(axis=0)
 
 
+def _views(across: int | None) -> list[str]:
+    """Return the views to choose from, the first one first: of a plane that in which it is."""
+    return {
+        None: ["3D", "Side", "Top"],
+        2: ["Top", "3D", "Side"],
+    }.get(across, ["Side", "3D", "Top"])
+
+
 def _body(body: Body, turn: NDArray[np.int64]) -> dict[str, Any]:
     corners = body.mesh.corners.reshape(-1, 6)
     rows, index = np.unique(corners, axis=0, return_inverse=True)
+    flat = body.behind and _is_flat(body)
     return {
-        "flat": body.behind and _is_flat(body),
-        "inside": body.behind and not _is_flat(body),
+        "flat": flat,
+        "inside": body.behind and not flat,
         "points": _rounded(rows[:, :3] @ turn.T).tolist(),
         "triangles": index.ravel().tolist(),
         "lines": _lines(body.lines, turn),
-        "rims": _lines(body.mesh.rims, turn),
+        "rims": _lines(_border(body) if flat else body.mesh.rims, turn),
     }
+
+
+def _border(body: Body) -> Floats:
+    """Return the lines around a plane, (k, 2, 3): seen from its side it would not be seen else."""
+    lines = [np.stack([line[:-1], line[1:]], 1) for line in loops(body.mesh.corners[..., :3])]
+    return np.concatenate([np.empty((0, 2, 3)), *lines])
 
 
 def _is_flat(body: Body) -> bool:

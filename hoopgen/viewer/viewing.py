@@ -35,8 +35,11 @@ def view(
     so.
 
     One shot is played, or all at once; it goes from contact to contact by buttons or by Shift with
-    an arrow key, and is light or dark as the system is, or as its reader says. Around a hoop it has
-    a net and court lines, drawn for orientation and not simulated, which can be left out.
+    an arrow key, and is light or dark as the system is, or as its reader says. Lengths and speeds
+    are said in metres or in feet: as `hoopgen.units.showing` has them, until the reader changes it.
+    Around a hoop it has a net and court lines, drawn for orientation and not simulated, which can
+    be left out; so is the ball's fall to the floor after the end. A scene whose bodies are
+    cylinders along one axis is looked at along it first.
 
     Parameters
     ----------

@@ -3,18 +3,44 @@
 
 const Words = (() => {
   const seconds = (time) => `${time.toFixed(3)} s`;
-  const metres = (length) => `${length.toFixed(2)} m`;
-  const hertz = (rate) => `${(rate / (2 * Math.PI)).toFixed(2)} Hz`;
-  const degrees = (angle) => `${((180 / Math.PI) * angle).toFixed(1)}°`;
-  const place = (point) => `${point.map((value) => fixed(value, 3)).join(", ")} m`;
   const capital = (words) => words[0].toUpperCase() + words.slice(1);
 
   function fixed(value, digits) {
     return (Number(value.toFixed(digits)) + 0).toFixed(digits).replace("-", "−");
   }
 
-  /** Return what says things of a page's shots; `scenery` is of any scene but the hoop. */
-  function of({ scenery, surfaces, ring_height: ringHeight }) {
+  /** Return what says things of a page's shots; `scenery` is of any scene but the hoop. How
+   * quantities are shown in either system of units is in `units`, a table of hoopgen's. */
+  function of({ scenery, surfaces, ring_height: ringHeight, units, system: begun }) {
+    let system = begun;
+
+    /** Say values of a kind of quantity, given in SI. */
+    function say(kind, ...values) {
+      const { symbol, size, decimals } = units[system][kind];
+      const said = values.map((value) => fixed(value / size, decimals)).join(", ");
+      return /^\p{L}/u.test(symbol) ? `${said} ${symbol}` : `${said}${symbol}`;
+    }
+
+    const length = (...values) => say("length", ...values);
+    /** Say a length without zeros that say nothing. */
+    const round = (value) => length(value).replace(/\.?0+(?=\s)/, "");
+    const speed = (value) => say("speed", value);
+    const spin = (value) => say("spin", value);
+
+    /** Return the system of units that is not shown now. */
+    function next() {
+      return Object.keys(units).find((name) => name !== system);
+    }
+
+    function convert() {
+      system = next();
+    }
+
+    /** Return what the button says with which units are changed. */
+    function other() {
+      return `Show ${units[next()].length.symbol}`;
+    }
+
     const said = (word) => word.replaceAll("_", scenery ? " " : ", ");
 
     /** Return what a surface is called: of other scenes, `body-0` and so on stand for the bodies. */
@@ -35,7 +61,7 @@ const Words = (() => {
         const ended = shot.events.at(-1)?.surface === "end";
         return ended ? `after ${seconds(shot.duration)}` : `after ${many}, ${seconds(shot.duration)}`;
       }
-      const away = `${Math.hypot(x, y).toFixed(3)} m from the ring’s centre`;
+      const away = `${length(Math.hypot(x, y))} from the ring’s centre`;
       return words[shot.outcome] ?? `${away} after ${seconds(shot.duration)}`;
     }
 
@@ -47,10 +73,13 @@ const Words = (() => {
       return shot.kind === "none" ? "" : ` (${said(shot.kind)})`;
     }
 
-    /** Return what happens at a stop: the release, or one of a shot's events. */
-    function stop(shot, k) {
+    /** Return what happens at a stop, the release or one of a shot's events; or after the end. */
+    function stop(shot, k, time = 0) {
+      if (time > shot.duration && Flight.lasts(shot) > shot.duration) {
+        return "After the end: falls to the floor, not simulated";
+      }
       if (k === 0) return `Release, ${seconds(0)}`;
-      const { kind: what, number, surface, time } = shot.events[k - 1];
+      const { kind: what, number, surface, time: when } = shot.events[k - 1];
       const name = named(surface);
       const words = {
         roll: `Rolls on the ${name}`,
@@ -58,7 +87,7 @@ const Words = (() => {
         end: capital(surface === "end" ? name : `end, on the ${name}`),
       };
       const struck = `Contact ${number} of ${countOf(shot)}: ${name}`;
-      return `${number ? struck : words[what]}, ${seconds(time)}`;
+      return `${number ? struck : words[what]}, ${seconds(when)}`;
     }
 
     function release(shot) {
@@ -66,35 +95,35 @@ const Words = (() => {
       const level = Math.hypot(vx, vy);
       if (scenery) {
         return [
-          ["Speed", `${Math.hypot(level, vz).toFixed(3)} m/s`],
-          [`From ${scenery.axes.join(", ")}`, place([x, y, z])],
-          ["Spin", hertz(Math.hypot(wx, wy, wz))],
+          ["Speed", speed(Math.hypot(level, vz))],
+          [`From ${scenery.axes.join(", ")}`, length(x, y, z)],
+          ["Spin", spin(Math.hypot(wx, wy, wz))],
         ];
       }
       const rows = [
-        ["Speed", `${Math.hypot(level, vz).toFixed(3)} m/s`],
-        ["Elevation", degrees(Math.atan2(vz, level))],
-        ["Height, distance", `${metres(z + ringHeight)}, ${metres(Math.hypot(x, y))}`],
+        ["Speed", speed(Math.hypot(level, vz))],
+        ["Elevation", say("angle", Math.atan2(vz, level))],
+        ["Height, distance", length(z + ringHeight, Math.hypot(x, y))],
       ];
       // Backspin turns about the level axis across the line of flight, as in hoopgen.release.
       const back = level > 0 ? (wx * vy - wy * vx) / level : 0;
-      if (back) rows.push([back > 0 ? "Backspin" : "Topspin", hertz(Math.abs(back))]);
-      if (wz) rows.push(["Sidespin", hertz(wz)]);
+      if (back) rows.push([back > 0 ? "Backspin" : "Topspin", spin(Math.abs(back))]);
+      if (wz) rows.push(["Sidespin", spin(wz)]);
       return rows;
     }
 
     function now(shot, time) {
-      const [x, y, z, vx, vy, vz, ...spin] = Flight.stateAt(shot, time);
-      const above = [["Above the floor", metres(z + ringHeight)]];
+      const [x, y, z, vx, vy, vz, ...turning] = Flight.stateAt(shot, time);
+      const above = [["Above the floor", length(z + ringHeight)]];
       return [
-        [scenery ? scenery.axes.join(", ") : "x, y, z", place([x, y, z])],
+        [scenery ? scenery.axes.join(", ") : "x, y, z", length(x, y, z)],
         ...(scenery ? [] : above),
-        ["Speed", `${Math.hypot(vx, vy, vz).toFixed(2)} m/s`],
-        ["Spin", hertz(Math.hypot(...spin))],
+        ["Speed", speed(Math.hypot(vx, vy, vz))],
+        ["Spin", spin(Math.hypot(...turning))],
       ];
     }
 
-    return { kind, named, now, outcome, release, said, stop };
+    return { convert, kind, length, named, now, other, outcome, release, round, said, stop };
   }
 
   return { capital, of, seconds };

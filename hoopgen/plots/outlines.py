@@ -1,0 +1,137 @@
+"""Outlines of triangles in a flat picture: shapes, lines between what is seen, lines edge-on."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.colors import to_rgb
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+
+from hoopgen.plots.scene import order_of
+from hoopgen.plots.views import Points, View
+from hoopgen.scene.meshes import Mesh, chains, loops
+
+__all__ = ["EDGE_ON", "RIMS", "draw_edge_on", "draw_lines", "edge_on", "mixed", "patch", "spans"]
+
+EDGE_ON = 1e-6
+"""Cosine of the angle between a normal and the eye below which a surface is seen as a line."""
+
+RIMS = 4.2
+"""Drawing order of lines below paths."""
+
+_NEAR, _PASSES = 2e-4, 6  # of a shape's size, and how often points of its outline are left out
+
+
+def edge_on(mesh: Mesh, view: View) -> bool:
+    """Return whether a mesh is flat, and seen as a line."""
+    ways = mesh.corners[..., 3:] - mesh.corners[..., :3]
+    if not ways.any():  # an end: its ball has no size
+        flat = mesh.corners[..., :3].reshape(-1, 3)
+        return bool(len(flat)) and bool(np.ptp(view.flatten(flat), axis=0).min() < EDGE_ON)
+    size = float(np.abs(ways).max())
+    straight = np.ptp(ways.reshape(-1, 3), axis=0).max() < EDGE_ON * size
+    return bool(straight and np.abs(ways @ view.towards).max() < EDGE_ON * size)
+
+
+def draw_edge_on(axes: Axes, view: View, corners: Points, facing: Points, colour: str) -> None:
+    """Draw what of a curved surface is seen as a line: a pipe from its end, for one.
+
+    Parameters
+    ----------
+    axes, view
+        Where, and from where.
+    corners, facing
+        Of its triangles, (m, 3, 6), and how far each corner's normal points towards the eye.
+    colour
+        Of the line.
+    """
+    lines = view.flatten(corners[(np.abs(facing) < EDGE_ON).all(axis=1)][..., :3])
+    if len(lines):
+        axes.add_collection(
+            LineCollection(list(lines), colors=[colour], linewidths=1.1, zorder=RIMS)
+        )
+
+
+def spans(triangles: Points) -> list[Points]:
+    """Return what triangles that lie on one line cover of it, as few segments."""
+    points = triangles.reshape(-1, 2)
+    if not len(points):
+        return []
+    along = points[np.argmax(np.linalg.norm(points - points[0], axis=1))] - points[0]
+    order = (triangles @ along).reshape(-1, 3)
+    starts, stops = triangles[:, 0] * 0.0, triangles[:, 0] * 0.0
+    for ends, pick in ((starts, order.argmin(axis=1)), (stops, order.argmax(axis=1))):
+        ends[:] = triangles[np.arange(len(triangles)), pick]
+    sort = np.argsort(starts @ along, kind="stable")
+    found: list[list[Points]] = []
+    for start, stop in zip(starts[sort], stops[sort], strict=True):
+        slack = 1e-9 * float(along @ along)
+        if found and start @ along <= found[-1][1] @ along + slack:
+            found[-1][1] = max(found[-1][1], stop, key=lambda end: float(end @ along))
+        else:
+            found.append([start, stop])
+    return [np.array(ends) for ends in found]
+
+
+def patch(corners: Points, view: View, **look: Any) -> PathPatch:
+    """Return the triangles as one shape, without the lines between them."""
+    vertices, codes = [], []
+    for line in loops(corners[..., :3]):
+        flat = _fewer(view.flatten(line))
+        vertices.append(flat)
+        codes += [Path.MOVETO, *[Path.LINETO] * (len(flat) - 2), Path.CLOSEPOLY]
+    shape = Path(np.concatenate([np.empty((0, 2)), *vertices]), codes)
+    return PathPatch(shape, joinstyle="round", **look)
+
+
+def _fewer(line: Points) -> Points:
+    """Return a line without the points that are as good as between their neighbours."""
+    near = _NEAR * float(np.ptp(line, axis=0).max())
+    for _ in range(_PASSES):
+        if len(line) < 5:
+            break
+        before, at, after = line[:-2:2], line[1:-1:2], line[2::2]
+        way, off = after - before[: len(after)], at - before[: len(at)]
+        across = np.abs(way[:, 0] * off[:, 1] - way[:, 1] * off[:, 0])
+        needed = across > near * np.linalg.norm(way, axis=1)
+        keep = np.ones(len(line), np.bool_)
+        keep[1:-1:2] = needed
+        line = line[keep]
+    return line
+
+
+def draw_lines(
+    axes: Axes, view: View, lines: Points, colour: str, wide: float, *, behind: bool
+) -> None:
+    """Draw segments (k, 2, 3), the near ones over the ball."""
+    if not len(lines):
+        return
+    if behind:
+        groups = [(np.arange(len(lines)), RIMS)]
+    else:
+        depth = view.depth(lines.mean(axis=1))
+        rows = np.array_split(np.argsort(depth, kind="stable"), min(16, len(lines)))
+        middle = [lines[group].mean(axis=(0, 1)) for group in rows]
+        groups = [(g, order_of(view, m)) for g, m in zip(rows, middle, strict=True)]
+    for group, order in groups:
+        flat = [view.flatten(line) for line in chains(lines[group])]
+        axes.add_collection(
+            LineCollection(
+                flat,
+                colors=[mixed(colour, -0.2)],
+                linewidths=wide,
+                zorder=order,
+                capstyle="round",
+            )
+        )
+
+
+def mixed(colour: str, white: float) -> tuple[float, float, float]:
+    """Return a colour on the way to white, or with a minus to black."""
+    aim = float(white > 0.0)
+    red, green, blue = (c + abs(white) * (aim - c) for c in to_rgb(colour))
+    return red, green, blue
