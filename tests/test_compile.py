@@ -24,6 +24,7 @@ from scenes.table import TABLE
 
 import hoopgen
 from hoopgen import simulation
+from hoopgen.brief import brief
 from hoopgen.cli import main
 from hoopgen.codegen import render
 from hoopgen.engine import native
@@ -457,6 +458,17 @@ def test_a_folder_that_others_can_look_into_is_not_used(home: Path) -> None:
 
 
 # ----------------------------------------------------------------------------------- the compiler
+
+
+@pytest.mark.parametrize("command", ["gcc 'x", 'gcc "', "gcc \\"])
+def test_a_compiler_that_is_no_command_is_named_with_its_variable(
+    command: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CC", command)
+    with pytest.raises(ValueError, match=r"^the environment variable CC is ") as refusal:
+        compilers.compiler()
+    assert brief(command) in str(refusal.value)
+    assert "such as CC=gcc, or no CC" in str(refusal.value)
 
 
 def test_without_a_compiler_numpy_serves(

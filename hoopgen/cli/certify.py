@@ -116,7 +116,7 @@ def _read(file: Path, scene: Engine) -> tuple[list[float], dict[str, float]]:
         record = json.loads(file.read_text(encoding="utf-8"))
         said = parameters_named(dict(record["parameters"]), scene)
         return list(record["release"]), {name: float(value) for name, value in said.items()}
-    except (ValueError, KeyError, TypeError):
+    except (ValueError, KeyError, TypeError, RecursionError):
         raise click.ClickException(
             f"{file}: expected what `hoopgen shot --json` writes, with release and parameters"
         ) from None

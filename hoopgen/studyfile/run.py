@@ -20,9 +20,11 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
+from hoopgen.files import read_regular
 from hoopgen.installed import version
 from hoopgen.outputs import PAGES, check_output, sync, write
 from hoopgen.phrases import counted
+from hoopgen.scene.limits import Limits, check_limits, raised
 from hoopgen.scenes import is_built_in
 from hoopgen.study.chunks import check_workers, versions
 from hoopgen.study.folders import (
@@ -40,7 +42,7 @@ from . import lines
 from .answers import answer, check
 from .asked import CHUNKS, Answer, Asked, Work
 from .page import check_page, page
-from .reading import complain, parse
+from .reading import complain, parse, read_study
 from .report import report as in_markdown
 from .scene import FILE, named_by
 from .schema import Batch, Compare, Estimate, Map, StudyFile
@@ -65,13 +67,17 @@ _JUST_BEGUN = {"lock", "identity.json", "identity.json.tmp", f"{_VERSIONS}.tmp"}
 _MADE_WITH = ("numpy", "scipy", "pyarrow", "xarray", "matplotlib", "pydantic")
 
 
-def check_study(path: str | os.PathLike[str]) -> list[Asked]:
+def check_study(
+    path: str | os.PathLike[str], *, limits: Limits | Mapping[str, int] | None = None
+) -> list[Asked]:
     """Read a study file and look for what is wrong, without any work.
 
     Parameters
     ----------
     path
         The file.
+    limits
+        How large the file and its scene may be, as for `hoopgen.load_scene`.
 
     Returns
     -------
@@ -86,7 +92,8 @@ def check_study(path: str | os.PathLike[str]) -> list[Asked]:
     OSError
         If it cannot be read.
     """
-    return _read(Path(path))[1]
+    with raised(check_limits(limits)):
+        return _read(Path(path))[1]
 
 
 def run_study(
@@ -97,6 +104,7 @@ def run_study(
     threads: int | None = None,
     scheduler: str | None = None,
     progress: Progress | None = None,
+    limits: Limits | Mapping[str, int] | None = None,
 ) -> dict[str, Answer]:
     """Answer all questions of a study file, and keep the answers in a folder.
 
@@ -118,6 +126,8 @@ def run_study(
         As for `hoopgen.estimate`.
     progress
         Called with the name of a question, what of it is done, and its total (None: not known).
+    limits
+        How large the file and its scene may be, as for `hoopgen.load_scene`.
 
     Returns
     -------
@@ -146,7 +156,9 @@ def run_study(
     target = None if report is None else check_output(report, PAGES)
     if target is not None:
         check_page()
-    content, questions, document = _read(file)
+    allowed = check_limits(limits)
+    with raised(allowed):
+        content, questions, document = _read(file)
     folder = Path(out) if out is not None else file.with_name(f"{file.stem}-results")
     identities = {asked.question.name: _identity(asked) for asked in questions}
     _refuse_foreign(folder)
@@ -156,7 +168,7 @@ def run_study(
             _write(folder / _VERSIONS, _json(_versions()))
             _write(folder / _STUDY, content)
             if (scene := _scene_file(file, document)) is not None:
-                _write(folder / _SCENE, scene.read_bytes())
+                _write(folder / _SCENE, read_regular(scene, allowed.file_size))
             answers: dict[str, Answer] = {}
             errors: dict[str, Exception] = {}
             for asked in questions:
@@ -189,7 +201,7 @@ def run_study(
 
 def _read(file: Path) -> tuple[bytes, list[Asked], Mapping[str, Any]]:
     """Return the content of the file, its questions, checked, and all of it as it is written."""
-    content = file.read_bytes()
+    content = read_study(file)
     study, document, text, scene = parse(content, file)
     found = [
         (path, f"there is no file {file.parent / name}")
