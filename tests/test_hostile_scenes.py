@@ -318,7 +318,7 @@ def test_a_name_that_is_taken_is_refused_when_the_scene_is_made(kind: str) -> No
     for name, why in scene_names.RESERVED[kind].items():
         with pytest.raises(SceneError) as refusal:
             named(kind, [name])
-        assert f"name: {name} {why}; expected another name than" in str(refusal.value)
+        assert f"name: {name} {why}; expected another name" in str(refusal.value)
 
 
 @pytest.mark.parametrize("kind", KINDS)

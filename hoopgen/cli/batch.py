@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from hoopgen.cli.command import command
 from hoopgen.cli.measuring import check_caught, measure_options
 from hoopgen.cli.options import examples, scheduler_option, table_options, threads_option
 from hoopgen.cli.types import OUT
@@ -28,7 +29,7 @@ semicolons or tabs, numbers may have decimal commas.
 """
 
 
-@click.command(
+@command(
     epilog=_COLUMNS
     + examples(
         "hoopgen batch releases.csv --out results.parquet",

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from hoopgen.brief import brief
+from hoopgen.cli.command import command
 from hoopgen.cli.options import backend_option, examples
 from hoopgen.cli.own import no_scene_option
 from hoopgen.cli.types import FOLDER
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 __all__ = ["paper"]
 
 
-@click.command(
+@command(
     epilog=examples(
         "hoopgen paper",
         "hoopgen paper --events",

@@ -10,7 +10,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Mapping
 
-from hoopgen.brief import brief, listed
+from hoopgen.brief import brief
 from hoopgen.units import column_name
 from hoopgen.variables import STATE
 
@@ -82,7 +82,7 @@ def check_name(scene: object, kind: str, given: object) -> None:
         raise wrong(str(scene), owner, "name", said)
     taken = RESERVED[kind]
     if given in taken:
-        said = f"{given} {taken[given]}; expected another name than {listed(taken)}"
+        said = f"{given} {taken[given]}; expected another name"
         raise wrong(str(scene), f"{kind} {given}" if kind else "", "name", said)
 
 

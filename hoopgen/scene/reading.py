@@ -91,7 +91,8 @@ def parse(text: str, names: Collection[str]) -> Formula:
     text = text.strip(" \t")
     if text in names:
         return name(text)  # whatever Python makes of it
-    place, parts = 0, []
+    place = 0
+    parts: list[str] = []
     while place < len(text):
         token = _TOKEN.match(text, place)
         if token is None:
@@ -103,10 +104,11 @@ def parse(text: str, names: Collection[str]) -> Formula:
             )
         # A name may be a word of Python's, such as lambda.
         own = found not in (None, "sqrt")
-        parts += [text[place : token.start("name")], _MARK, found] if own else [token[0]]
+        parts.append(f"{text[place : token.start('name')]}{_MARK}{found}" if own else token[0])
         place = token.end()
     try:
-        tree = ast.parse("".join(parts).replace("\t", " "), mode="eval")
+        marked = "".join(parts).replace("\t", " ")
+        tree = ast.parse(marked, mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise FormulaError(f"{brief(text)} is not a formula") from None
     try:

@@ -18,11 +18,11 @@ from numpy.typing import NDArray
 from scipy.special import ndtri
 
 from hoopgen.layout import table
-from hoopgen.phrases import counted, decimals, interval, percent
+from hoopgen.phrases import MINUS, counted, decimals, interval, percent
 from hoopgen.results import Shots
 from hoopgen.units import TURN, Shown, shown
 from hoopgen.variables import Releases
-from hoopgen.words import MINUS, for_json
+from hoopgen.words import for_json
 
 from .intervals import wilson
 from .measures import MEASURES, measure

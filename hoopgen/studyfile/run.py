@@ -22,10 +22,9 @@ from typing import Any
 
 from hoopgen.files import read_regular
 from hoopgen.installed import version
-from hoopgen.outputs import PAGES, check_output, sync, write
+from hoopgen.outputs import PAGES, check_not_read, check_output, sync, write
 from hoopgen.phrases import counted
 from hoopgen.scene.limits import Limits, check_limits, raised
-from hoopgen.scenes import is_built_in
 from hoopgen.study.chunks import check_workers, versions
 from hoopgen.study.folders import (
     count_chunks,
@@ -41,11 +40,12 @@ from hoopgen.words import for_json
 from . import lines
 from .answers import answer, check
 from .asked import CHUNKS, Answer, Asked, Work
+from .inputs import data_files, read_files, scene_file
 from .page import check_page, page
 from .reading import complain, parse, read_study
 from .report import report as in_markdown
-from .scene import FILE, named_by
-from .schema import Batch, Compare, Estimate, Map, StudyFile
+from .scene import FILE
+from .schema import Compare, Estimate, Map, StudyFile
 
 __all__ = ["check_study", "run_study"]
 
@@ -159,6 +159,9 @@ def run_study(
     allowed = check_limits(limits)
     with raised(allowed):
         content, questions, document = _read(file)
+    if target is not None:
+        read = read_files(file, questions[0].given, document)
+        check_not_read("report", target, "the study", read)
     folder = Path(out) if out is not None else file.with_name(f"{file.stem}-results")
     identities = {asked.question.name: _identity(asked) for asked in questions}
     _refuse_foreign(folder)
@@ -167,7 +170,7 @@ def run_study(
             _reopen(folder, _asked_anew(folder, identities, questions))
             _write(folder / _VERSIONS, _json(_versions()))
             _write(folder / _STUDY, content)
-            if (scene := _scene_file(file, document)) is not None:
+            if (scene := scene_file(file, document)) is not None:
                 _write(folder / _SCENE, read_regular(scene, allowed.file_size))
             answers: dict[str, Answer] = {}
             errors: dict[str, Exception] = {}
@@ -205,7 +208,7 @@ def _read(file: Path) -> tuple[bytes, list[Asked], Mapping[str, Any]]:
     study, document, text, scene = parse(content, file)
     found = [
         (path, f"there is no file {file.parent / name}")
-        for path, name in _files(study)
+        for path, name in data_files(study)
         if not (file.parent / name).is_file()
     ]
     found += [
@@ -228,33 +231,12 @@ def _read(file: Path) -> tuple[bytes, list[Asked], Mapping[str, Any]]:
     return content, questions, document
 
 
-def _scene_file(file: Path, document: Mapping[str, Any]) -> Path | None:
-    """Return the scene file that a study names, if it names one."""
-    named = named_by(document)
-    return None if named is None or is_built_in(named) else file.parent / named
-
-
 def _scenes(study: StudyFile) -> Iterator[tuple[lines.Path, Mapping[str, Any]]]:
     """Yield what questions say of the scene, and where."""
     for place, question in enumerate(study.question):
         yield ("question", place, "scene"), question.scene
         if isinstance(question, Compare):
             yield ("question", place, "versus", "scene"), question.versus.scene
-
-
-def _files(study: StudyFile) -> Iterator[tuple[lines.Path, str]]:
-    """Yield the files that are read, and where the study file names them."""
-    given: list[tuple[lines.Path, Any]] = [((), study)]
-    for place, question in enumerate(study.question):
-        path: lines.Path = ("question", place)
-        given.append((path, question))
-        if isinstance(question, Compare):
-            given.append(((*path, "versus"), question.versus))
-        if isinstance(question, Batch):
-            yield (*path, "file"), question.file
-    for path, tables in given:
-        if tables.releases is not None:
-            yield (*path, "releases", "file"), tables.releases.file
 
 
 def _identity(asked: Asked) -> dict[str, Any]:
