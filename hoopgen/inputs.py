@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any, Literal
 
 import numpy as np
@@ -17,11 +17,13 @@ from .brief import brief
 __all__ = [
     "Backend",
     "MAX_CONTACTS",
+    "MAX_SPIN",
     "check_angles",
     "check_deviations",
     "check_contacts",
     "check_count",
     "check_leaving",
+    "check_spins",
     "check_states",
     "check_threads",
     "check_time_limit",
@@ -84,6 +86,10 @@ def is_whole(value: Any) -> bool:
     return isinstance(value, int | np.integer) and not isinstance(value, np.timedelta64)
 
 
+MAX_SPIN = 100.0
+"""rad/s, sixteen turns a second: by it the surface of a basketball is faster than its flight."""
+
+
 def check_angles(name: str, angles: Mapping[str, ArrayLike]) -> None:
     """Refuse angles that are degrees, by their median: all are radians, and within a turn.
 
@@ -92,17 +98,41 @@ def check_angles(name: str, angles: Mapping[str, ArrayLike]) -> None:
     ValueError
         The message begins with `name`.
     """
-    for angle, value in angles.items():
+    for angle, median in _medians_above(2 * np.pi, angles):
+        raise ValueError(
+            f"{name}: {angle} is in radians, and these are more than a turn: {median:.6g}. Degrees "
+            f"would be np.radians(...), or in a table a column {angle}_deg"
+        )
+
+
+def check_spins(name: str, spins: Mapping[str, ArrayLike]) -> None:
+    """Refuse spins that are rpm or degrees a second, by their median: all are rad/s.
+
+    Raises
+    ------
+    ValueError
+        The message begins with `name`.
+    """
+    for spin, median in _medians_above(MAX_SPIN, spins):
+        raise ValueError(
+            f"{name}: {spin} is in rad/s, and these are more than {MAX_SPIN:g}, "
+            f"{MAX_SPIN / (2 * np.pi):.0f} turns a second: {median:.6g}. In rpm they would be "
+            f"2*np.pi/60 times that, in degrees a second np.radians(...); in a table a column "
+            f"{spin}_rpm or {spin}_deg_s"
+        )
+
+
+def _medians_above(
+    limit: float, given: Mapping[str, ArrayLike]
+) -> Iterator[tuple[str, np.float64]]:
+    """Yield those of some variables whose median size is above a limit, and that."""
+    for name, value in given.items():
         sizes = np.abs(np.asarray(value, dtype=np.float64))
-        if not np.any(sizes > 2 * np.pi):
+        if not np.any(sizes > limit):
             continue
         sizes = sizes[np.isfinite(sizes)]
-        if sizes.size and np.median(sizes) > 2 * np.pi:
-            raise ValueError(
-                f"{name}: {angle} is in radians, and these are more than a turn: "
-                f"{np.median(sizes):.6g}. Degrees would be np.radians(...), or in a table a column "
-                f"{angle}_deg"
-            )
+        if sizes.size and np.median(sizes) > limit:
+            yield name, np.median(sizes)
 
 
 def check_deviations(name: str, deviations: Mapping[str, ArrayLike]) -> None:

@@ -20,8 +20,10 @@ __all__ = [
     "PAGES",
     "PICTURES",
     "check_folder",
+    "check_not_read",
     "check_output",
     "followed",
+    "same_file",
     "sync",
     "temporary_beside",
     "write",
@@ -68,6 +70,40 @@ def check_output(path: str | os.PathLike[str], suffixes: Sequence[str] = ()) -> 
     if target.exists() and not os.access(target, os.W_OK):
         raise _refused(errno.EACCES, target)
     return target
+
+
+def same_file(one: str | os.PathLike[str], other: str | os.PathLike[str]) -> bool:
+    """Return whether two paths lead to one file, by links too; a terminal or a pipe is no file."""
+    first, second = Path(one), Path(other)
+    try:
+        if first.exists() and second.exists():
+            return first.is_file() and first.samefile(second)
+    except OSError:
+        return False
+    return os.path.realpath(first) == os.path.realpath(second)
+
+
+def check_not_read(name: str, target: Path, what: str, read: Iterable[Path]) -> None:
+    """Refuse to write over a file that the same work reads.
+
+    Parameters
+    ----------
+    name
+        Of the argument that names the file to be written.
+    target
+        That file.
+    what
+        What reads files, for the message: "the study".
+    read
+        The files that it reads.
+
+    Raises
+    ------
+    ValueError
+        If it is one of them.
+    """
+    if any(same_file(target, one) for one in read):
+        raise ValueError(f"{name}: {target} is a file that {what} reads; give another file")
 
 
 def check_folder(path: str | os.PathLike[str]) -> Path:

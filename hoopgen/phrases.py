@@ -5,7 +5,9 @@ from __future__ import annotations
 from math import floor, isnan, log10
 from numbers import Integral
 
-__all__ = ["counted", "decimals", "doubtful", "interval", "percent", "points"]
+__all__ = ["MINUS", "counted", "decimals", "doubtful", "interval", "percent", "points"]
+
+MINUS = "\N{MINUS SIGN}"
 
 
 def counted(count: float, noun: str) -> str:
@@ -43,8 +45,8 @@ def interval(low: float, high: float, digits: int = 1) -> str:
 
 
 def points(difference: float, digits: int = 1) -> str:
-    """Say a difference of shares in percentage points, with its sign."""
-    return f"{100.0 * difference:+.{digits}f}"
+    """Say a difference of shares in percentage points, with its sign; a minus is U+2212."""
+    return f"{100.0 * difference:+.{digits}f}".replace("-", MINUS)
 
 
 def decimals(half_width: float) -> int:

@@ -16,20 +16,18 @@ from numpy.typing import ArrayLike, NDArray
 
 from .hoop.presets import NAMES
 from .hoop.variables import VARIABLES
+from .phrases import MINUS
 from .printable import printable
 from .scenes import HOOPED
 from .units import Shown, shown, shown_system
 
 __all__ = [
-    "MINUS",
     "Quantity",
     "between",
     "for_json",
     "quantity",
     "say",
 ]
-
-MINUS = "\N{MINUS SIGN}"
 
 _IN_INCHES = ("aim", *NAMES)
 """Of lengths, those that are shown in inches where others are in feet."""

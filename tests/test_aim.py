@@ -23,7 +23,8 @@ from numpy.typing import NDArray
 import hoopgen
 from hoopgen.cli import main
 from hoopgen.hoop.releases import RING_HEIGHT
-from hoopgen.study.aim import Aim, aim
+from hoopgen.phrases import counted
+from hoopgen.study.aim import NUMBERS, Aim, aim
 from hoopgen.study.aim_table import TABLE, aim_table, write_csv
 from hoopgen.study.measures import measure
 from hoopgen.units import FOOT
@@ -253,9 +254,9 @@ def test_kernels_know_what_cannot_be_reached() -> None:
 
 def test_numbers_give_numbers_and_arrays_arrays() -> None:
     one = aim(**FREE_THROW)
-    assert all(type(value) is float for value in vars(one).values())
+    assert all(type(getattr(one, name)) is float for name in NUMBERS)
     many = aim(height=[2.0, 2.1], distance=[[4.0], [5.0], [6.0]], entry=0.8)
-    assert all(np.shape(value) == (3, 2) for value in vars(many).values())
+    assert all(np.shape(getattr(many, name)) == (3, 2) for name in NUMBERS)
     assert many.speed[2, 1] == aim(height=2.1, distance=6.0, entry=0.8).speed
 
 
@@ -277,11 +278,14 @@ def test_gravity_is_the_scene_s_and_may_be_many() -> None:
         ({"elevation": 2.0}, "elevation: "),
         ({"elevation": 0.1, "height": 3.5}, ""),
         ({"elevation": -0.3, "height": 3.5}, r"elevation: .* within -6.16 and 90°"),
-        ({"speed": 7.1}, r"speed: the point needs at least 7.14501 m/s, got 7.1$"),
+        (
+            {"speed": 7.1},
+            r"speed: the point of .* plane needs at least 7.14501 m/s, got 7.1$",
+        ),
         ({"speed": -8.0}, "speed: "),
         ({"speed": 15.0, "arc": "low"}, "arc: the low one of this speed does not come down"),
         ({"arc": "middle"}, "arc: expected 'high' or 'low', got 'middle'"),
-        ({"depth": -4.191}, "depth: expected a point before the ball"),
+        ({"depth": -4.191}, "depth: expected a point of the ring's plane before the ball"),
         ({"distance": 0.0}, "distance: expected above 0: .*; got 0$"),
         ({"distance": -0.0, "depth": -0.1}, "distance: expected above 0: .*; got 0$"),
         ({"height": np.nan}, "height: expected a finite number, got nan"),
@@ -465,10 +469,47 @@ def test_a_shot_that_does_not_go_in_is_told() -> None:
     assert "does not go in" in result.stdout
 
 
+def test_an_aim_says_what_its_flight_does() -> None:
+    """In Python and on the command line: how it ends, and what is met before the point."""
+    near = aim(height=7 * FOOT, distance=1.0)
+    shots = near.simulate()
+    first = shots.events[0]
+    assert shots.contacts[0] > 0
+    assert first["time"] < near.time
+    before = f"it touches the ring after {first['time']:.3f} s, before the point aimed at"
+    assert str(near).endswith(before)
+    assert f"after {counted(int(shots.contacts[0]), 'contact')} (ring" in str(near)
+    clear = aim(height=7 * FOOT, distance=13.75 * FOOT, entry=50 * DEGREE)
+    assert str(clear).endswith("without spin made without a contact")
+    many = aim(height=7 * FOOT, distance=[1.0, 13.75 * FOOT])
+    made = int(many.simulate().made.sum())
+    assert str(many) == (
+        f"2 releases; without spin {made} made, 1 touch something before the point aimed at"
+    )
+    told = _run("--distance", "1m")
+    assert before in told.stdout
+    table = _run("--distance", "1m,13.75ft")
+    assert table.stderr.startswith("hoopgen: 1 of 2 flights touch something before the point aimed")
+    assert "from 1.000 m;" in table.stderr
+    assert _run("--distance", "13.75ft,14ft", "--entry", "50deg").stderr == ""
+
+
+def test_an_aim_is_flown_in_the_scene_that_it_is_aimed_in() -> None:
+    both = aim(**FREE_THROW, parameters={"gravity": np.array([9.81, 1.62])})
+    assert both.simulate().parameters["gravity"].tolist() == [9.81, 1.62]
+    spun = both.simulate(backspin=[0.0, 6 * np.pi])
+    assert spun.state.shape == (2, 9)
+    none = aim(height=2.0, distance=[4.0, 0.0])
+    assert none.simulate().outcome[1] == hoopgen.Outcome.INVALID
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--distance", "4m", "--speed", "3"], "speed: the point needs at least"),
+        (
+            ["--distance", "4m", "--speed", "3"],
+            "speed: the point of the ring's plane needs at least",
+        ),
         (["--distance", "4m", "--speed", "9", "--entry", "45deg"], "got entry and speed"),
         (["--distance", "4m:3m:0.1m"], "expected from below to"),
         (["--distance", "3m:4m:0"], "expected from below to"),

@@ -100,7 +100,7 @@ def test_many_places_are_a_table_and_a_verdict() -> None:
         assert cells[:2] == [["2.000", "4.000"][place // 2], ["0.0", "60.0"][place % 2]]
         shares = [f"{100 * share:.1f}%" for share in here.probability.values]
         assert cells[4:6] == shares
-        assert cells[6] == f"{100 * here.difference.item():+.1f}"
+        assert cells[6] == f"{100 * here.difference.item():+.1f}".replace("-", "\N{MINUS SIGN}")
         assert cells[9:] == [f"{100 * here[name].item():.1f}" for name in ("touch_y", "touch_z")]
     assert verdict(dataset)[2] in text
 
@@ -200,7 +200,7 @@ def test_what_is_wrong_shows_before_a_folder_is_made(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("more", "said"),
     [
-        ([], "from where? Give --distance and --angle, --x and --y, or --places"),
+        ([], "missing --distance (or --x and --y)"),
         (["--x", "2m"], "places: expected distance and angle, or x and y; got x"),
         (["--distance", "2m", "--y", "1m"], "places: expected distance and angle, or x and y"),
         (["--distance", "2m", "--places", "distance=3m"], "--distance and --places distance=..."),
@@ -208,7 +208,7 @@ def test_what_is_wrong_shows_before_a_folder_is_made(tmp_path: Path) -> None:
         (["--places", "distance=2deg"], "'deg' is not a unit of length"),
         (
             [*SIDE, "--elevation", "50deg", "--over", "elevation"],
-            "release: elevation already in over; leave out of one",
+            "--elevation and --over elevation: leave one out",
         ),
         ([*SIDE, "--scene", "court"], "hoopgen bank: its question is a hoop's"),
         ([*SIDE, "--over", "pace"], "'pace' is none of"),

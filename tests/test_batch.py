@@ -412,7 +412,7 @@ def test_a_full_disk_is_told_and_the_old_file_stays(
         ({"release": {"height": 2.1}}, r"throws\.parquet: variables: missing distance"),
         ({"release": {"hight": 2.1}}, "release: unknown hight. One of speed, "),
         ({"release": PLACE | {"aim": [0.1]}}, r"release\['aim'\]: expected one number"),
-        ({"measures": ["deep"]}, "measures: unknown deep. One of entry_angle, "),
+        ({"measures": ["deep"]}, "--measure: unknown deep. One of entry_angle, "),
         ({"max_contacts": 0}, "max_contacts: expected a whole number from 1, got 0"),
         ({"max_contacts": 2.5}, "max_contacts: expected a whole number from 1, got 2.5"),
         ({"rows": 0}, "rows: expected a whole number from 1, got 0"),
@@ -639,7 +639,7 @@ def test_a_table_of_aims_is_one_of_releases(tmp_path: Path) -> None:
 
 def test_the_command_fails_in_one_line(source: Path, tmp_path: Path) -> None:
     for arguments, said in [
-        ([*HERE, "--measure", "deep"], "measures: unknown deep"),
+        ([*HERE, "--measure", "deep"], "--measure: unknown deep"),
         ([], "throws.parquet: variables: missing height, distance"),
         ([*HERE, "--threads", 2, "--scheduler", "tcp://127.0.0.1:1"], "threads: with a scheduler"),
     ]:

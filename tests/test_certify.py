@@ -766,7 +766,7 @@ def test_the_command_admits_a_tie(tmp_path: Path) -> None:
 def test_the_command_says_what_it_needs(tmp_path: Path) -> None:
     nothing = CliRunner().invoke(command, [])
     assert nothing.exit_code == 2
-    assert "--speed, --elevation, --height, --distance" in nothing.output
+    assert "missing FILE, or --speed, --elevation, --height and --distance" in nothing.stderr
     file = tmp_path / "shot.json"
     file.write_text("{}", encoding="utf-8")
     wrong = CliRunner().invoke(command, [str(file)])

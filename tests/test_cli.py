@@ -299,7 +299,7 @@ def test_shot_draws_its_picture(tmp_path: Path, suffix: str) -> None:
     ("arguments", "said"),
     [
         (["sho"], "No such command 'sho'"),
-        (["shot"], "Missing option"),
+        (["shot"], "missing --speed, --elevation, --height and --distance"),
         ([*SHOT, "--speed", "7ft"], "'ft' is not a unit of speed; use m/s, cm/s"),
         ([*SHOT, "--elevation", "steep"], "'steep' is not a number with a unit of angle"),
         ([*SHOT, "--elevation", "52"], "'--elevation': '52' has no unit: write 52deg or 52rad"),

@@ -25,6 +25,7 @@ from scenes.table import TABLE
 
 import hoopgen
 from hoopgen import simulation
+from hoopgen.brief import brief
 from hoopgen.cli import main
 from hoopgen.codegen import render
 from hoopgen.core.store import MARKER, find_store
@@ -658,6 +659,17 @@ def test_a_cache_that_has_no_marker_is_known_by_its_names(home: Path) -> None:
 
 
 # ----------------------------------------------------------------------------------- the compiler
+
+
+@pytest.mark.parametrize("command", ["gcc 'x", 'gcc "', "gcc \\"])
+def test_a_compiler_that_is_no_command_is_named_with_its_variable(
+    command: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CC", command)
+    with pytest.raises(ValueError, match=r"^the environment variable CC is ") as refusal:
+        compilers.compiler()
+    assert brief(command) in str(refusal.value)
+    assert "such as CC=gcc, or no CC" in str(refusal.value)
 
 
 def test_without_a_compiler_numpy_serves(

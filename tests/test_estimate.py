@@ -718,20 +718,20 @@ def test_the_folder_is_passed_on(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--elevation", "52deg"], "variables: missing height, distance"),
+        (["--elevation", "52deg"], "missing --speed (or --aim), --height and --distance (or --x"),
         (["--scatter", "pace=1"], "'pace' is none of speed, elevation"),
         (["--scatter", "speed"], "'speed' is not name=value"),
         (["--scatter", "speed=1deg"], "speed: '1deg': 'deg' is not a unit of speed"),
-        (["--scatter", "aim=1cm"], "sd: unknown aim"),
+        ([*OPTIONS[1:], "--scatter", "aim=1cm"], "--scatter: unknown aim"),
         (["--correlation", "speed=0.1"], "'speed=0.1' is not name,name=value"),
         (["--correlation", "speed,height=x"], "'x' is not a number"),
-        (["--correlation", "speed,height=0.1"], "is no pair of none"),
+        ([*OPTIONS[1:], "--correlation", "speed,height=0.1"], "is no pair of"),
         (["--shots", "1.5"], "'1.5' is not a whole number from 1"),
         (["--shots", "0"], "'0' is not a whole number from 1"),
         (["--shots", "many"], "'many' is not a whole number from 1"),
         (["--shots", "inf"], "'inf' is not a whole number from 1"),
         (["--precision", "1"], "is not in the range 0<x<1"),
-        (["--aim", "5cm", "--speed", "7"], "aim takes the place of speed; got both"),
+        ([*OPTIONS[1:], "--aim", "5cm"], "aim takes the place of speed; got both"),
     ],
 )
 def test_what_is_wrong_on_the_command_line_is_said(arguments: list[str], message: str) -> None:

@@ -16,7 +16,7 @@ FLOORS = (
     {"templates"},
     {"generated"},
     # Text, files and what is installed: no physics.
-    {"brief", "colours", "installed", "layout", "notebook", "phrases", "printable"},
+    {"brief", "colours", "files", "installed", "layout", "notebook", "phrases", "printable"},
     {"outputs", "sizes", "units"},
     {"core"},
     {"codegen", "engine", "events", "inputs"},

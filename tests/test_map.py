@@ -470,8 +470,8 @@ def test_a_picture_is_drawn(tmp_path: Path) -> None:
     [
         ([*GRID, *FREE_THROW, "--out", "map.txt"], "'map.txt' ends in none of .nc, .csv"),
         ([*GRID, *FREE_THROW, "--over", "speed=7:8:3"], "'--over': speed is given twice"),
-        ([*GRID, *FREE_THROW, "--speed", "7"], "release: speed already in over; leave out of one"),
-        (["map", *FREE_THROW], "Missing option '--over'"),
+        ([*GRID, *FREE_THROW, "--speed", "7"], "--speed and --over speed: leave one out"),
+        (["map", *FREE_THROW], "missing --over"),
         (["map", "--over", "speed=7:8", *FREE_THROW], "speed: '7:8' is neither from:to:count"),
         (["map", "--over", "speed=7:8:1", *FREE_THROW], "speed: '7:8:1' is neither from:to:count"),
         (["map", "--over", "speed=7:8:x", *FREE_THROW], "speed: '7:8:x' is neither from:to:count"),

@@ -165,6 +165,10 @@ def test_a_page_stands_for_its_file(shots: hoopgen.Shots, tmp_path: Path) -> Non
 def test_a_page_without_a_file_says_so(shots: hoopgen.Shots) -> None:
     shown = view(shots)
     assert shown.path is None
+    for name in ("exists", "stem", "x"):
+        assert not hasattr(shown, name)  # as of any object, and no other error
+    with pytest.raises(AttributeError, match="without a file: give view a path"):
+        _ = shown.stem
     with pytest.raises(ValueError, match="no file: give view a path"):
         os.fspath(shown)
     with pytest.raises(AttributeError):

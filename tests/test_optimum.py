@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import pairwise
@@ -550,6 +551,8 @@ def test_the_command_speaks_to_a_coach() -> None:
     for word in ("shoot", "straight at the ring", "comes down at", "past the centre", "versus"):
         assert word in result.stdout
     assert max(map(len, result.stdout.splitlines())) <= 120
+    assert re.search(r"^\* .*, by another bounce: .*\d", result.stdout, re.MULTILINE)
+    assert "elsewhere" not in result.stdout  # an attribute, which says nothing to a coach
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import builtins
+import keyword
 import math
 from fractions import Fraction
 from typing import Any
@@ -14,7 +15,7 @@ import sympy as sp
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from hoopgen.scene import formulas, reading
+from hoopgen.scene import Limits, formulas, reading
 from hoopgen.scene.formulas import POSITION, Formula, FormulaError, constant
 from hoopgen.scene.polynomials import polynomial
 from hoopgen.scene.reading import parse
@@ -93,7 +94,7 @@ def test_any_text_is_a_formula_or_refused_and_nothing_is_run(text: str) -> None:
     found = read_or_refused(text)
     if found is not None:
         assert found.names <= set(NAMES)
-        assert found.degree <= reading.DEGREE
+        assert found.degree <= Limits().formula_degree
 
 
 @settings(max_examples=300, deadline=None)
@@ -139,10 +140,11 @@ def test_what_is_read_has_the_value_that_python_gives(text: str) -> None:
         ("a**-1", "whole power from 0 to 8"),
         ("a**0.5", "whole power from 0 to 8"),
         ("a**b", "whole power from 0 to 8"),
-        ("(x**4)**4", "degree of at most 8"),
-        ("a" + "*a" * 8, "degree of at most 8"),
+        ("a**999999999", "at most 8 factors in a product, powers multiplied out, got 999,999,999"),
+        ("(x**4)**4", "at most 8 factors in a product, powers multiplied out, got 16"),
+        ("a" + "*a" * 8, "at most 8 factors in a product, powers multiplied out, got 9"),
         ("a+" * 200 + "a", "at most 300 characters, got 401"),
-        ("-" * 40 + "a", "more than 30 operations deep"),
+        ("-" * 40 + "a", "at most 30 operations within one another, got 31 or more"),
         ("1/0", "division by zero"),
         ("a/(b - b)", "division by zero"),
         ("sqrt(1 - 2)", "square root of a negative number"),
@@ -168,9 +170,18 @@ def test_no_power_of_a_number_grows_long() -> None:
 
 
 def test_a_name_may_be_a_word_of_python() -> None:
-    assert parse("lambda", ["lambda"]) == formulas.name("lambda")
+    words = sorted({*keyword.kwlist, *keyword.softkwlist, "name_a"})
+    for word in words:
+        own = formulas.name(word)
+        assert parse(word, words) == own
+        assert parse(f"2*{word} -({word})", words) == own
+        assert parse(f"sqrt({word})*(\t{word}+1)", words) == own.sqrt() * (own + constant(1))
     with pytest.raises(FormulaError, match="not a formula"):
-        parse("lambda + 1", ["lambda"])
+        parse("lambda in", words)
+    with pytest.raises(FormulaError, match="unknown name 'lambda'"):
+        parse("lambda: 1", ["a"])
+    with pytest.raises(FormulaError, match="unknown name 'name_lambda'"):
+        parse("name_lambda", ["lambda"])
 
 
 def test_a_number_is_its_double() -> None:

@@ -25,8 +25,8 @@ from hoopgen.scene import (
     Surface,
     Torus,
     load_scene,
-    shapes,
 )
+from hoopgen.scene import names as scene_names
 from hoopgen.scene.files import scene_of
 
 FLOOR = Plane("floor")
@@ -121,7 +121,7 @@ def test_a_scene_is_the_same_as_another_written_so() -> None:
 
 
 def test_names_are_those_that_derivation_allows() -> None:
-    assert shapes.PUBLIC.pattern == names.PUBLIC.pattern
+    assert scene_names.PUBLIC.pattern == names.PUBLIC.pattern
 
 
 @pytest.mark.parametrize(
@@ -130,7 +130,7 @@ def test_names_are_those_that_derivation_allows() -> None:
         ({"name": "Own scene"}, "name: expected a small letter"),
         ({"parameters": {"a": 1}}, "parameters: expected a list"),
         ({"parameters": [("a", 1)]}, "parameters: expected Parameter, got ('a', 1)"),
-        ({"parameters": [Parameter("x", 1)]}, "parameter x: name: x, y, z, sqrt are taken"),
+        ({"parameters": [Parameter("x", 1)]}, "parameter x: name: x is a coordinate in formulas"),
         ({"parameters": [Parameter("a b", 1)]}, "parameter 'a b': name: expected"),
         ({"parameters": [Parameter("a", 1), Parameter("a", 2)]}, "parameter a: name: 2 have"),
         ({"parameters": [Parameter("a", -1)]}, "parameter a: default: expected a number above 0"),
@@ -146,7 +146,6 @@ def test_names_are_those_that_derivation_allows() -> None:
         ({"down": "down"}, "down: expected one of x, y, z, -x, -y, -z; got 'down'"),
         ({"bodies": FLOOR}, "bodies: expected a list"),
         ({"bodies": [1]}, "bodies: expected Plane, Sphere"),
-        ({"bodies": [FLOOR] * 1001}, "bodies: expected at most 1000"),
         ({"bodies": [FLOOR, FLOOR]}, "body floor: name: 2 have this name"),
         ({"bodies": [Plane("Floor")]}, "body 'Floor': name: expected"),
         ({"ends": [End()]}, "ends: expected names and ends"),

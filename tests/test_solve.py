@@ -265,13 +265,13 @@ def test_the_command_says_and_writes_what_the_library_gives(share: str) -> None:
 @pytest.mark.parametrize(
     ("more", "said"),
     [
-        (["--solve", "70"], "'70' is no share: expected one such as 70% or 0.7"),
+        (["--solve", "100"], "'100' is no share above 0% and below 100%: expected one such as 70%"),
         (["--solve", "100%"], "'100%' is no share"),
         (["--solve", "7%0"], "'7%0' is no share"),
         (["--solve", "most"], "'most' is not a number"),
         (["--solve", "70%", "--versus", "backspin=0"], "--solve and --versus ask different"),
         (["--solve", "70%", "--precision", "0.01"], "--solve and --precision ask different"),
-        (["--solve", "0.1%"], "share: 0.1% made is reached by no factor"),
+        (["--solve", "0.1%"], "--solve: 0.1% made is reached by no factor"),
     ],
 )
 def test_what_is_wrong_on_the_command_line_is_said(more: list[str], said: str) -> None:

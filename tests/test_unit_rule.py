@@ -25,6 +25,7 @@ import hoopgen  # noqa: E402
 from hoopgen import plots  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
 from hoopgen.hoop.variables import VARIABLES  # noqa: E402
+from hoopgen.study.aim_table import aim_table  # noqa: E402
 from hoopgen.study.bank import bank_or_direct  # noqa: E402
 from hoopgen.study.columns import NAMED, columns_of, variable_of  # noqa: E402
 from hoopgen.study.named import in_units, named, parameters_named  # noqa: E402
@@ -184,11 +185,45 @@ def test_angles_over_a_turn_are_refused_with_a_hint(what: str) -> None:
     assert str(refused.value).startswith(f"{argument}: ")
 
 
-def test_spins_are_free_and_one_wild_angle_refuses_no_other() -> None:
-    spun = hoopgen.release(7.17, 0.9, backspin=400.0, sidespin=-90.0, **PLACE)
-    assert spun[7] == 400.0
+def test_one_wild_angle_or_spin_refuses_no_other() -> None:
     states = hoopgen.release(7.17, [0.9, 999.0, np.nan, 0.8], **PLACE)
     assert np.isfinite(states[[0, 1, 3]]).all()
+    spun = hoopgen.release(7.17, 0.9, backspin=[20.0, 999.0, 100.0], sidespin=-90.0, **PLACE)
+    assert spun[:, 7].tolist() == [20.0, 999.0, 100.0]
+
+
+SPUN = {**FREE, "elevation": 0.9}
+NO_RADIANS: dict[str, Callable[[], Any]] = {
+    "release": lambda: hoopgen.release(7.17, 0.9, backspin=180, **PLACE),
+    "release, many": lambda: hoopgen.release(7.17, 0.9, sidespin=[-180, 120, 10], **PLACE),
+    "release of a scatter": lambda: hoopgen.Scatter({**SPUN, "backspin": 180}, SD),
+    "sd": lambda: hoopgen.Scatter(SPUN, {"backspin": 120.0}),
+    "columns": lambda: hoopgen.Resample({**SPUN, "backspin": [180.0, 170.0]}),
+    "axes": lambda: hoopgen.Grid({"backspin": [120.0, 180.0]}, SPUN),
+    "over": lambda: hoopgen.map(hoopgen.Scatter(SPUN), {"backspin": [120, 180]}),
+    "release of a batch": lambda: hoopgen.batch("x.csv", "x.parquet", release={"backspin": 180}),
+    "aim": lambda: aim_table([4.2], height=2.1, backspin=180),
+}
+
+
+@pytest.mark.parametrize("what", NO_RADIANS)
+def test_spins_of_rpm_or_degrees_are_refused_with_a_hint(what: str) -> None:
+    with pytest.raises(ValueError, match=r"is in rad/s, and these are more than 100, 16 turns"):
+        NO_RADIANS[what]()
+
+
+def test_a_negative_speed_is_refused_and_one_of_many_is_invalid() -> None:
+    """As a negative distance is: a bad row among measured ones stops no other."""
+    with pytest.raises(ValueError, match=r"^speed: expected 0 m/s or more, got -7\.0"):
+        hoopgen.release(-7.0, 0.9, **PLACE)
+    with pytest.raises(ValueError, match=r"^distance: expected 0 m or more, got -1\.0"):
+        hoopgen.release(7.0, 0.9, height=2.1, distance=-1.0)
+    with pytest.raises(ValueError, match=r"^speed: expected 0 m/s or more"):
+        hoopgen.batch("x.csv", "x.parquet", release={"speed": -7})
+    states = hoopgen.release([7.17, -7.17, 0.0], 0.9, **PLACE)
+    assert np.isfinite(states).all(axis=1).tolist() == [True, False, True]
+    shots = hoopgen.simulate(states)
+    assert [shots.scene.outcomes(code).name for code in shots.outcome][1] == "INVALID"
 
 
 # Outputs are inputs

@@ -42,6 +42,7 @@ SD = {"speed": 0.07, "elevation": np.radians(1.3), "azimuth": np.radians(1)}
         (percent(float("nan")), "unknown"),
         (interval(0.1, 0.2), "10.0% to 20.0%"),
         (points(0.0123), "+1.2"),
+        (points(-0.0123), "\N{MINUS SIGN}1.2"),
         (doubtful(5, 0), "5 uncertain"),
         (doubtful(8212, 8199), "8,212 uncertain (8,199 of them capped)"),
     ],
@@ -170,7 +171,7 @@ def test_no_other_seed_is_taken(seed: str) -> None:
     ],
 )
 def test_a_negative_distance_is_said_to_be_one(arguments: list[str]) -> None:
-    assert re.search(r"distance: expected 0 m or more, got -\d", said(*arguments))
+    assert re.search(r"'--distance': expected 0 m or more, got '?-\d", said(*arguments))
 
 
 def test_among_many_a_negative_distance_is_one_invalid_shot() -> None:

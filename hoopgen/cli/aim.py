@@ -1,4 +1,4 @@
-"""``hoopgen aim``: the release that goes through the ring's centre, and what it forgives."""
+"""``hoopgen aim``: the release that comes down through the ring's centre, and what it forgives."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hoopgen.brief import brief
+from hoopgen.brief import brief, listed
+from hoopgen.cli.command import command
 from hoopgen.cli.options import (
     UNITS_IN_WORDS,
     by_option,
@@ -25,6 +26,7 @@ from hoopgen.cli.options import (
 from hoopgen.cli.own import no_scene_option
 from hoopgen.cli.types import OUT, Parsed, quantity
 from hoopgen.layout import table
+from hoopgen.phrases import counted
 from hoopgen.told import say_scene
 from hoopgen.units import parse_quantity, shown
 
@@ -57,7 +59,7 @@ def _distances(text: str) -> tuple[float, ...]:
     else:
         raise ValueError(f"{brief(text)} is not from:to:step, such as 1m:7m:0.5m")
     if min(found) < 0.0:
-        raise ValueError(f"distance: expected 0 m or more, got {min(found):.6g} m")
+        raise ValueError(f"expected 0 m or more, got {min(found):.6g} m")
     return found
 
 
@@ -79,7 +81,7 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
     return tuple(low + k * step for k in range(count))
 
 
-@click.command(
+@command(
     epilog=UNITS_IN_WORDS
     + examples(
         "hoopgen aim --distance 13.75ft --height 7ft",
@@ -136,14 +138,17 @@ def aim(
     scheduler: str | None,
     **wanted: Any,
 ) -> None:
-    """Aim: the release that goes through the centre of the ring, and how far it may be off.
+    """Aim: the release that comes down through the centre of the ring, and how far it may be off.
 
-    The slowest one, or one with a wanted entry angle, elevation or speed. How far off each of
-    speed, elevation and azimuth alone may be is found by simulation.
+    The slowest one, or one with a wanted entry angle, elevation or speed. Its flight leads through
+    a point of the ring's plane, and no other can be aimed at; the ring and the board may be met
+    before, which is said. How far off each of speed, elevation and azimuth alone may be is found by
+    simulation.
     """
     from hoopgen.cli.progress import shown
     from hoopgen.study.aim import aim as aimed
     from hoopgen.study.aim_table import aim_table, write_csv
+    from hoopgen.words import say
 
     spins = {name: wanted.pop(name) for name in ("backspin", "sidespin")}
     if len(distance) == 1:
@@ -155,14 +160,38 @@ def aim(
         columns = aim_table(distance, arc=arc, by=by, parameters=parameters, **options)
     if len(distance) == 1:
         shot = {name: float(column[0]) for name, column in columns.items()}
-        click.echo(_one(shot, wanted, by))
+        flown, _ = _flown(columns, parameters)[0]
+        click.echo(_one(shot, wanted, by, flown))
     else:
         click.echo(_many(columns))
+        early = [row for row, (_, early) in enumerate(_flown(columns, parameters)) if early]
+        if early:
+            places = listed(say("distance", columns["distance"][row]) for row in early)
+            said = f"{len(early):,} of {counted(len(columns['distance']), 'flight')}"
+            click.echo(
+                f"hoopgen: {said} touch something before the point aimed at, from {places}; a "
+                "steeper --entry may clear it",
+                err=True,
+            )
     click.echo(f"\nscene   {say_scene(parameters)}")
     if file is not None:
         write_csv(file, columns, parameters)
     if picture is not None:
         _draw(columns, parameters, picture)
+
+
+def _flown(columns: Columns, parameters: Mapping[str, float]) -> list[tuple[str, bool]]:
+    """Return what each release does, in words, and whether something is met before the point."""
+    import hoopgen
+    from hoopgen.hoop.variables import ARGUMENTS
+    from hoopgen.study.aim import flight_in_words, met_before
+
+    release = {name: columns[name] for name in ARGUMENTS if name in columns}
+    shots = hoopgen.simulate(hoopgen.release(**release), parameters, record=True)
+    return [
+        (flight_in_words(shots, row, time), met_before(shots, row, time) is not None)
+        for row, time in enumerate(columns["time"].tolist())
+    ]
 
 
 def _draw(columns: Columns, parameters: Mapping[str, float], picture: Path) -> None:
@@ -180,8 +209,8 @@ def _draw(columns: Columns, parameters: Mapping[str, float], picture: Path) -> N
     plots.save(drawn, picture)
 
 
-def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str:
-    """Say one release and what it forgives."""
+def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str, flown: str) -> str:
+    """Say one release, what it does and what it forgives."""
     from hoopgen.hoop.variables import VARIABLES
     from hoopgen.study.aim_table import OFF
     from hoopgen.words import say
@@ -195,6 +224,7 @@ def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str
         f"flight  comes down through the ring's plane after {shot['time']:.3f} s at "
         f"{say('entry', shot['entry_angle'])}, {where if depth else 'at its centre'}",
     ]
+    lines.append(f"flown   {flown}")
     if math.isnan(shot["low_speed"]):
         way = {"any": "in", "direct": "in directly", "bank": "in off the board"}[by]
         return "\n".join([*lines, f"result  does not go {way}: hoopgen shot shows why"])

@@ -13,6 +13,7 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.cli.command import command
 from hoopgen.cli.options import (
     UNITS_IN_WORDS,
     confidence_option,
@@ -25,7 +26,7 @@ from hoopgen.cli.options import (
     threads_option,
     units_option,
 )
-from hoopgen.cli.releasing import Releasing, from_option, hoop_release_options
+from hoopgen.cli.releasing import Releasing, from_option, hoop_release_options, place_needs
 from hoopgen.cli.types import AXIS, BOUNDS, COUNT, once
 
 if TYPE_CHECKING:
@@ -38,7 +39,8 @@ _OF_PLACES = ("distance", "angle", "x", "y")
 _SCATTER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg"
 
 
-@click.command(
+@command(
+    needs=place_needs,
     epilog=UNITS_IN_WORDS
     + examples(
         "hoopgen bank --distance 10ft --angle 60deg --height 7ft --backspin 3Hz \\",
@@ -48,7 +50,7 @@ _SCATTER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1d
         "    --shots 5000 --picture bank.svg",
         "hoopgen bank --over elevation=45deg:65deg --over aim --over azimuth --json \\",
         f"    --x 1.5m --y 2.6m --height 7ft {_SCATTER}",
-    )
+    ),
 )
 @click.option(
     "--places",

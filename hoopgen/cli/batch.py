@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from hoopgen.cli.command import command
 from hoopgen.cli.flown import say_lines
 from hoopgen.cli.measuring import check_caught, measure_options
 from hoopgen.cli.options import examples, scheduler_option, table_options, threads_option
@@ -29,7 +30,7 @@ cells than the header. In CSV with semicolons or tabs, numbers may have decimal 
 """
 
 
-@click.command(
+@command(
     epilog=_COLUMNS
     + examples(
         "hoopgen batch releases.csv --out results.parquet",

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from hoopgen.cli.command import command
 from hoopgen.cli.options import (
-    NEEDED,
     UNITS_IN_WORDS,
     argument_options,
     examples,
@@ -19,7 +19,16 @@ from hoopgen.cli.options import (
     max_contacts_option,
     preset_options,
 )
-from hoopgen.cli.own import engine_of, max_contacts_of, own_options, parameters_of, released
+from hoopgen.cli.own import (
+    NEEDED,
+    engine_of,
+    max_contacts_of,
+    own_options,
+    parameters_of,
+    released,
+    shot_needs,
+    state_of,
+)
 from hoopgen.cli.types import FILE, whole
 from hoopgen.layout import table
 from hoopgen.phrases import counted
@@ -37,7 +46,14 @@ FEW = 3
 """Events on one body, one soon after another, that have a line each."""
 
 
-@click.command(
+def _needs(typed: Mapping[str, Any]) -> list[str]:
+    first, *rest = [*shot_needs(typed), ""]
+    whole = len(rest) == len(NEEDED)
+    return [name for name in (f"FILE, or {first}" if whole else first, *rest) if name]
+
+
+@command(
+    needs=_needs,
     epilog=UNITS_IN_WORDS
     + examples(
         "hoopgen certify --speed 7.17 --elevation 51deg --distance 13.75ft --height 7ft",
@@ -90,7 +106,7 @@ def certify(
         state, written = _read(file, engine)
         parameters: Mapping[str, float] = {**written, **settings}
     elif engine.has_hoop:
-        state, parameters = _released(release), parameters_of(engine, preset, settings)
+        state, parameters = state_of(release), parameters_of(engine, preset, settings)
     else:
         there = {"position": position, "velocity": velocity, "spin": spin}
         state = released(tuple(release), there)
@@ -108,17 +124,6 @@ def certify(
         ctx.exit(1)
 
 
-def _released(release: Mapping[str, float | None]) -> list[float]:
-    import hoopgen
-
-    missing = [f"--{name}" for name in NEEDED if release[name] is None]
-    if missing:
-        raise click.UsageError(f"give a FILE, or {', '.join(missing)}")
-    given = {name: value for name, value in release.items() if value is not None}
-    state: list[float] = hoopgen.release(**given).tolist()
-    return state
-
-
 def _read(file: Path, scene: Engine) -> tuple[list[float], dict[str, float]]:
     from hoopgen.study.named import parameters_named
 
@@ -126,7 +131,7 @@ def _read(file: Path, scene: Engine) -> tuple[list[float], dict[str, float]]:
         record = json.loads(file.read_text(encoding="utf-8"))
         said = parameters_named(dict(record["parameters"]), scene)
         return list(record["release"]), {name: float(value) for name, value in said.items()}
-    except (ValueError, KeyError, TypeError):
+    except (ValueError, KeyError, TypeError, RecursionError):
         raise click.ClickException(
             f"{file}: expected what `hoopgen shot --json` writes, with release and parameters"
         ) from None

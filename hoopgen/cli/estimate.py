@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import shlex
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from hoopgen.cli.command import ARGUMENTS, command
+from hoopgen.cli.invalid import warn_invalid
 from hoopgen.cli.measuring import check_caught, measure_options
 from hoopgen.cli.options import (
     UNITS_IN_WORDS,
@@ -17,7 +20,13 @@ from hoopgen.cli.options import (
     picture_option,
     units_option,
 )
-from hoopgen.cli.releasing import Releasing, from_option, release_options, work_options
+from hoopgen.cli.releasing import (
+    Releasing,
+    from_option,
+    release_needs,
+    release_options,
+    work_options,
+)
 from hoopgen.cli.types import ASSIGNMENT, COUNT, SHARE, once
 
 if TYPE_CHECKING:
@@ -26,9 +35,11 @@ if TYPE_CHECKING:
 __all__ = ["estimate"]
 
 _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg"
+_PITCH = "--scatter vx=0.1 --scatter vy=0.05"
 
 
-@click.command(
+@command(
+    needs=release_needs,
     epilog=UNITS_IN_WORDS
     + examples(
         "hoopgen estimate --speed 7.17 --elevation 52deg --backspin 3Hz --height 7ft \\",
@@ -40,7 +51,7 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
         "hoopgen estimate --scene golf.toml --position=-30cm,0,20cm --velocity 1.4,0,0 \\",
         "    --scatter vx=0.1 --scatter vy=0.05 --max-contacts 30",
         "hoopgen estimate --from releases.csv --height 7ft --distance 13.75ft --solve 70%",
-    )
+    ),
 )
 @release_options
 @from_option
@@ -109,6 +120,8 @@ def estimate(
         other = "--versus" if versus else "--solve"
         raise click.UsageError(f"--measure is of one setting, without {other}.")
     check_caught(measures)
+    if share is not None and not (releasing.sd or releasing.measured):
+        raise click.UsageError(_needs_scatter(releasing.engine))
     (model, parameters), scene = releasing.model(), releasing.engine
     with shown() as progress:
         options = {"scene": scene, "progress": progress, **work}
@@ -133,8 +146,22 @@ def estimate(
                 f"versus      {', '.join(_said(scene, name, to) for name, to in versus.items())}"
             )
         click.echo(result)
+    if share is None and not versus:
+        invalid = getattr(result, "invalid", None)
+        invalid = result.counts["invalid"] if invalid is None else invalid
+        warn_invalid(model, parameters, scene, invalid, result.shots, work["seed"])
     if precision is not None and result.half_width > precision:
         click.echo("hoopgen: the precision was not reached; more --shots", err=True)
+
+
+def _needs_scatter(scene: Engine) -> str:
+    """Say with a whole command what ``--solve`` multiplies."""
+    words = click.get_current_context().meta[ARGUMENTS]
+    more = shlex.split(_PLAYER if scene.has_hoop else _PITCH)
+    return (
+        "--solve multiplies the scatter, and here nothing scatters: give --scatter, or --from with "
+        f"measured releases. For example: {shlex.join(['hoopgen', 'estimate', *words, *more])}"
+    )
 
 
 def _said(scene: Engine, name: str, value: float) -> str:

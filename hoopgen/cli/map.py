@@ -12,8 +12,15 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.cli.command import command
 from hoopgen.cli.options import UNITS_IN_WORDS, examples, picture_option, units_option
-from hoopgen.cli.releasing import Releasing, from_option, release_options, work_options
+from hoopgen.cli.releasing import (
+    Releasing,
+    from_option,
+    release_needs,
+    release_options,
+    work_options,
+)
 from hoopgen.cli.types import AXIS, COUNT, MAP, once
 from hoopgen.outputs import write, written_text
 
@@ -25,8 +32,9 @@ __all__ = ["map_"]
 _FREE_THROW = "--backspin 3Hz --height 7ft --distance 13.75ft"
 
 
-@click.command(
+@command(
     "map",
+    needs=release_needs,
     epilog=UNITS_IN_WORDS
     + examples(
         "hoopgen map --over elevation=45deg:60deg:61 --over speed=6.8:7.6:81 --picture map.svg \\",

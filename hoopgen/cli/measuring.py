@@ -6,12 +6,20 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 import click
+from click.shell_completion import CompletionItem
 
 from hoopgen.cli.options import together
 from hoopgen.cli.types import quantity
 from hoopgen.hoop.releases import CATCHING_HEIGHT
 
 __all__ = ["catching_height_option", "check_caught", "measure_options"]
+
+
+def _complete(_: click.Context, __: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    from hoopgen.study.measures import MEASURES
+
+    known = {name: one.label for name, one in MEASURES.items() if name.startswith(incomplete)}
+    return [CompletionItem(name, help=label) for name, label in known.items()]
 
 
 def measure_options(what: str) -> Callable[[Any], Any]:
@@ -21,6 +29,7 @@ def measure_options(what: str) -> Callable[[Any], Any]:
             "--measure",
             "measures",
             metavar="NAME",
+            shell_complete=_complete,
             multiple=True,
             help=f"{what}: depth, entry_angle, apex, rebound_distance ...; may be repeated.",
         ),

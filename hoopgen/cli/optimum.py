@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from hoopgen.cli.command import command
 from hoopgen.cli.options import (
     UNITS_IN_WORDS,
     WAYS,
@@ -23,7 +24,7 @@ from hoopgen.cli.options import (
     threads_option,
     units_option,
 )
-from hoopgen.cli.releasing import Releasing, from_option, release_options
+from hoopgen.cli.releasing import Releasing, from_option, release_needs, release_options
 from hoopgen.cli.types import BOUNDS, COUNT, once
 
 if TYPE_CHECKING:
@@ -36,7 +37,8 @@ _AIMING = ("speed", "aim", "azimuth")
 """Variables whose usual ranges are other ones for another way in."""
 
 
-@click.command(
+@command(
+    needs=release_needs,
     epilog=UNITS_IN_WORDS
     + examples(
         "hoopgen optimum --over elevation --over aim --height 7ft --distance 13.75ft \\",
@@ -46,7 +48,7 @@ _AIMING = ("speed", "aim", "azimuth")
         "hoopgen optimum --over elevation --over aim --over azimuth --by bank --versus direct \\",
         "    --height 7ft --distance 10ft --angle 60deg --backspin 3Hz \\",
         "    --scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg",
-    )
+    ),
 )
 @click.option(
     "--over",

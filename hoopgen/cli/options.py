@@ -11,7 +11,7 @@ import click
 
 from hoopgen.cli.examples import examples
 from hoopgen.cli.flown import flown, reading_of
-from hoopgen.cli.own import engine_of, parameters_of, scene_option
+from hoopgen.cli.own import NEEDED, engine_of, parameters_of, scene_option
 from hoopgen.cli.types import (
     ASSIGNMENT,
     COLUMN,
@@ -22,6 +22,7 @@ from hoopgen.cli.types import (
     PICTURE,
     SCENE,
     SETTING,
+    Choice,
     once,
     variable_type,
     whole,
@@ -31,7 +32,6 @@ from hoopgen.inputs import MAX_CONTACTS
 from hoopgen.units import System, showing
 
 __all__ = [
-    "NEEDED",
     "UNITS_IN_WORDS",
     "VARIABLE_HELP",
     "WAYS",
@@ -81,9 +81,6 @@ def together(*options: Decorator) -> Decorator:
 
 
 # --------------------------------------------------------------------------------------- a release
-
-NEEDED = ("speed", "elevation", "height", "distance")
-"""Arguments of `hoopgen.release` that have no default."""
 
 VARIABLE_HELP: Mapping[str, str] = MappingProxyType(
     {
@@ -206,7 +203,7 @@ WAYS = ("any", "direct", "bank")
 """In which a shot may go in."""
 
 
-class _By(click.Choice[str]):
+class _By(Choice):
     """A way in; with ``--scene`` an end of that scene, which is known when it is compiled."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:

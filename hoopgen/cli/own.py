@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 from click.core import ParameterSource
+from click.shell_completion import CompletionItem
 
 from hoopgen.brief import brief
-from hoopgen.cli.types import FILE, SCENE, Parsed
-from hoopgen.scenes import BUILT_IN
+from hoopgen.cli.types import COUNT, FILE, SCENE, Parsed, Type, once
+from hoopgen.hoop.variables import ARGUMENTS, INSTEAD
+from hoopgen.scenes import BUILT_IN, SUFFIX
 from hoopgen.units import Kind, parse_quantity
 
 if TYPE_CHECKING:
@@ -19,21 +22,32 @@ if TYPE_CHECKING:
 __all__ = [
     "engine_of",
     "given",
+    "limit_option",
     "max_contacts_of",
     "no_scene_option",
+    "NEEDED",
+    "own_needs",
     "own_options",
+    "state_is_given",
     "parameters_of",
     "released",
     "scene_option",
+    "shot_needs",
     "state_given",
     "state_of",
 ]
+
+NEEDED = ("speed", "elevation", "height", "distance")
+"""Arguments of `hoopgen.release` that have no default."""
+
+VARIABLE_NAMES = (*ARGUMENTS, *INSTEAD)
+"""Options of a release at a hoop."""
 
 _STATE = ("position", "velocity", "spin")
 _COMPONENTS = (("x", "y", "z"), ("vx", "vy", "vz"), ("wx", "wy", "wz"))
 
 
-class _Scene(click.ParamType[str]):
+class _Scene(Type[str]):
     """A scene by its name, or a scene file."""
 
     name = "|".join((*BUILT_IN, "FILE.toml"))
@@ -51,6 +65,28 @@ class _Scene(click.ParamType[str]):
         """Show it as it is."""
         return self.name
 
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
+        """Complete the names of scenes, and scene files with the folders on the way to them."""
+        found = [CompletionItem(name) for name in BUILT_IN if name.startswith(incomplete)]
+        folder, _, begun = incomplete.rpartition("/")
+        there = Path(folder or ("/" if incomplete.startswith("/") else ".")).expanduser()
+        try:
+            entries = sorted(there.iterdir())
+        except OSError:
+            return found
+        before = incomplete.removesuffix(begun)
+        for entry in entries:
+            hidden = entry.name.startswith(".") and not begun.startswith(".")
+            if not entry.name.startswith(begun) or hidden:
+                continue
+            if entry.is_dir():
+                found.append(CompletionItem(f"{before}{entry.name}/"))
+            elif entry.suffix.lower() == SUFFIX:
+                found.append(CompletionItem(f"{before}{entry.name}"))
+        return found
+
 
 def _read(ctx: click.Context, _: click.Parameter, text: str | None) -> str | None:
     from hoopgen.engines import HOOP
@@ -61,15 +97,65 @@ def _read(ctx: click.Context, _: click.Parameter, text: str | None) -> str | Non
     return text
 
 
-scene_option = click.option(
+def _limit(text: str) -> tuple[str, int]:
+    from hoopgen.scene.limits import NAMES
+
+    name, separator, count = (part.strip() for part in text.partition("="))
+    if not separator:
+        raise ValueError(f"{brief(text)} is not name=count")
+    if name not in NAMES:
+        raise ValueError(f"{brief(name)} is none of {', '.join(NAMES)}")
+    return name, COUNT.read(count)
+
+
+def _raise(ctx: click.Context, param: click.Parameter, given: Any) -> None:
+    from hoopgen.scene.limits import Limits, raised
+
+    if given:
+        ctx.with_resource(raised(Limits(**once(ctx, param, given))))
+
+
+limit_option = click.option(
+    "--limit",
+    type=Parsed(_limit, "NAME=COUNT"),
+    multiple=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_raise,
+    help="Raise a limit on the size of a scene file, parameters=500 or bounds=1000; may be "
+    "repeated.",
+)
+"""``--limit``: a file that is larger than a usual one is read when its reader says so."""
+
+
+class _SceneOption(click.Option):
+    """``--scene``, read within the limits that ``--limit`` raises, wherever that stands."""
+
+    def handle_parse_result(
+        self, ctx: click.Context, opts: Mapping[str, Any], args: list[str]
+    ) -> tuple[Any, list[str]]:
+        """Read the option after ``--limit``."""
+        for param in ctx.command.params:
+            if param.name == "limit":
+                param.handle_parse_result(ctx, opts, args)
+        return super().handle_parse_result(ctx, opts, args)
+
+
+_scene_option = click.option(
     "--scene",
     "scene_name",
+    cls=_SceneOption,
     type=_Scene(),
     is_eager=True,
     expose_value=False,
     callback=_read,
     help="A scene by name, or one of one's own, .toml; --set then changes its parameters.",
 )
+
+
+def scene_option(command: Any) -> Any:
+    """Add ``--scene``, and ``--limit`` with it."""
+    return _scene_option(limit_option(command))
 
 
 def _refuse(ctx: click.Context, _: click.Parameter, text: str | None) -> None:
@@ -114,6 +200,38 @@ def own_options(command: Any) -> Any:
     for option in reversed(options):
         command = option(command)
     return command
+
+
+def own_needs(typed: Mapping[str, Any], varied: Collection[str] = ()) -> list[str]:
+    """Return what is missing of the state in which a shot of one's own scene is released.
+
+    Parameters
+    ----------
+    typed
+        The options as they are typed, by name.
+    varied
+        Components of the state that are varied.
+    """
+    if set(typed) & set(VARIABLE_NAMES):
+        return []  # of a shot at a hoop, which is said first
+    needed = zip(_STATE[:2], _COMPONENTS, strict=False)
+    return [f"--{n}" for n, parts in needed if n not in typed and not set(parts) <= set(varied)]
+
+
+def state_is_given(typed: Mapping[str, Any]) -> bool:
+    """Return whether options give the state of a shot in a scene of one's own."""
+    return not set(typed).isdisjoint(_STATE)
+
+
+def shot_needs(typed: Mapping[str, Any]) -> list[str]:
+    """Return what is missing of the release of one shot, where no file says it."""
+    if "file" in typed:
+        return []
+    if typed.get("scene_name", "hoop") not in BUILT_IN:
+        return own_needs(typed)
+    if state_is_given(typed):
+        return []  # of a shot in a scene of one's own, which is said first
+    return [f"--{name}" for name in NEEDED if name not in typed]
 
 
 def engine_of() -> Engine:
@@ -195,36 +313,22 @@ def released(needed: Sequence[str], options: Mapping[str, Any]) -> list[float]:
     Raises
     ------
     click.UsageError
-        If position or velocity is missing, or a hoop's release is given.
+        If a hoop's release is given.
     """
     state = state_given(needed, options)
-    missing = [f"--{name}" for name in _STATE[:2] if options[name] is None]
-    if missing:
-        raise click.UsageError(f"with --scene, give {' and '.join(missing)}")
     return [state.get(name, 0.0) for names in _COMPONENTS for name in names]
 
 
-def state_of(release: Mapping[str, float | None], needed: Sequence[str]) -> list[float]:
+def state_of(release: Mapping[str, float | None]) -> list[float]:
     """Return the state in which a shot at the hoop is released.
 
     Parameters
     ----------
     release
         Arguments of `hoopgen.release`, None where they are not given.
-    needed
-        Those that have no default.
-
-    Raises
-    ------
-    click.UsageError
-        If an argument that has no default is missing.
     """
     import hoopgen
 
-    context = click.get_current_context()
-    for option in context.command.params:
-        if option.name in needed and release[option.name] is None:
-            raise click.MissingParameter(ctx=context, param=option)
     given = {name: value for name, value in release.items() if value is not None}
     state: list[float] = hoopgen.release(**given).reshape(9).tolist()
     return state

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from hoopgen.brief import brief
+from hoopgen.cli.command import command
 from hoopgen.cli.options import backend_option, examples
 from hoopgen.cli.own import no_scene_option
 from hoopgen.cli.progress import shown
@@ -27,7 +28,7 @@ TABLE = "table.txt"
 """Name of the file that holds the table and its notes."""
 
 
-@click.command(
+@command(
     epilog=examples(
         "hoopgen paper",
         "hoopgen paper --events",

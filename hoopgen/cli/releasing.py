@@ -29,12 +29,16 @@ from hoopgen.cli.options import (
 )
 from hoopgen.cli.own import (
     engine_of,
+    given,
     max_contacts_of,
     no_scene_option,
+    own_needs,
     own_options,
     state_given,
+    state_is_given,
 )
-from hoopgen.cli.types import ASSIGNMENT, CORRELATION, FILE, once
+from hoopgen.cli.types import CORRELATION, DEVIATION, FILE, once
+from hoopgen.scenes import BUILT_IN
 
 if TYPE_CHECKING:
     from hoopgen.engines import Engine
@@ -47,9 +51,53 @@ __all__ = [
     "Releasing",
     "from_option",
     "hoop_release_options",
+    "place_needs",
+    "release_needs",
     "release_options",
     "work_options",
 ]
+
+
+_INSTEAD: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        "speed": ("aim", "entry"),
+        "elevation": ("entry",),
+        "height": (),
+        "distance": ("x",),
+    }
+)
+"""What a release needs, and what may be given in its place."""
+
+_ALTERNATIVES: Mapping[str, str] = MappingProxyType(
+    {
+        "speed": "--speed (or --aim)",
+        "elevation": "--elevation (or --entry)",
+        "distance": "--distance (or --x and --y)",
+    }
+)
+
+
+def release_needs(typed: Mapping[str, Any]) -> list[str]:
+    """Return what is missing of a release, of a hoop's or one's own scene, without ``--from``."""
+    if "file" in typed or "override" in typed:
+        return []  # a file says it; without one, that is said first
+    varied = {text.partition("=")[0].strip() for text in typed.get("over", ())}
+    if typed.get("scene_name", "hoop") not in BUILT_IN:
+        return own_needs(typed, varied)
+    if state_is_given(typed):
+        return []  # of a shot in a scene of one's own, which is said first
+    given = {*typed, *varied}
+    return [
+        _ALTERNATIVES.get(name, f"--{name}")
+        for name, others in _INSTEAD.items()
+        if not given.intersection((name, *others))
+    ]
+
+
+def place_needs(typed: Mapping[str, Any]) -> list[str]:
+    """Return what is missing of the places from which both ways in are searched."""
+    searched = {"over": ("speed", "elevation"), **({"distance": ""} if "places" in typed else {})}
+    return release_needs({**typed, **searched})
 
 
 @dataclass(frozen=True)
@@ -94,7 +142,10 @@ class Releasing:
         from hoopgen.study.resample import Resample
         from hoopgen.study.scatter import Scatter
 
+        over = tuple(over)
         values = {**self.measured, **self.values}
+        if self.engine.has_hoop and (twice := [name for name in over if given(name)]):
+            raise click.UsageError(f"--{twice[0]} and --over {twice[0]}: leave one out")
         if self.engine.has_hoop:
             values = change_variables(values, changes)
         else:
@@ -241,7 +292,7 @@ def _release_options(command: Callable[..., Any], scene: Any) -> Callable[..., A
 _SCATTER = (
     click.option(
         "--scatter",
-        type=ASSIGNMENT,
+        type=DEVIATION,
         multiple=True,
         callback=once,
         help="Standard deviation of a variable, speed=0.07, elevation=1.3deg; may be repeated.",

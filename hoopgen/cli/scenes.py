@@ -6,17 +6,21 @@ from pathlib import Path
 
 import click
 
+from hoopgen.cli.command import command
 from hoopgen.cli.examples import examples
+from hoopgen.cli.own import limit_option
+from hoopgen.cli.types import FILE
 from hoopgen.layout import table
 
 __all__ = ["cache", "compile_"]
 
 
-@click.command(
+@command(
     "compile",
     epilog=examples("hoopgen compile netball.toml", "hoopgen compile examples/scenes/bowl.toml"),
 )
-@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("file", type=FILE)
+@limit_option
 def compile_(file: Path) -> None:
     """Compile a scene file for this processor, and compare it with NumPy.
 
@@ -37,7 +41,7 @@ def compile_(file: Path) -> None:
     click.echo("backend     c, the same bits as numpy")
 
 
-@click.command(epilog=examples("hoopgen cache --show", "hoopgen cache --clear"))
+@command(epilog=examples("hoopgen cache --show", "hoopgen cache --clear"))
 @click.option("--show", is_flag=True, help="List what is kept; this is done, too, without options.")
 @click.option("--clear", is_flag=True, help="Remove all of it; scenes are then compiled anew.")
 def cache(show: bool, clear: bool) -> None:

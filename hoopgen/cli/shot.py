@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from hoopgen.cli.command import command
 from hoopgen.cli.options import (
-    NEEDED,
     UNITS_IN_WORDS,
     argument_options,
     backend_option,
@@ -27,6 +27,7 @@ from hoopgen.cli.own import (
     own_options,
     parameters_of,
     released,
+    shot_needs,
     state_of,
 )
 from hoopgen.cli.types import PAGE, PICTURE_OR_FILM
@@ -45,7 +46,8 @@ if TYPE_CHECKING:
 __all__ = ["shot"]
 
 
-@click.command(
+@command(
+    needs=shot_needs,
     epilog=UNITS_IN_WORDS
     + examples(
         "hoopgen shot --speed 7.17 --elevation 51deg --distance 13.75ft --height 7ft",
@@ -54,7 +56,7 @@ __all__ = ["shot"]
         "    --picture corner.gif",
         "hoopgen shot --speed 7.2 --elevation 52deg --distance 13.75ft --height 7ft \\",
         "    --preset nba --set restitution=0.75 --picture shot.svg --view shot.html",
-    )
+    ),
 )
 @argument_options(required=False)
 @own_options
@@ -100,7 +102,7 @@ def shot(
     engine = engine_of()
     parameters = parameters_of(engine, preset, settings)
     if engine.has_hoop:
-        state = np.array(state_of(release, NEEDED))
+        state = np.array(state_of(release))
     else:
         own = {"position": position, "velocity": velocity, "spin": spin}
         state = np.array(released(tuple(release), own))

@@ -10,8 +10,10 @@ from typing import Any
 
 import click
 
+from hoopgen.cli.command import command
 from hoopgen.cli.errors import OwnError, foreseen, in_words
 from hoopgen.cli.options import examples, scheduler_option, threads_option, units_option
+from hoopgen.cli.own import limit_option
 from hoopgen.cli.types import FILE, FOLDER, PAGE
 from hoopgen.phrases import counted
 from hoopgen.printable import printable
@@ -28,7 +30,7 @@ def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> No
     ctx.exit()
 
 
-@click.command(
+@command(
     epilog=examples(
         "hoopgen study free-throw.toml",
         "hoopgen study free-throw.toml --out results --report results.html",
@@ -47,6 +49,7 @@ def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> No
     type=PAGE,
     help="Write the report as a page too, .html: one file with all pictures, to print or pass on.",
 )
+@limit_option
 @threads_option
 @scheduler_option
 @units_option

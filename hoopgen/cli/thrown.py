@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from hoopgen.cli.command import command
+from hoopgen.cli.invalid import warn_invalid_shots
 from hoopgen.cli.measuring import catching_height_option
 from hoopgen.cli.options import (
     UNITS_IN_WORDS,
@@ -24,7 +26,7 @@ from hoopgen.cli.options import (
     together,
     units_option,
 )
-from hoopgen.cli.releasing import Releasing, from_option, release_options
+from hoopgen.cli.releasing import Releasing, from_option, release_needs, release_options
 from hoopgen.cli.types import whole
 
 if TYPE_CHECKING:
@@ -51,7 +53,8 @@ _CONFIDENCE = 0.95
 _WORK = together(seed_option, max_contacts_option, backend_option, threads_option)
 
 
-@click.command(
+@command(
+    needs=release_needs,
     epilog=UNITS_IN_WORDS
     + examples(
         f"hoopgen fan {_FREE_THROW} \\",
@@ -59,7 +62,7 @@ _WORK = together(seed_option, max_contacts_option, backend_option, threads_optio
         "hoopgen fan --from releases.csv --height 7ft --distance 13.75ft --picture fan.png",
         "hoopgen fan --scene golf.toml --position=-30cm,0,20cm --velocity 1.4,0,0 \\",
         "    --scatter vx=0.1 --scatter vy=0.05 --max-contacts 30 --picture pitches.png",
-    )
+    ),
 )
 @release_options
 @from_option
@@ -100,14 +103,15 @@ def fan(
         click.echo(f"{thrown.line}\n\n{footer(9, thrown.told)}")
 
 
-@click.command(
+@command(
+    needs=release_needs,
     epilog=UNITS_IN_WORDS
     + examples(
         f"hoopgen landings {_FREE_THROW} \\",
         f"    {_PLAYER} --preset nba --picture misses.svg",
         "hoopgen landings --aim 5cm --elevation 52deg --height 7ft --x 4m --y 3m \\",
         f"    {_PLAYER} --catching-height 2.5m --picture rebounds.svg",
-    )
+    ),
 )
 @release_options
 @from_option
@@ -245,7 +249,9 @@ def _thrown(
         threads=threads,
         record=record,
     )
-    return _Thrown(setting, released, flown, seed)
+    thrown = _Thrown(setting, released, flown, seed)
+    warn_invalid_shots(released, flown, thrown.counts["invalid"], count)
+    return thrown
 
 
 def _echo(found: Mapping[str, Any]) -> None:

@@ -10,9 +10,12 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import click
 import numpy as np
+from click.shell_completion import CompletionItem
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.cli.command import note_input, note_output
+from hoopgen.hoop.releases import FROM_ZERO
 from hoopgen.hoop.variables import ARGUMENTS, INSTEAD, VARIABLES
 from hoopgen.outputs import FILMS, MAPS, PAGES, PICTURES, check_folder, check_output
 from hoopgen.scenes import variables_of
@@ -27,6 +30,7 @@ __all__ = [
     "COLUMN",
     "CORRELATION",
     "COUNT",
+    "DEVIATION",
     "FILE",
     "FOLDER",
     "MAP",
@@ -38,7 +42,9 @@ __all__ = [
     "SETTING",
     "SHARE",
     "Checked",
+    "Choice",
     "Parsed",
+    "Type",
     "quantity",
     "once",
     "variable_type",
@@ -49,14 +55,20 @@ Value = TypeVar("Value")
 
 if TYPE_CHECKING:
 
-    class _Type(click.ParamType[Value]): ...
+    class Type(click.ParamType[Value]):
+        """The type of an option whose text becomes a value of one kind."""
 
-else:  # older releases of click do not know it as generic
+    Choice = click.Choice[str]
 
-    class _Type(click.ParamType, Generic[Value]): ...
+else:  # older releases of click do not know these as generic
+
+    class Type(click.ParamType, Generic[Value]):
+        """The type of an option whose text becomes a value of one kind."""
+
+    Choice = click.Choice
 
 
-class Parsed(_Type[Value]):
+class Parsed(Type[Value]):
     """What a function reads in text; its ValueError is the option's.
 
     Parameters
@@ -87,7 +99,7 @@ class Parsed(_Type[Value]):
         return self.name
 
 
-class Checked(_Type[Path]):
+class Checked(Type[Path]):
     """A path that is looked at before any work for it.
 
     Parameters
@@ -107,11 +119,13 @@ class Checked(_Type[Path]):
     ) -> Path:
         """Return the path, if it can be written."""
         try:
-            return self.check(Path(str(self.path.convert(value, param, ctx))))
+            path = self.check(Path(str(self.path.convert(value, param, ctx))))
         except OSError as error:
             self.fail(f"{error.filename}: {error.strerror}", param, ctx)
         except ValueError as error:
             self.fail(str(error), param, ctx)
+        note_output(ctx, param, path)
+        return path
 
 
 def _ending(suffixes: Sequence[str]) -> Checked:
@@ -119,21 +133,31 @@ def _ending(suffixes: Sequence[str]) -> Checked:
     return Checked(lambda path: check_output(path, suffixes), _Path(dir_okay=False, path_type=Path))
 
 
-def quantity(kind: Kind) -> Parsed[float]:
+def quantity(kind: Kind, name: str = "") -> Parsed[float]:
     """Return the type of a number with a unit, given to the command in SI.
 
     Parameters
     ----------
     kind
         What is measured; see `hoopgen.units.UNITS`.
+    name
+        Of the variable; one in `FROM_ZERO` is not negative.
     """
     units = "|".join(NO_BARE.get(kind, tuple(UNITS[kind])[:1])[:2])
-    return Parsed(lambda text: parse_quantity(text, kind), f"{kind.upper()} [{units}]")
+    return Parsed(
+        lambda text: _from_zero(name, parse_quantity(text, kind), text), f"{kind.upper()} [{units}]"
+    )
 
 
 def variable_type(name: str) -> Parsed[float]:
     """Return the type of a variable's value."""
-    return quantity(VARIABLES[name].kind)
+    return quantity(VARIABLES[name].kind, name)
+
+
+def _from_zero(name: str, value: float, text: str) -> float:
+    if name in FROM_ZERO and value < 0.0:
+        raise ValueError(f"expected 0 {FROM_ZERO[name]} or more, got {brief(text)}")
+    return value
 
 
 SCENE = "hoopgen.scene"
@@ -143,11 +167,39 @@ Variables = Mapping[str, Variable]
 
 
 class OfScene(Parsed[Value]):
-    """What a function reads in text, given the variables of the command's scene."""
+    """What a function reads in text, given the variables of the command's scene.
 
-    def __init__(self, read: Callable[[str, Variables], Value], metavar: str) -> None:
+    Parameters
+    ----------
+    read
+        The function.
+    metavar
+        What the help shows.
+    among
+        Of all variables, those that a shell completes.
+    """
+
+    def __init__(
+        self,
+        read: Callable[[str, Variables], Value],
+        metavar: str,
+        among: Callable[[Variables], Variables] = lambda variables: variables,
+    ) -> None:
         super().__init__(lambda text: read(text, VARIABLES), metavar)
         self.among = read
+        self.completed = among
+
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list[CompletionItem]:
+        """Complete the name of a variable, and the equals sign after it."""
+        scene = ctx.meta.get(SCENE)
+        known = self.completed(VARIABLES if scene is None else variables_of(scene))
+        return [
+            CompletionItem(f"{name}=", help=variable.label)
+            for name, variable in known.items()
+            if name.startswith(incomplete)
+        ]
 
     def convert(
         self, value: str | Value, param: click.Parameter | None, ctx: click.Context | None
@@ -164,7 +216,8 @@ class OfScene(Parsed[Value]):
 
 def _read(text: str, variable: Variable) -> float:
     try:
-        return parse_quantity(text, variable.kind, infinite=variable.infinite)
+        value = parse_quantity(text, variable.kind, infinite=variable.infinite)
+        return _from_zero(variable.name, value, text)
     except ValueError as error:
         raise ValueError(f"{variable.name}: {error}") from None
 
@@ -185,6 +238,16 @@ def _split(text: str, allowed: Variables) -> tuple[Variable, str]:
 def _assignment(text: str, allowed: Variables) -> tuple[str, float]:
     variable, value = _split(text, allowed)
     return variable.name, _read(value, variable)
+
+
+def _deviation(text: str, allowed: Variables) -> tuple[str, float]:
+    variable, value = _split(text, allowed)
+    deviation = _read(value, variable)
+    if not 0.0 <= deviation < np.inf:
+        raise ValueError(
+            f"{variable.name}: expected a standard deviation from 0, got {brief(value)}"
+        )
+    return variable.name, deviation
 
 
 def _axis(text: str, among: Variables) -> tuple[str, NDArray[np.float64]]:
@@ -253,9 +316,16 @@ def once(ctx: click.Context, option: click.Parameter, given: Iterable[tuple[Any,
 ASSIGNMENT = OfScene(_assignment, "NAME=VALUE")
 """A variable and its value, ``elevation=52deg``."""
 
+DEVIATION = OfScene(_deviation, "NAME=VALUE")
+"""A variable and its standard deviation, ``elevation=1.3deg``."""
+
+
+def _parameters(among: Variables) -> Variables:
+    return {name: one for name, one in among.items() if name not in NOT_OF_SCENE}
+
 
 def _setting(text: str, among: Variables) -> tuple[str, float]:
-    names = {name: one for name, one in among.items() if name not in NOT_OF_SCENE}
+    names = _parameters(among)
     if not names:
         raise ValueError("the scene has no parameters")
     return _assignment(text, names)
@@ -263,7 +333,7 @@ def _setting(text: str, among: Variables) -> tuple[str, float]:
 
 NOT_OF_SCENE = frozenset((*ARGUMENTS, *INSTEAD, *STATE))
 
-SETTING = OfScene(_setting, "NAME=VALUE")
+SETTING = OfScene(_setting, "NAME=VALUE", _parameters)
 """A parameter of the scene and its value, ``restitution=0.75``."""
 
 
@@ -304,14 +374,18 @@ MEMORY = Parsed(_memory, "SIZE")
 
 def _share(text: str) -> float:
     number, percent, rest = text.strip().partition("%")
-    value = parse_quantity(number, "number") / (100.0 if percent else 1.0)
+    value = parse_quantity(number, "number")
+    # No share is above 1, so that 70 can only be meant as 70%; 1 may be meant as 1% or as 100%.
+    value /= 100.0 if percent or value > 1.0 else 1.0
     if rest or not 0.0 < value < 1.0:
-        raise ValueError(f"{brief(text)} is no share: expected one such as 70% or 0.7")
+        raise ValueError(
+            f"{brief(text)} is no share above 0% and below 100%: expected one such as 70% or 0.7"
+        )
     return value
 
 
 SHARE = Parsed(_share, "SHARE")
-"""A number within 0 and 1, ``70%`` or ``0.7``."""
+"""A number within 0 and 1, ``70%``, ``0.7`` or ``70``."""
 
 COUNT = whole()
 """A whole number from 1, ``1e6`` too."""
@@ -327,7 +401,17 @@ class _Path(click.Path):
         return super().convert(value, param, ctx)
 
 
-FILE = _Path(exists=True, dir_okay=False, path_type=Path)
+class _Input(_Path):
+    """A file to be read, which no option of the command writes."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the path."""
+        path = super().convert(value, param, ctx)
+        note_input(ctx, param, path)
+        return path
+
+
+FILE = _Input(exists=True, dir_okay=False, path_type=Path)
 """A file to be read."""
 
 OUT = Checked(check_output, _Path(dir_okay=False, path_type=Path))

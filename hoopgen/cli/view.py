@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from hoopgen.cli.command import command
 from hoopgen.cli.flown import say_lines
 from hoopgen.cli.options import backend_option, examples, seed_option, table_options, units_option
 from hoopgen.cli.types import PAGE, whole
@@ -17,7 +18,7 @@ from hoopgen.printable import printable
 __all__ = ["view"]
 
 
-@click.command(
+@command(
     epilog=examples(
         "hoopgen view releases.csv --out shots.html",
         "hoopgen view releases.csv --out shots.html --release height=7ft --label player",

@@ -5,11 +5,12 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
-import stat
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import IO
+
+from hoopgen.files import NotRegularError, open_regular
 
 if sys.platform == "win32":
     import msvcrt
@@ -38,12 +39,7 @@ LOCK = "hoopgen.lock"
 
 _TRIES = 100  # to lock what others remove
 
-# A pipe is not waited for; Windows has neither, but does something to the ends of lines.
-_AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 _NO_LINK = getattr(os, "O_NOFOLLOW", 0)
-
-_NO_FILE = (errno.ELOOP, errno.EISDIR, errno.ENXIO)
-"""What the system says of links, folders and sockets in place of a file."""
 
 
 def read_file(path: Path) -> bytes:
@@ -63,20 +59,9 @@ def read_file(path: Path) -> bytes:
 def _opened(path: Path, flags: int, mode: str) -> IO[bytes]:
     """Open a file, and nothing else."""
     try:
-        descriptor = os.open(path, flags | _AT_ONCE, 0o666)
-    except OSError as error:
-        if error.errno in _NO_FILE:
-            raise _no_file(path) from None
-        raise
-    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-        os.close(descriptor)
-        raise _no_file(path)
-    file: IO[bytes] = os.fdopen(descriptor, mode)
-    return file
-
-
-def _no_file(path: Path) -> FileExistsError:
-    return FileExistsError(errno.EEXIST, "this is no file; move it away", str(path))
+        return open_regular(path, flags, mode)
+    except NotRegularError:
+        raise FileExistsError(errno.EEXIST, "this is no file; move it away", str(path)) from None
 
 
 @contextlib.contextmanager

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.inputs import check_angles, doubles
+from hoopgen.inputs import check_angles, check_spins, doubles
 
 RING_HEIGHT = 3.048
 """m, of the ring above the floor: 10 ft."""
@@ -17,22 +18,27 @@ CATCHING_HEIGHT = 2.5
 about where a tall player's hands are who stands and reaches up; who jumps has them higher."""
 
 _ANGLES = ("elevation", "azimuth", "angle")
+_SPINS = ("backspin", "sidespin")
 
 
-def from_zero(distance: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return distances, NaN for negative ones; what lies behind the ring is said by the angle.
+FROM_ZERO: Mapping[str, str] = MappingProxyType({"speed": "m/s", "distance": "m"})
+"""Arguments of `release` that are never negative, and their units: backwards is said by angles."""
+
+
+def from_zero(name: str, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return values of an argument in `FROM_ZERO`, NaN for negative ones.
 
     Raises
     ------
     ValueError
         If it is a single one, and negative.
     """
-    negative = distance < 0.0
+    negative = values < 0.0
     if not negative.any():
-        return distance
-    if not distance.ndim:
-        raise ValueError(f"distance: expected 0 m or more, got {distance}")
-    return np.where(negative, np.nan, distance)
+        return values
+    if not values.ndim:
+        raise ValueError(f"{name}: expected 0 {FROM_ZERO[name]} or more, got {values}")
+    return np.where(negative, np.nan, values)
 
 
 def release(
@@ -53,7 +59,7 @@ def release(
     Parameters
     ----------
     speed
-        m/s.
+        m/s. Of many a negative one gives a state of NaN.
     elevation
         Angle of the velocity above the horizontal, rad.
     azimuth
@@ -82,8 +88,8 @@ def release(
     TypeError
         If an argument cannot become float64.
     ValueError
-        If the shapes do not broadcast, the one distance of all is negative, or angles are degrees:
-        by their median, more than a turn.
+        If the shapes do not broadcast, the one speed or distance of all is negative, angles are
+        degrees (by their median, more than a turn), or spins are no rad/s (more than `MAX_SPIN`).
     """
     arguments = {
         "speed": speed,
@@ -97,6 +103,7 @@ def release(
     }
     arrays = {name: doubles(name, value) for name, value in arguments.items()}
     check_angles("release", {name: arrays[name] for name in _ANGLES})
+    check_spins("release", {name: arrays[name] for name in _SPINS})
     return released(arrays)
 
 
@@ -123,7 +130,7 @@ def released(arrays: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
         raise ValueError(f"release: the shapes do not broadcast: {shapes}") from None
-    arrays = {**arrays, "distance": from_zero(arrays["distance"])}
+    arrays = {**arrays, **{name: from_zero(name, arrays[name]) for name in FROM_ZERO}}
     with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is an invalid shot
         return _states(arrays, shape)
 

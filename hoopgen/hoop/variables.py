@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.brief import listed
 from hoopgen.generated.numpy import hoop
 from hoopgen.inputs import check_angles as check_radians
-from hoopgen.inputs import doubles
+from hoopgen.inputs import check_spins, doubles
 from hoopgen.units import Kind
 from hoopgen.variables import STATE, Releases, Variable, check_names
 
@@ -83,15 +83,18 @@ VARIABLES: Mapping[str, Variable] = MappingProxyType({**ARGUMENTS, **INSTEAD, **
 
 
 def check_angles(name: str, values: Mapping[str, ArrayLike]) -> None:
-    """Refuse those of some variables that are angles in degrees; see `hoopgen.inputs`.
+    """Refuse those of some variables that are angles in degrees, or spins in no rad/s.
+
+    See `hoopgen.inputs`.
 
     Raises
     ------
     ValueError
         The message begins with `name`.
     """
-    angles = (one for one in values if one in VARIABLES and VARIABLES[one].kind == "angle")
-    check_radians(name, {one: values[one] for one in angles})
+    for kind, check in (("angle", check_radians), ("spin", check_spins)):
+        names = (one for one in values if one in VARIABLES and VARIABLES[one].kind == kind)
+        check(name, {one: values[one] for one in names})
 
 
 def resolve_variables(

@@ -30,7 +30,6 @@ from hoopgen.plots.style import (
 )
 from hoopgen.plots.ticks import number
 from hoopgen.told import in_a_note, told_setting
-from hoopgen.words import MINUS
 
 if TYPE_CHECKING:
     from hoopgen.study.compare import Comparison
@@ -216,8 +215,8 @@ def _of_comparison(found: Comparison) -> list[_Group]:
         replace(next(bar for bar in _groups(one)[0].bars if bar.name == found.by), name=name)
         for name, one in settings.items()
     ]
-    shown = [points(one, digits).replace("-", MINUS) for one in (found.low, found.high)]
-    said = points(found.difference, digits).replace("-", MINUS), f"({' to '.join(shown)})"
+    shown = [points(one, digits) for one in (found.low, found.high)]
+    said = points(found.difference, digits), f"({' to '.join(shown)})"
     more = _Bar("difference", [(found.difference, _PLAIN)], found.low, found.high, *said)
     return [
         _Group(f"{found.by}, of each setting", "shots (%)", bars),

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.engines import Engine
 from hoopgen.hoop.releases import RING_HEIGHT
+from hoopgen.phrases import MINUS
 from hoopgen.plots.marks import KEY_ROW, Mark, collect_marks, draw_key, key_rows
 from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, draw_view, some
 from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_view
@@ -26,7 +27,6 @@ from hoopgen.plots.views import Limits, Points, View, oblique
 from hoopgen.printable import printable
 from hoopgen.told import say_of
 from hoopgen.units import shown, shown_system
-from hoopgen.words import MINUS
 
 __all__ = [
     "beats_of",

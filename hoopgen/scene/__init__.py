@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from .files import load_scene
 from .inputs import SceneError
+from .limits import Limits
 from .pieces import Box, Cylinder, End, Parameter, Plane, Sphere, Surface, Torus
 from .scene import Scene
 
@@ -11,6 +12,7 @@ __all__ = [
     "Box",
     "Cylinder",
     "End",
+    "Limits",
     "Parameter",
     "Plane",
     "Scene",

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
+from hoopgen.brief import brief
 from hoopgen.engine import sources
 
 FLAGS = ["-O1", *(flag for flag in sources.FLAGS if not flag.startswith("-O"))]
@@ -122,14 +123,32 @@ class Compiler:
 
 
 def compiler() -> Compiler | None:
-    """Return the compiler that is here: that of ``CC``, where it is set; None if there is none."""
+    """Return the compiler that is here: that of ``CC``, where it is set; None if there is none.
+
+    Raises
+    ------
+    ValueError
+        If ``CC`` is no command, such as one with a quotation mark that is not closed.
+    """
     return _compiler(os.environ.get("CC", ""), os.environ.get("PATH", ""))
+
+
+def _words(named: str) -> list[str]:
+    """Return the words of ``CC``."""
+    try:
+        return shlex.split(named)
+    except ValueError as error:
+        said = str(error).rstrip(".").lower()
+        raise ValueError(
+            f"the environment variable CC is {brief(named)}, which is no command ({said}); "
+            "expected the name of a C compiler and its options, such as CC=gcc, or no CC"
+        ) from None
 
 
 @cache
 def _compiler(named: str, path: str) -> Compiler | None:
     usual = (sysconfig.get_config_var("CC") or "", "cc", "gcc", "clang")
-    for command in map(shlex.split, (named,) if named else usual):
+    for command in [_words(named)] if named else map(shlex.split, usual):
         file = shutil.which(command[0], path=path) if command else None
         if file is not None:
             return Compiler((file, *command[1:]), Path(file).resolve())

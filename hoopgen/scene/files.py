@@ -10,10 +10,12 @@ from pathlib import Path
 from typing import Any
 
 from hoopgen.brief import brief, listed
+from hoopgen.files import FileSizeError, read_regular
 from hoopgen.printable import printable
 
 from . import pieces
 from .inputs import SceneError, wrong
+from .limits import Limits, check_limits, current, raised
 from .scene import Scene
 
 __all__ = ["load_scene", "scene_of"]
@@ -31,31 +33,39 @@ KINDS = {
 }
 """Bodies, by what files call them."""
 
-LARGEST = 1_000_000
-"""Bytes of a file."""
 
-
-def load_scene(file: str | PathLike[str]) -> Scene:
+def load_scene(
+    file: str | PathLike[str], *, limits: Limits | Mapping[str, int] | None = None
+) -> Scene:
     """Return the scene that a TOML file says.
 
     Its tables are ``[parameters]``, ``[bodies.<name>]``, each with its ``kind``, and
     ``[ends.<name>]``; their keys are the arguments of the pieces in `hoopgen.scene`. A formula is
     read by a parser of its own: nothing in the file is run.
 
+    Parameters
+    ----------
+    file
+        A regular file.
+    limits
+        How large the scene may be, as for `Scene`.
+
     Raises
     ------
     OSError
-        If the file cannot be read.
+        If the file cannot be read, or is a pipe, a device or a folder.
     SceneError
         If it is not TOML, or not a scene; names the file, the body and the argument.
     """
     path = Path(file)
-    with path.open("rb") as opened:
-        content = opened.read(LARGEST + 1)
-    try:
-        return scene_of(content)
-    except SceneError as error:
-        raise SceneError(printable(f"{path}: {error}")) from None
+    with raised(check_limits(limits)):
+        try:
+            return scene_of(read_regular(path, current().file_size))
+        except FileSizeError as error:
+            said = current().excess("file_size", error.size)
+            raise SceneError(printable(f"{path}: {said}")) from None
+        except SceneError as error:
+            raise SceneError(printable(f"{path}: {error}")) from None
 
 
 def scene_of(content: bytes) -> Scene:
@@ -66,8 +76,8 @@ def scene_of(content: bytes) -> Scene:
     SceneError
         As of `load_scene`, without the file's name.
     """
-    if len(content) > LARGEST:
-        raise SceneError(f"expected at most {LARGEST:,} bytes")
+    if excess := current().excess("file_size", len(content)):
+        raise SceneError(excess)
     try:
         document = tomllib.loads(content.decode("utf-8-sig"))
     except UnicodeDecodeError as error:
@@ -124,7 +134,8 @@ def _made(scene: str, kind: type, owner: str, table: object, name: str | None = 
     if kind is pieces.Cylinder and isinstance(arguments.get("span"), list):
         # TOML has no null: an end that is not there is "".
         arguments["span"] = [None if end == "" else end for end in arguments["span"]]
-    allowed = [f.name for f in fields(kind) if f.init and not (f.name == "name" and name)]
+    hidden = ("limits", "name" if name else "")  # no file raises the limits that hold for it
+    allowed = [f.name for f in fields(kind) if f.init and f.name not in hidden]
     strange = [argument for argument in arguments if argument not in allowed]
     if strange:
         said = f"unknown {listed(strange)}. There are {listed(allowed)}"

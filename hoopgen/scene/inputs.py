@@ -16,6 +16,7 @@ import numpy as np
 from hoopgen.brief import brief, listed
 
 from .formulas import Formula, FormulaError, name
+from .limits import current
 from .reading import read
 
 __all__ = ["Input", "Inputs", "SceneError"]
@@ -184,6 +185,8 @@ class Inputs:
             if alike and (there.argument, there.lower) == (argument, lower):
                 return name(there.name)
         self._inputs[made.name] = made
+        if excess := current().excess("sizes", len(self._inputs), exact=False):
+            raise self.wrong(owner, argument, excess)
         return name(made.name)
 
 

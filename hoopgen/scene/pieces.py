@@ -35,7 +35,8 @@ class Parameter:
     Attributes
     ----------
     name
-        A small letter, then small letters, digits and ``_``; not ``x``, ``y`` or ``z``.
+        A small letter, then small letters, digits and ``_``, 100 at most; not ``x``, ``y`` or
+        ``z``, nor the name of a result, such as ``time``.
     default
         Its value where none is given.
     unit
@@ -69,7 +70,7 @@ class Body:
     Attributes
     ----------
     name
-        As that of a parameter.
+        As that of a parameter; ``end``, ``none``, ``release``, ``own`` and ``error`` are taken.
     restitution
         Of its contacts, 0 to 1; None: that of the scene.
     friction

@@ -8,11 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .formulas import POSITION, ZERO, Formula, FormulaError, constant
+from .limits import current
 
 __all__ = ["Numbers", "Polynomial", "derivative", "evaluate", "polynomial", "product", "total"]
-
-TERMS = 200
-"""Terms of a polynomial, multiplied out."""
 
 Polynomial = dict[tuple[int, int, int], Formula]
 """Coefficients, by the powers of x, y and z."""
@@ -67,8 +65,8 @@ def product(left: Polynomial, right: Polynomial) -> Polynomial:
     FormulaError
         If it may have too many terms.
     """
-    if len(left) * len(right) > TERMS:
-        raise FormulaError(f"expected a polynomial of at most {TERMS} terms")
+    if excess := current().excess("polynomial_terms", len(left) * len(right)):
+        raise FormulaError(f"as a polynomial: {excess}")
     return total(
         {(p[0] + q[0], p[1] + q[1], p[2] + q[2]): factor * other}
         for p, factor in left.items()

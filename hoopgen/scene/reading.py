@@ -20,17 +20,9 @@ import numpy as np
 from hoopgen.brief import brief, listed
 
 from .formulas import ONE, Formula, FormulaError, constant, name
+from .limits import current
 
 __all__ = ["parse", "read"]
-
-LONGEST = 300
-"""Characters of a formula."""
-
-DEEPEST = 30
-"""Operations within one another."""
-
-DEGREE = 8
-"""Factors in a product, all powers multiplied out."""
 
 SMALLEST, LARGEST = Fraction(1, 10**100), Fraction(10**100)
 """Sizes of a number that is not zero: no product of a few overflows."""
@@ -75,6 +67,10 @@ _TOKEN = re.compile(
 )
 
 
+_MARK = "name_"
+"""Before each name in what Python's parser reads."""
+
+
 def parse(text: str, names: Collection[str]) -> Formula:
     """Return the formula that a text says. Nothing in it is run.
 
@@ -90,12 +86,13 @@ def parse(text: str, names: Collection[str]) -> Formula:
     FormulaError
         If it is anything else, or too large.
     """
-    if len(text) > LONGEST:
-        raise FormulaError(f"expected at most {LONGEST} characters, got {len(text)}")
+    if excess := current().excess("formula_length", len(text)):
+        raise FormulaError(excess)
     text = text.strip(" \t")
     if text in names:
         return name(text)  # whatever Python makes of it
     place = 0
+    parts: list[str] = []
     while place < len(text):
         token = _TOKEN.match(text, place)
         if token is None:
@@ -105,9 +102,13 @@ def parse(text: str, names: Collection[str]) -> Formula:
             raise FormulaError(
                 f"{brief(text)}: unknown name {brief(found)}; there are {listed(sorted(names))}"
             )
+        # A name may be a word of Python's, such as lambda.
+        own = found not in (None, "sqrt")
+        parts.append(f"{text[place : token.start('name')]}{_MARK}{found}" if own else token[0])
         place = token.end()
     try:
-        tree = ast.parse(text.replace("\t", " "), mode="eval")
+        marked = "".join(parts).replace("\t", " ")
+        tree = ast.parse(marked, mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise FormulaError(f"{brief(text)} is not a formula") from None
     try:
@@ -116,10 +117,15 @@ def parse(text: str, names: Collection[str]) -> Formula:
         raise FormulaError(f"{brief(text)}: {error}") from None
 
 
+def _check_depth(depth: int) -> None:
+    if excess := current().excess("formula_depth", depth, exact=False):
+        raise FormulaError(excess)
+
+
 def _limited(formula: Formula) -> Formula:
     """Refuse too high a degree; round what is a number, so that no power of it grows long."""
-    if formula.degree > DEGREE:
-        raise FormulaError(f"expected a degree of at most {DEGREE}")
+    if excess := current().excess("formula_degree", formula.degree):
+        raise FormulaError(excess)
     number = formula.number
     if number and not SMALLEST <= abs(number) <= LARGEST:
         raise FormulaError("expected numbers from 1e-100 to 1e100 in size")
@@ -134,16 +140,15 @@ class _Reader:
 
     def read(self, node: ast.expr, depth: int) -> Formula:
         """Return the node as a formula."""
-        if depth > DEEPEST:
-            raise FormulaError(f"more than {DEEPEST} operations deep")
+        _check_depth(depth)
         return _limited(self._node(node, depth + 1))
 
     def _node(self, node: ast.expr, depth: int) -> Formula:
         match node:
             case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
                 return _number(value)
-            case ast.Name(id=found) if found in self.names:
-                return name(found)
+            case ast.Name(id=found) if found.removeprefix(_MARK) in self.names:
+                return name(found.removeprefix(_MARK))
             case ast.UnaryOp(op=ast.USub(), operand=operand):
                 return -self.read(operand, depth)
             case ast.UnaryOp(op=ast.UAdd(), operand=operand):
@@ -172,16 +177,18 @@ class _Reader:
         if not (
             isinstance(exponent, ast.Constant)
             and type(exponent.value) is int
-            and 0 <= exponent.value <= DEGREE
+            and exponent.value >= 0
         ):
-            raise FormulaError(f"expected a whole power from 0 to {DEGREE}, as in x**2")
+            most = current().formula_degree
+            raise FormulaError(f"expected a whole power from 0 to {most}, as in x**2")
+        if excess := current().excess("formula_degree", exponent.value):
+            raise FormulaError(excess)
         return self.read(base, depth) ** int(exponent.value)
 
 
 def _from_sympy(expression: Any, names: Collection[str], depth: int) -> Formula:
     """Return an expression of SymPy as a formula, by the same whitelist."""
-    if depth > DEEPEST:
-        raise FormulaError(f"more than {DEEPEST} operations deep")
+    _check_depth(depth)
     if expression.is_Symbol:
         if expression.name not in names:
             raise FormulaError(
@@ -192,8 +199,8 @@ def _from_sympy(expression: Any, names: Collection[str], depth: int) -> Formula:
         return _number(float(expression))
     if expression.is_Pow and expression.exp.is_Rational and expression.exp.q <= 2:
         power = int(expression.exp.p)
-        if abs(power) > DEGREE:
-            raise FormulaError(f"expected a degree of at most {DEGREE}")
+        if excess := current().excess("formula_degree", abs(power)):
+            raise FormulaError(excess)
         base = _from_sympy(expression.base, names, depth + 1)
         result = (base.sqrt() if expression.exp.q == 2 else base) ** abs(power)
         return _limited(ONE / result if power < 0 else result)

@@ -15,7 +15,8 @@ import numpy as np
 from hoopgen.brief import brief
 
 from .contacts import CONTACTS
-from .inputs import Input, unknown
+from .inputs import Input, unknown, wrong
+from .limits import Limits, check_limits, raised
 from .pieces import Body, End, Parameter, Size
 from .shapes import Read, read_scene
 
@@ -54,6 +55,9 @@ class Scene:
         ENDLESS, still rolling at the time limit. It makes kernels some times as long to compile.
     axes, remarks
         For readers, in plain sentences: where origin and axes lie, and what else there is to say.
+    limits
+        How large the scene may be, `hoopgen.scene.Limits`, or a mapping of those that are raised:
+        ``{"parameters": 500}``. A scene file cannot set them.
 
     Raises
     ------
@@ -76,24 +80,31 @@ class Scene:
     rolls: bool = False
     axes: str = ""
     remarks: str = ""
+    limits: Limits | Mapping[str, int] | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
-        _ = self.read  # what is wrong is refused now
+        object.__setattr__(self, "limits", check_limits(self.limits))
+        try:
+            _ = self.read  # what is wrong is refused now
+        except RecursionError:
+            said = "its formulas are nested too deep for Python's recursion limit"
+            raise wrong(self.name, "", "", said) from None
 
     @cached_property
     def read(self) -> Read:
         """All of it, as formulas."""
-        return read_scene(
-            self.name,
-            parameters=self.parameters,
-            bodies=self.bodies,
-            ends=self.ends,
-            ball_radius=self.ball_radius,
-            gravity=self.gravity,
-            down=self.down,
-            rolls=self.rolls,
-            contacts={name: getattr(self, name) for name in CONTACTS},
-        )
+        with raised(check_limits(self.limits)):
+            return read_scene(
+                self.name,
+                parameters=self.parameters,
+                bodies=self.bodies,
+                ends=self.ends,
+                ball_radius=self.ball_radius,
+                gravity=self.gravity,
+                down=self.down,
+                rolls=self.rolls,
+                contacts={name: getattr(self, name) for name in CONTACTS},
+            )
 
     def __hash__(self) -> int:
         return hash(self.key)

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-import re
-from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Sized
 from dataclasses import dataclass
 from itertools import islice
 from typing import Any
@@ -24,15 +22,8 @@ from .formulas import (
     name,
 )
 from .inputs import Input, Inputs, wrong
-
-PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)
-"""What names match: derive/ demands the same of them, but would import SymPy to say so."""
-
-RESERVED = (*POSITION, "sqrt")
-"""Names that formulas have already."""
-
-MOST = 1000
-"""Bodies, and ends: deriving more would take hours."""
+from .limits import current
+from .names import check_apart, check_name, check_names
 
 SIGNS = ("positive", "nonnegative", "any")
 
@@ -119,7 +110,7 @@ def read_scene(
     SceneError
         If something is wrong; names the body and the argument.
     """
-    _check_name(scene, "", "name", scene)
+    check_name(scene, "", scene)
     inputs = Inputs(scene, _parameters(scene, parameters))
     reader = _Reader(inputs)
     ball = reader.size("", "ball_radius", ball_radius, sign="positive")
@@ -131,8 +122,11 @@ def read_scene(
     if not isinstance(ends, Mapping):
         raise wrong(scene, "", "ends", f"expected names and ends, got {brief(ends)}")
     finishes = _listed(scene, "ends", list(ends.values()), pieces.End)
-    _names(scene, "body", (body.name for body in bodies))
-    _names(scene, "end", ends)
+    _check_bounds(scene, (*bodies, *finishes))
+    check_names(scene, "body", (body.name for body in bodies))
+    check_names(scene, "end", ends)
+    units = {parameter.name: parameter.unit for parameter in inputs.all if parameter.own}
+    check_apart(scene, units, (body.name for body in bodies), ends)
     radius = reader.formula("", "ball_radius", ball_radius)
     shapes = tuple(_body(reader, body, radius, contacts) for body in bodies)
     for shape in shapes:
@@ -150,9 +144,7 @@ def read_scene(
 def _listed(scene: str, argument: str, given: Any, kind: type) -> list[Any]:
     if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
         raise wrong(scene, "", argument, f"expected a list, got {brief(given)}")
-    found = list(islice(given, MOST + 1))
-    if len(found) > MOST:
-        raise wrong(scene, "", argument, f"expected at most {MOST}")
+    found = _limited(scene, argument, given)
     for one in found:
         if not isinstance(one, kind) or type(one) is pieces.Body:
             expected = "Plane, Sphere, Cylinder, Torus, Box or Surface"
@@ -161,40 +153,40 @@ def _listed(scene: str, argument: str, given: Any, kind: type) -> list[Any]:
     return found
 
 
-def _check_name(scene: object, kind: str, argument: str, given: object) -> None:
-    if not isinstance(given, str) or not PUBLIC.fullmatch(given):
-        raise wrong(
-            str(scene),
-            f"{kind} {brief(given)}" if kind else "",
-            argument,
-            "expected a small letter, then small letters, digits and _",
-        )
+def _limited(scene: str, argument: str, given: Iterable[Any]) -> list[Any]:
+    """Return no more of something, named like its limit, than is allowed."""
+    limits = current()
+    found = list(islice(given, getattr(limits, argument) + 1))
+    exact = isinstance(given, Sized)
+    count = len(given) if isinstance(given, Sized) else len(found)
+    if excess := limits.excess(argument, count, exact=exact):
+        raise wrong(scene, "", argument, excess)
+    return found
 
 
-def _names(scene: str, kind: str, names: Iterable[str]) -> None:
-    for own, count in Counter(list(names)).items():
-        _check_name(scene, kind, "name", own)
-        if count > 1:
-            raise wrong(scene, f"{kind} {own}", "name", f"{count} have this name")
+def _check_bounds(scene: str, pieces_within: Iterable[Any]) -> None:
+    """Refuse too many bounds before any is read; what is no list of them is refused later."""
+    given = [one.within for one in pieces_within]
+    lists = (within for within in given if isinstance(within, Sequence))
+    if excess := current().excess("bounds", sum(len(w) for w in lists if not isinstance(w, str))):
+        raise wrong(scene, "", "within", excess)
 
 
 def _parameters(scene: str, given: Any) -> tuple[Input, ...]:
     if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
         raise wrong(scene, "", "parameters", f"expected a list, got {brief(given)}")
     inputs = []
-    for one in given:
+    for one in _limited(scene, "parameters", given):
         if not isinstance(one, pieces.Parameter):
             raise wrong(scene, "", "parameters", f"expected Parameter, got {brief(one)}")
         inputs.append(_parameter(scene, one))
-    _names(scene, "parameter", (made.name for made in inputs))
+    check_names(scene, "parameter", (made.name for made in inputs))
     return tuple(inputs)
 
 
 def _parameter(scene: str, given: pieces.Parameter) -> Input:
-    _check_name(scene, "parameter", "name", given.name)
+    check_name(scene, "parameter", given.name)
     owner = f"parameter {given.name}"
-    if given.name in RESERVED:
-        raise wrong(scene, owner, "name", f"{listed(RESERVED)} are taken")
     if given.sign not in SIGNS:
         raise wrong(scene, owner, "sign", f"expected {listed(SIGNS)}; got {brief(given.sign)}")
     for argument in ("unit", "summary", "latex"):

@@ -6,7 +6,7 @@ The inverse of a flight, in closed form.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
@@ -15,16 +15,23 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
 from hoopgen.hoop.presets import HOOP_TABLE, PAPER
-from hoopgen.hoop.releases import RING_HEIGHT, from_zero
+from hoopgen.hoop.releases import RING_HEIGHT, from_zero, release
 from hoopgen.inputs import check_angles, doubles
 from hoopgen.installed import need
 from hoopgen.notebook import ROWS, some_rows, table
 from hoopgen.parameters import completed
+from hoopgen.phrases import counted
+from hoopgen.results import Shots
+from hoopgen.simulation import simulate
+from hoopgen.words import say
 
 from .named import UNIT_OF, named
 from .of_hoop import of_hoop
 
 __all__ = ["Aim", "Arc", "aim"]
+
+NUMBERS = ("speed", "elevation", "entry_angle", "time", "height", "distance", "angle")
+"""What an `Aim` holds, a number or an array each."""
 
 Arc = Literal["high", "low"]
 Number = float | NDArray[np.float64]
@@ -46,6 +53,8 @@ class Aim:
         From the release to there, s.
     height, distance, angle
         From where, as for `hoopgen.release`.
+    parameters
+        Of the scene, as for `aim`.
     """
 
     speed: Number
@@ -55,12 +64,51 @@ class Aim:
     height: Number
     distance: Number
     angle: Number
+    parameters: Mapping[str, Any] = field(default_factory=lambda: PAPER, repr=False, compare=False)
 
     @property
     def arguments(self) -> dict[str, Number]:
         """Arguments of `hoopgen.release`; spin may be added, the flight does not depend on it."""
         names = ("speed", "elevation", "height", "distance", "angle")
         return {name: getattr(self, name) for name in names}
+
+    def simulate(self, *, backspin: ArrayLike = 0.0, sidespin: ArrayLike = 0.0) -> Shots:
+        """Return what the releases do at the hoop, every contact recorded.
+
+        Parameters
+        ----------
+        backspin, sidespin
+            rad/s, as for `hoopgen.release`.
+
+        Returns
+        -------
+        Shots
+            One a release, in their order; INVALID where no release does it.
+        """
+        states = release(**self.arguments, backspin=backspin, sidespin=sidespin)
+        shape, shots = states.shape[:-1], states.reshape(-1, 9)
+        many = {
+            name: np.broadcast_to(value, shape).ravel() if np.ndim(value) else value
+            for name, value in self.parameters.items()
+        }
+        return simulate(shots, many, record=True)
+
+    def __str__(self) -> str:
+        """Say the release, and what it does without spin; of many, how many meet what."""
+        shots = self.simulate()
+        times = np.broadcast_to(self.time, np.shape(self.speed)).ravel()
+        if np.ndim(self.speed):
+            early = sum(1 for row in range(len(shots)) if met_before(shots, row, times[row]))
+            return (
+                f"{counted(len(shots), 'release')}; without spin {int(shots.made.sum()):,} made, "
+                f"{early:,} touch something before the point aimed at"
+            )
+        numbers = (say(name, getattr(self, name)) for name in ("speed", "elevation"))
+        entry = say("entry", float(np.asarray(self.entry_angle)))
+        return (
+            f"{' at '.join(numbers)}, down through the ring's plane after {self.time:.3f} s at "
+            f"{entry}; without spin {flight_in_words(shots, 0, float(times[0]))}"
+        )
 
     def to_pandas(self) -> Any:
         """Return the releases as a pandas.DataFrame, a row each, units in the columns' names.
@@ -75,7 +123,7 @@ class Aim:
 
     def _columns(self) -> dict[str, NDArray[np.float64]]:
         """Return the releases, (n,) each."""
-        return {name: np.ravel(value) for name, value in vars(self).items()}
+        return {name: np.ravel(getattr(self, name)) for name in NUMBERS}
 
     def _repr_html_(self) -> str:
         columns = self._columns()
@@ -102,8 +150,11 @@ def aim(
 ) -> Aim:
     """Return the release whose flight comes down through a point of the ring's plane.
 
-    Of `entry`, `elevation` and `speed` one at most is given; without, it is the slowest release.
-    All arguments broadcast. The board and the ring may be in the way: simulate to know.
+    The point lies as high as the ring, 3.048 m above the floor, on the line from the place over the
+    ring's centre; no other point can be aimed at. Of `entry`, `elevation` and `speed` one at most
+    is given; without, it is the slowest release, which is flat and often touches the ring before.
+    All arguments broadcast. The board and the ring are not looked at: ``print`` of the result, or
+    its `Aim.simulate`, says what the ball touches, and whether before the point.
 
     Parameters
     ----------
@@ -151,7 +202,7 @@ def aim(
     given = {"height": height, "distance": distance, "angle": angle, "depth": depth}
     given |= {name: value for name, value in wanted.items() if value is not None}
     arrays = {name: doubles(name, value) for name, value in given.items()}
-    arrays["distance"] = from_zero(arrays["distance"])
+    arrays["distance"] = from_zero("distance", arrays["distance"])
     angles = ("angle", "entry", "elevation")
     check_angles("aim", {name: arrays[name] for name in angles if name in arrays})
     arrays["parameters['gravity']"] = doubles("parameters['gravity']", parameters["gravity"])
@@ -164,7 +215,43 @@ def aim(
     if not shape and np.isnan(found["speed"]):
         raise ValueError(_why(arrays, arc))
     found |= {name: arrays[name] for name in ("height", "distance", "angle")}
-    return Aim(**{name: _plain(np.broadcast_to(value, shape)) for name, value in found.items()})
+    numbers = {name: _plain(np.broadcast_to(value, shape)) for name, value in found.items()}
+    return Aim(**numbers, parameters=parameters)
+
+
+def met_before(shots: Shots, row: int, time: float) -> tuple[str, float] | None:
+    """Return the body that a shot touches before a time, and when; None if it touches none."""
+    if shots.contacts[row] == 0:
+        return None
+    first = shots.trajectory(row).events[0]
+    if not float(first["time"]) < time:
+        return None
+    return shots.surfaces[int(first["surface"])], float(first["time"])
+
+
+def flight_in_words(shots: Shots, row: int, time: float) -> str:
+    """Say how a shot ends, what it touches, and what of that before it is where it is aimed.
+
+    Parameters
+    ----------
+    shots
+        With every contact recorded.
+    row
+        Which of them.
+    time
+        When it would come down through the point aimed at, s.
+    """
+    outcome = shots.scene.outcomes(int(shots.outcome[row])).name.lower()
+    contacts = int(shots.contacts[row])
+    if not contacts:
+        return f"{outcome} without a contact"
+    counts = zip(shots.surfaces, shots.counts[row].tolist(), strict=True)
+    bodies = ", ".join(f"{name} {count}" for name, count in counts if count)
+    said = f"{outcome} after {counted(contacts, 'contact')} ({bodies})"
+    if (met := met_before(shots, row, time)) is None:
+        return said
+    body, at = met
+    return f"{said}; it touches the {body} after {at:.3f} s, before the point aimed at"
 
 
 def _solved(given: Mapping[str, NDArray[np.float64]], arc: Arc) -> dict[str, NDArray[np.float64]]:
@@ -213,12 +300,12 @@ def _why(given: Mapping[str, NDArray[np.float64]], arc: Arc) -> str:
     if given["distance"] == 0.0 and reach <= 0.0:
         return (
             "distance: expected above 0: right above or below the ring's centre nothing is thrown "
-            "at it, unless depth is past it; got 0"
+            "at a point of the ring's plane, unless depth is past the centre; got 0"
         )
     if reach <= 0.0:
         return (
-            f"depth: expected a point before the ball, more than {-given['distance']} m past the "
-            f"ring's centre; got {given['depth']}"
+            f"depth: expected a point of the ring's plane before the ball, more than "
+            f"{-given['distance']} m past the ring's centre; got {given['depth']}"
         )
     if gravity <= 0.0:
         return f"parameters['gravity']: expected above 0, got {gravity}"
@@ -227,8 +314,14 @@ def _why(given: Mapping[str, NDArray[np.float64]], arc: Arc) -> str:
     if "speed" in given:
         _, least = hoop.least_speed(reach, rise, gravity)
         if not given["speed"] >= least:
-            return f"speed: the point needs at least {least:.6g} m/s, got {given['speed']}"
-        return f"arc: the {arc} one of this speed does not come down through the point"
+            return (
+                f"speed: the point of the ring's plane needs at least {least:.6g} m/s, got "
+                f"{given['speed']}"
+            )
+        return (
+            f"arc: the {arc} one of this speed does not come down through the point of the ring's "
+            "plane"
+        )
     return "aim: the numbers are too large or too small"
 
 
@@ -239,7 +332,7 @@ def _too_flat(given: Mapping[str, NDArray[np.float64]], reach: Any, rise: Any) -
     line = float(rise / reach) if name == "elevation" else float(-rise / reach)
     flattest, value = np.arctan(max(end, line)), given[name]
     return (
-        f"{name}: the ball comes down through the point only at angles within "
+        f"{name}: the ball comes down through the point of the ring's plane only at angles within "
         f"{np.degrees(flattest):.2f} and 90° ({flattest:.4f} and 1.5708 rad); "
         f"got {np.degrees(value):.4g}° ({value} rad)"
     )

@@ -15,11 +15,11 @@ import pyarrow as pa
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.hoop.presets import PAPER
-from hoopgen.inputs import doubles
+from hoopgen.inputs import check_spins, doubles
 from hoopgen.outputs import written_text
 from hoopgen.units import DEGREE, TURN, column_name
 
-from .aim import Arc, aim
+from .aim import NUMBERS, Arc, aim
 from .chunks import run
 from .margins import margins_about
 from .named import UNIT_OF
@@ -113,7 +113,8 @@ def aim_table(
         parameters=parameters,
     )
     columns = {"backspin": doubles("backspin", backspin), "sidespin": doubles("sidespin", sidespin)}
-    columns |= {name: np.asarray(value) for name, value in vars(found).items()}
+    check_spins("aim", columns)
+    columns |= {name: np.asarray(getattr(found, name)) for name in NUMBERS}
     count = len(places)
     for name, column in columns.items():
         if column.shape not in ((), (count,)):

@@ -17,7 +17,7 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from hoopgen.hoop.releases import from_zero
+from hoopgen.hoop.releases import FROM_ZERO, from_zero
 from hoopgen.inputs import check_count, doubles
 from hoopgen.outputs import check_output, followed, temporary_beside
 from hoopgen.parameters import completed, resolve
@@ -278,8 +278,9 @@ def _target(out: str | os.PathLike[str] | None, table: Source) -> Iterator[Path]
 
 def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
     arrays = {key: doubles(f"{name}[{key!r}]", value) for key, value in values.items()}
-    if "distance" in arrays:
-        from_zero(arrays["distance"])
+    for key in FROM_ZERO:
+        if key in arrays:
+            from_zero(key, arrays[key])
     for key, array in arrays.items():
         if array.ndim:
             raise ValueError(

@@ -391,5 +391,16 @@ def _margins(margins: Sequence[Margin], tolerance: float) -> str:
     ]
     head = ["one of them off", "here", "goes in", f"within {counted(100 * tolerance, 'point')}"]
     groups = [(2, 2, "without scatter"), (3, 3, "with scatter")]
-    note = "\n* and further out again, by another bounce: `elsewhere` has where"
-    return table(head, rows, right=(1,), groups=groups) + note * any(m.elsewhere for m in margins)
+    notes = [
+        f"* {VARIABLES[margin.name].label}, by another bounce: {_again(margin)}"
+        for margin in margins
+        if margin.elsewhere
+    ]
+    return "\n".join([table(head, rows, right=(1,), groups=groups), *notes])
+
+
+def _again(margin: Margin) -> str:
+    """Say the first interval further out, and how many more there are."""
+    first, *more = margin.elsewhere
+    said = margin.said(*first)
+    return f"{said}, and {counted(len(more), 'further interval')}" if more else said

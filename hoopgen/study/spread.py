@@ -17,11 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.layout import table
-from hoopgen.phrases import counted, decimals, interval, percent
+from hoopgen.phrases import MINUS, counted, decimals, interval, percent
 from hoopgen.results import Shots
 from hoopgen.units import TURN, Shown, shown
 from hoopgen.variables import Releases
-from hoopgen.words import MINUS, for_json
+from hoopgen.words import for_json
 
 from .intervals import Ends, quantile_ranks, wilson
 from .measures import MEASURES, measure

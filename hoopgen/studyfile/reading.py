@@ -11,7 +11,9 @@ from typing import Any
 from pydantic import ValidationError
 
 from hoopgen.engines import HOOP, Engine
+from hoopgen.files import FileSizeError, read_regular
 from hoopgen.printable import printable
+from hoopgen.scene.limits import current
 from hoopgen.scenes import engine_of, is_built_in, scene_from, variables_of
 
 from . import lines
@@ -19,7 +21,7 @@ from .scene import named_by, within
 from .schema import StudyFile
 from .single import show
 
-__all__ = ["StudyError", "complain", "parse"]
+__all__ = ["StudyError", "complain", "parse", "read_study"]
 
 
 class StudyError(ValueError):
@@ -34,6 +36,23 @@ class StudyError(ValueError):
     def __init__(self, complaints: Iterable[str]) -> None:
         self.complaints = tuple(map(printable, complaints))
         super().__init__("\n".join(self.complaints))
+
+
+def read_study(file: Path) -> bytes:
+    """Return the content of a study file.
+
+    Raises
+    ------
+    OSError
+        If it cannot be read, or is a pipe, a device or a folder.
+    StudyError
+        If it is too large.
+    """
+    limits = current()
+    try:
+        return read_regular(file, limits.file_size)
+    except FileSizeError as error:
+        raise StudyError([f"{file}: {limits.excess('file_size', error.size)}"]) from None
 
 
 def parse(content: bytes, file: Path) -> tuple[StudyFile, dict[str, Any], str, Engine]:

@@ -20,15 +20,17 @@ from pathlib import Path
 from typing import Any
 
 from hoopgen.core.store import locked_store
+from hoopgen.files import read_regular
 from hoopgen.installed import version
-from hoopgen.outputs import PAGES, check_output, write
+from hoopgen.outputs import PAGES, check_not_read, check_output, write
 from hoopgen.phrases import counted
-from hoopgen.scenes import is_built_in
+from hoopgen.scene.limits import Limits, check_limits, raised
 from hoopgen.study.chunks import check_workers, versions
 
 from . import lines
 from .answers import check
 from .asked import Answer, Asked, Work
+from .inputs import data_files, read_files, scene_file
 from .page import check_page, page
 from .question_folders import (
     answer_question,
@@ -37,10 +39,10 @@ from .question_folders import (
     publish_finished,
     write_file,
 )
-from .reading import complain, parse
+from .reading import complain, parse, read_study
 from .report import report as in_markdown
-from .scene import FILE, named_by
-from .schema import Batch, Compare, StudyFile
+from .scene import FILE
+from .schema import Compare, StudyFile
 
 __all__ = ["check_study", "run_study"]
 
@@ -52,13 +54,17 @@ _VERSIONS, _REPORT = ("versions.json", "report.md")
 _MADE_WITH = ("numpy", "scipy", "pyarrow", "xarray", "matplotlib", "pydantic")
 
 
-def check_study(path: str | os.PathLike[str]) -> list[Asked]:
+def check_study(
+    path: str | os.PathLike[str], *, limits: Limits | Mapping[str, int] | None = None
+) -> list[Asked]:
     """Read a study file and look for what is wrong, without any work.
 
     Parameters
     ----------
     path
         The file.
+    limits
+        How large the file and its scene may be, as for `hoopgen.load_scene`.
 
     Returns
     -------
@@ -73,7 +79,8 @@ def check_study(path: str | os.PathLike[str]) -> list[Asked]:
     OSError
         If it cannot be read.
     """
-    return _read(Path(path))[1]
+    with raised(check_limits(limits)):
+        return _read(Path(path))[1]
 
 
 def run_study(
@@ -84,6 +91,7 @@ def run_study(
     threads: int | None = None,
     scheduler: str | None = None,
     progress: Progress | None = None,
+    limits: Limits | Mapping[str, int] | None = None,
 ) -> dict[str, Answer]:
     """Answer all questions of a study file, and keep the answers in a folder.
 
@@ -105,6 +113,8 @@ def run_study(
         As for `hoopgen.estimate`.
     progress
         Called with the name of a question, what of it is done, and its total (None: not known).
+    limits
+        How large the file and its scene may be, as for `hoopgen.load_scene`.
 
     Returns
     -------
@@ -133,7 +143,12 @@ def run_study(
     target = None if report is None else check_output(report, PAGES)
     if target is not None:
         check_page()
-    content, questions, document = _read(file)
+    allowed = check_limits(limits)
+    with raised(allowed):
+        content, questions, document = _read(file)
+    if target is not None:
+        read = read_files(file, questions[0].given, document)
+        check_not_read("report", target, "the study", read)
     folder = Path(out) if out is not None else file.with_name(f"{file.stem}-results")
     identities = {asked.question.name: _identity(asked) for asked in questions}
     with locked_store(folder, _PURPOSE) as store:
@@ -141,8 +156,8 @@ def run_study(
         check_questions(folder, identities, questions)
         write_file(store, _VERSIONS, as_json(_versions()))
         write_file(store, _STUDY, content)
-        if (scene := _scene_file(file, document)) is not None:
-            write_file(store, _SCENE, scene.read_bytes())
+        if (scene := scene_file(file, document)) is not None:
+            write_file(store, _SCENE, read_regular(scene, allowed.file_size))
         answers: dict[str, Answer] = {}
         errors: dict[str, Exception] = {}
         for asked in questions:
@@ -172,11 +187,11 @@ def run_study(
 
 def _read(file: Path) -> tuple[bytes, list[Asked], Mapping[str, Any]]:
     """Return the content of the file, its questions, checked, and all of it as it is written."""
-    content = file.read_bytes()
+    content = read_study(file)
     study, document, text, scene = parse(content, file)
     found = [
         (path, f"there is no file {file.parent / name}")
-        for path, name in _files(study)
+        for path, name in data_files(study)
         if not (file.parent / name).is_file()
     ]
     found += [
@@ -199,33 +214,12 @@ def _read(file: Path) -> tuple[bytes, list[Asked], Mapping[str, Any]]:
     return content, questions, document
 
 
-def _scene_file(file: Path, document: Mapping[str, Any]) -> Path | None:
-    """Return the scene file that a study names, if it names one."""
-    named = named_by(document)
-    return None if named is None or is_built_in(named) else file.parent / named
-
-
 def _scenes(study: StudyFile) -> Iterator[tuple[lines.Path, Mapping[str, Any]]]:
     """Yield what questions say of the scene, and where."""
     for place, question in enumerate(study.question):
         yield ("question", place, "scene"), question.scene
         if isinstance(question, Compare):
             yield ("question", place, "versus", "scene"), question.versus.scene
-
-
-def _files(study: StudyFile) -> Iterator[tuple[lines.Path, str]]:
-    """Yield the files that are read, and where the study file names them."""
-    given: list[tuple[lines.Path, Any]] = [((), study)]
-    for place, question in enumerate(study.question):
-        path: lines.Path = ("question", place)
-        given.append((path, question))
-        if isinstance(question, Compare):
-            given.append(((*path, "versus"), question.versus))
-        if isinstance(question, Batch):
-            yield (*path, "file"), question.file
-    for path, tables in given:
-        if tables.releases is not None:
-            yield (*path, "releases", "file"), tables.releases.file
 
 
 def _identity(asked: Asked) -> dict[str, Any]:

@@ -42,9 +42,11 @@ class Page(os.PathLike[str]):
         return "a page without a file" if self.path is None else str(self.path)
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
+        if name.startswith("_") or not hasattr(Path, name):
             raise AttributeError(f"Page has no attribute {name!r}")
-        return getattr(self._file(), name)
+        if self.path is None:
+            raise AttributeError(f"Page has no attribute {name!r} without a file: give view a path")
+        return getattr(self.path, name)
 
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *(dir(self.path) if self.path is not None else ())})

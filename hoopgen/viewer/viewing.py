@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from hoopgen.brief import brief
-from hoopgen.outputs import PAGES, check_output
+from hoopgen.outputs import PAGES, check_not_read, check_output
 from hoopgen.results import Shots
 from hoopgen.scenes import engine_of
 
@@ -84,6 +85,8 @@ def view(
     if not isinstance(shots, Shots):
         from .table import view_table  # reads by pyarrow, which shots do without
 
+        if target is not None:
+            check_not_read("path", target, "view", [Path(shots)])
         if about:
             raise ValueError("about: of a file it is which rows are shown; leave out")
         if labels is not None and not isinstance(labels, str):

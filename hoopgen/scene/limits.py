@@ -1,0 +1,143 @@
+"""Limits on the size of a scene: what a file says in a few lines may take hours to derive."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass, fields
+from typing import Any
+
+from hoopgen.brief import brief, listed
+from hoopgen.inputs import check_count
+
+__all__ = ["Limits", "check_limits", "current", "raised"]
+
+
+@dataclass(frozen=True)
+class Limits:
+    """The largest scene that is read; within the defaults compiling takes minutes at most.
+
+    Attributes
+    ----------
+    file_size
+        Bytes of a scene file or a study file.
+    parameters
+        Parameters of a scene.
+    bodies, ends
+        Bodies and ends of a scene.
+    bounds
+        Formulas in `within`, of all bodies and ends together.
+    sizes
+        Numbers that the kernels get for each shot: the parameters, and sizes computed from them.
+    formula_length
+        Characters of a formula.
+    formula_depth
+        Operations of a formula within one another.
+    formula_degree
+        Factors in a product of a formula, all powers multiplied out.
+    polynomial_terms
+        Terms of a bound or a condition, multiplied out.
+
+    Raises
+    ------
+    ValueError
+        If one is not a whole number from 1.
+    """
+
+    file_size: int = 1_000_000
+    parameters: int = 200
+    bodies: int = 200
+    ends: int = 50
+    bounds: int = 100
+    sizes: int = 2_000
+    formula_length: int = 300
+    formula_depth: int = 30
+    formula_degree: int = 8
+    polynomial_terms: int = 200
+
+    def __post_init__(self) -> None:
+        for each in fields(self):
+            check_count(f"limits.{each.name}", getattr(self, each.name))
+
+    def excess(self, name: str, count: int, *, exact: bool = True) -> str:
+        """Return why a scene is refused that has too much of something, "" where it has not.
+
+        Parameters
+        ----------
+        name
+            Of the limit.
+        count
+            How much of it there is.
+        exact
+            False: there may be more than `count`.
+        """
+        most = getattr(self, name)
+        if count <= most:
+            return ""
+        got = f"{count:,}" if exact else f"{count:,} or more"
+        return (
+            f"expected at most {most:,} {_NOUNS[name]}, got {got}; "
+            f"raise the limit with limits={{'{name}': ...}}, or --limit {name}=... on the command "
+            "line"
+        )
+
+
+_NOUNS = {
+    "file_size": "bytes",
+    "formula_length": "characters",
+    "formula_depth": "operations within one another",
+    "formula_degree": "factors in a product, powers multiplied out",
+    "polynomial_terms": "terms, multiplied out",
+    "sizes": "parameters and sizes computed from them",
+    "bounds": "formulas in `within`, of all bodies and ends together",
+} | {name: name for name in ("parameters", "bodies", "ends")}
+
+NAMES = tuple(each.name for each in fields(Limits))
+"""What is limited."""
+
+USUAL = Limits()
+
+_CURRENT: ContextVar[Limits] = ContextVar("limits of the scene that is read", default=USUAL)
+
+
+def current() -> Limits:
+    """Return the limits that hold here."""
+    return _CURRENT.get()
+
+
+@contextmanager
+def raised(limits: Limits) -> Iterator[None]:
+    """Read scenes within these limits as long as the context lasts."""
+    token = _CURRENT.set(limits)
+    try:
+        yield
+    finally:
+        _CURRENT.reset(token)
+
+
+def check_limits(given: Any) -> Limits:
+    """Return limits: those given, defaults with some changed, or, of None, those that hold here.
+
+    Parameters
+    ----------
+    given
+        `Limits`, a mapping of names to counts, or None.
+
+    Raises
+    ------
+    TypeError
+        If it is something else.
+    ValueError
+        If a name is unknown, or a count is not a whole number from 1.
+    """
+    if given is None:
+        return current()
+    if isinstance(given, Limits):
+        return given
+    if not isinstance(given, Mapping):
+        raise TypeError(f"limits: expected Limits or a mapping, got {brief(given)}")
+    strange = [name for name in given if name not in NAMES]
+    if strange:
+        raise ValueError(f"limits: unknown {listed(strange)}. There are {listed(NAMES)}")
+    return Limits(**given)
