@@ -37,7 +37,7 @@ UNITS: Mapping[str, Dimension] = {"m": (1, 0), "m/s": (1, -1), "m/s²": (1, -2),
 STATE: tuple[Dimension, ...] = ((1, 0),) * 3 + ((1, -1),) * 3 + ((0, -1),) * 3
 TIME: Dimension = (0, 1)
 POWERS = sorted({*range(-340, 341, 20), *range(-32, -22), *range(22, 33), -12, -4, 4, 12})
-FEW_POWERS = (-320, -240, -60, -26, -14, 14, 26, 60, 256, 300)
+FEW_POWERS = (-320, -240, -60, -26, -8, 8, 26, 60, 256, 300)
 FIELDS = (
     *("outcome", "contacts", "counts", "first", "time", "state"),
     *("uncertain", "time_error", "state_error"),
