@@ -102,6 +102,7 @@ def read_scene(
     down: str,
     rolls: bool,
     contacts: Mapping[str, pieces.Size | None],
+    as_written: bool = False,
 ) -> Read:
     """Return a scene as formulas.
 
@@ -113,6 +114,8 @@ def read_scene(
         As its author gave them: of any type.
     contacts
         What contacts are like with bodies that do not say it themselves.
+    as_written
+        As for `Inputs`.
 
     Raises
     ------
@@ -120,7 +123,7 @@ def read_scene(
         If something is wrong; names the body and the argument.
     """
     _check_name(scene, "", "name", scene)
-    inputs = Inputs(scene, _parameters(scene, parameters))
+    inputs = Inputs(scene, _parameters(scene, parameters), as_written)
     reader = _Reader(inputs)
     ball = reader.size("", "ball_radius", ball_radius, sign="positive")
     fall = reader.size("", "gravity", gravity, sign="positive", unit="m/s²")

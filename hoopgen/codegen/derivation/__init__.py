@@ -9,6 +9,14 @@ from __future__ import annotations
 
 from .explain import Formulas, Line, explain
 from .letters import latex_name
-from .page import Derivation, derivation_context
+from .page import Derivation, anchor, derivation_context
 
-__all__ = ["Derivation", "Formulas", "Line", "derivation_context", "explain", "latex_name"]
+__all__ = [
+    "Derivation",
+    "Formulas",
+    "Line",
+    "anchor",
+    "derivation_context",
+    "explain",
+    "latex_name",
+]

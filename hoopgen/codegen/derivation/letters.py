@@ -49,8 +49,10 @@ FLIGHTS = {
     "clear": Letter(r"\chi_0", "positive where a surface is certainly missed"),
     "arrival": Letter("t_r", "root that a search has found, infinite if none"),
     "refined": Letter("t_R", "that root by one more step of Newton's method"),
-    "candidate": Letter("t_?", "root that counts if it lies within the bounds"),
-    "side": Letter(r"\pm", "1 outside the surface, -1 where its rest would be, beyond its bounds"),
+    "candidate": Letter("t_p", "root that counts if it lies within the bounds"),
+    "side": Letter(
+        r"\vartheta", "1 outside the surface, -1 where its rest would be, beyond its bounds"
+    ),
     "after": Letter("t_1", "time up to which a search has come"),
     "lasting": Letter(r"\tau", "time since a search in single precision began"),
     "apex": Letter("t_a", "time at which a plane's gap is extreme"),
@@ -59,10 +61,10 @@ FLIGHTS = {
         r"\sigma", "error, relative to the size of the flight, that a search allows for"
     ),
     "pad": Letter("T_+", "how long the horizon is after the earliest arrival"),
-    "lost": Letter(r"\lambda", "positive where the search's bounds do not hold"),
+    "lost": Letter(r"\varpi", "positive where the search's bounds do not hold"),
     **{
         f"middle_{axis}": Letter(
-            rf"\mu_{axis}", f"middle of the box that a flight is in, along {axis}"
+            rf"\bar{{r}}_{axis}", f"middle of the box that a flight is in, along {axis}"
         )
         for axis in AXES
     },
@@ -72,7 +74,7 @@ FLIGHTS = {
     },
     **{
         f"later_middle_{axis}": Letter(
-            rf"\mu'_{axis}", f"the same of the box of a flight's second half, along {axis}"
+            rf"\bar{{r}}'_{axis}", f"the same of the box of a flight's second half, along {axis}"
         )
         for axis in AXES
     },
@@ -82,7 +84,7 @@ FLIGHTS = {
     },
     **{
         f"least_{axis}": Letter(
-            rf"\ell_{axis}",
+            rf"\check{{c}}_{axis}",
             f"largest coordinate of a group's bodies against {axis}",
         )
         for axis in AXES
@@ -101,7 +103,7 @@ FLIGHTS = {
     },
     "measured": Letter(r"\Lambda", "sum of the sizes of the scene's lengths"),
     "lengths": Letter(r"\Lambda_s", "the same, of a shot that has begun"),
-    "blur": Letter(r"\beta", "what a length at the start may be off by"),
+    "blur": Letter(r"\epsilon_0", "what a length at the start may be off by"),
 }
 """Of one surface along one flight."""
 
@@ -138,22 +140,20 @@ LOOP = {
         )
         for axis in AXES
     },
-    "lifting": Letter(r"\Lambda", "the share of the worst than which errors are no smaller"),
+    "lifting": Letter(r"\varphi", "the share of the worst than which errors are no smaller"),
     "shift": Letter(r"\varsigma", "error of the position at a contact, at worst after one flight"),
-    "turn": Letter(r"\tau", "error of the normal, at worst after one flight"),
-    "reached": Letter(r"\text{reached}", "the outcome of an event that ends the shot"),
+    "turn": Letter(r"\nu", "error of the normal, at worst after one flight"),
+    "reached": Letter(r"o^\ast", "the outcome of an event that ends the shot"),
     "time_limit": Letter(r"t_{\max}", "time since the release at which a shot ends"),
     "slack": Letter(r"\epsilon", "bound on the error of a length at a computed arrival"),
     "through": Letter(
-        r"\text{through}", "1 for a ball down through the ring's disc, -1 for one that came up"
+        r"\phi", "1 for a ball down through the ring's disc, -1 for one that came up"
     ),
-    "outcome": Letter(r"\text{outcome}", "how the shot ended, -1: it has not"),
-    "uncertain": Letter(
-        r"\text{uncertain}", "1 if some decision of the shot lies within its error"
-    ),
-    "claims": Letter(r"\text{claims}", "positive where the errors at the end are asked for"),
-    "allowed": Letter(r"\text{allowed}", "positive where the parameters are allowed"),
-    "valid": Letter(r"\text{valid}", "positive where the ball overlaps no surface"),
+    "outcome": Letter(r"o", "how the shot ended, -1: it has not"),
+    "uncertain": Letter(r"\upsilon", "1 if some decision of the shot lies within its error"),
+    "claims": Letter(r"\gamma_e", "positive where the errors at the end are asked for"),
+    "allowed": Letter(r"\alpha_p", "positive where the parameters are allowed"),
+    "valid": Letter(r"\alpha_s", "positive where the ball overlaps no surface"),
     "permitted": Letter(r"\text{permitted}", "the parameters are finite and allowed"),
     "finite": Letter(r"\text{finite}", "every number of the state is finite"),
     "arrives": Letter(r"\text{arrives}", "there is an arrival on the surface"),
@@ -168,8 +168,8 @@ LOOP = {
     "served": Letter(r"\text{served}", "a search in single precision began"),
     "parting": Letter("F'_0", "rate of the gap at the start of the flight"),
     "drift": Letter(r"\rho'_0", "rate of the distance from the axis at the start of the flight"),
-    "grit": Letter(r"m_H", "bound on the error of H"),
-    "jerk": Letter(r"K/6", "bound on a sixth of the third derivative of the gap"),
+    "grit": Letter(r"m_\Gamma", r"bound on the error of $\Gamma = (F_\ell/t - F'_0)/t$"),
+    "jerk": Letter("J", "bound on the size of $F'''/6$"),
     "fits": Letter(r"\text{fits}", "sizes are such that single precision serves"),
     "sunk": Letter(r"\text{sunk}", "the ball is on the other side than the search took it to be"),
     "vague": Letter(r"\text{vague}", "it is to be looked at with smaller errors allowed"),
@@ -183,12 +183,17 @@ LOOP = {
 
 IN_CONTACT = {
     "held": Letter("j_h", "index of the surface that the ball stays on, -1: none"),
-    "mode": Letter("q", "1, 2, 3: contact begins, goes on, ends; 0: the ball is in flight"),
-    "assured": Letter("a", "1 where all further bounces are on the surface touched last, else 0"),
+    "mode": Letter(r"\psi", "1, 2, 3: contact begins, goes on, ends; 0: the ball is in flight"),
+    "assured": Letter(
+        r"\alpha", "1 where all further bounces are on the surface touched last, else 0"
+    ),
     "bent_x": Letter("b_x", "1 where the surface is curved across x, else 0"),
     "bent_y": Letter("b_y", "the same of y"),
     "bent_z": Letter("b_z", "the same of z"),
-    "per_reach": Letter("R^{-1}", "of the tube that the centre stays on, negative on its inside"),
+    "per_reach": Letter(
+        r"\kappa_T",
+        "one over the radius of the tube that the centre stays on, negative on its inside",
+    ),
     "turn_rate": Letter("s", "spin about the normal, times the ball's radius"),
     "rolled_x": Letter(r"v^\circ_x", "velocity that a contact which grips would leave, along x"),
     "rolled_y": Letter(r"v^\circ_y", "along y"),
@@ -196,25 +201,25 @@ IN_CONTACT = {
     "turning_x": Letter(r"\dot n_x", "rate at which the normal turns, along x"),
     "turning_y": Letter(r"\dot n_y", "along y"),
     "turning_z": Letter(r"\dot n_z", "along z"),
-    "slip": Letter("u", "speed of the contact point"),
-    "bounce": Letter("V", "speed off the surface"),
+    "slip": Letter(r"\lvert\mathbf{u}\rvert", "speed of the contact point"),
+    "bounce": Letter(r"v_\perp", "speed off the surface"),
     "nearest": Letter("d_1", "distance to what is next to the ball"),
     "wedge": Letter("d_2", "how far the ball gets from what it is pressed onto besides"),
-    "spare": Letter(r"t_r", "how long a ball that leaves a surface certainly meets nothing else"),
+    "spare": Letter(r"t_f", "how long a ball that leaves a surface certainly meets nothing else"),
     "swerve": Letter(r"\ddot d_r", "second derivative of the distance of a ball that rolls"),
-    "facing": Letter(r"\chi_n", "cosine of the angle between the normals of two surfaces"),
+    "facing": Letter("c_n", "cosine of the angle between the normals of two surfaces"),
     "press": Letter("N_r", "normal force on a ball that rolls on, per unit mass"),
     "weight": Letter("a_n", "free fall along the normal"),
-    "drag": Letter("F", "friction of a ball that rolls, per unit mass; in a step its square"),
-    "drag_rate": Letter(r"\dot F", "its rate"),
+    "drag": Letter("f", "friction of a ball that rolls, per unit mass; in a step its square"),
+    "drag_rate": Letter(r"\dot f", "its rate"),
     "thrust_x": Letter("a_x", "acceleration of a ball that rolls on, along x"),
     "thrust_y": Letter("a_y", "along y"),
     "thrust_z": Letter("a_z", "along z"),
-    "strain": Letter("E", "by how much friction is too little for rolling, F² less (mu N)²"),
+    "strain": Letter("E", r"by how much friction is too little for rolling, $f^2 - (\mu N)^2$"),
     "strain_rate": Letter(r"\dot E", "its rate"),
     "taut": Letter("E_0", "the same a step before; infinite: not known"),
     "taut_rate": Letter(r"\dot E_0", "its rate then"),
-    "taut_clock": Letter("t_0", "when that was"),
+    "taut_clock": Letter("t_E", "when that was"),
     "grip_lost": Letter("t_g", "when friction first was too little, infinite: never"),
     "rolls": Letter("k_r", "how many times the ball began to roll"),
     "near": Letter(r"\epsilon_s", "half the width of what counts as on a seam"),
@@ -226,12 +231,12 @@ IN_CONTACT = {
     "force": Letter("N", "normal force per unit mass"),
     "force_rate": Letter("N'", "its rate"),
     "force_bend": Letter("N_2", "bound on its second derivative within a step"),
-    "brace": Letter("B", r"twice $\mathbf{F}\cdot\dot{\mathbf{n}}$: what ends with friction"),
-    "stride": Letter("h", "step of a ball in contact"),
-    "strongest": Letter("A", "bound on its acceleration within the step"),
+    "brace": Letter(r"\eta_f", r"twice $\mathbf{f}\cdot\dot{\mathbf{n}}$: what ends with friction"),
+    "stride": Letter(r"\Delta\tau", "step of a ball in contact"),
+    "strongest": Letter(r"\hat a", "bound on its acceleration within the step"),
     "fastest": Letter("U", "bound on its speed within the step"),
     "missed": Letter(r"\epsilon_h", "what the series leaves out of its velocity in the step"),
-    "apart": Letter(r"\lambda", "how many times its errors a neighbouring motion is away"),
+    "apart": Letter(r"\zeta", "how many times its errors a neighbouring motion is away"),
     "settles": Letter(r"\text{settles}", "the ball stays on the surface"),
     "nearly": Letter(r"\text{nearly}", "its bounces are small enough for that"),
     "lodges": Letter(r"\text{lodges}", "it would, but is wedged between it and another"),
@@ -243,52 +248,73 @@ IN_CONTACT = {
     "began": Letter("t_b", "time since the release at which a turn in contact began"),
     "over": Letter(r"\text{over}", "the ball is not below the ring's disc"),
     "rests": Letter(r"\text{rests}", "nothing moves"),
-    "circled": Letter(r"\kappa", "1: since a turning point on a ring it certainly stays there"),
+    "circled": Letter(r"\iota", "1: since a turning point on a ring it certainly stays there"),
     "climb": Letter("A", "rate of the angle around the wire"),
-    "leap": Letter("h/2", "half a step, back from its end below 0"),
-    "sway": Letter("A_2", "bound on the acceleration in the ring's section within the step"),
-    "berth": Letter("d_2", "distance to what is next to the ball, at any azimuth"),
+    "leap": Letter(r"\Delta\tau'", "half a step; back from the end of the step: below 0"),
+    "sway": Letter(r"\hat a_2", "bound on the acceleration in the ring's section within the step"),
+    "berth": Letter("d_3", "distance to what is next to the ball, at any azimuth"),
     "circling": Letter(r"\text{circling}", "the ball goes on in contact with a ring"),
     "endless": Letter(r"\text{endless}", "it does so for ever"),
 }
 """Of a ball that stays in contact; the last are truths."""
 
 SERIES = {
-    **{f"{vector}{axis}": f"{vector}_{axis}" for vector in "vn" for axis in AXES},
-    "turn_rate": "s",
-    "lift": "L",
-    **{f"t{axis}": f"m_{axis}" for axis in AXES},
-    "cosine": "C",
-    "sine": "S",
-    "climb": "A",
-    "along": "P",
-    "cos": "c",
-    "sin": "d",
-    "near": r"\rho^{-1}",
-    "omega": r"\Omega",
-    "around": r"(A\Omega)",
-    "tilted": r"(PS - \beta sC)",
+    **{f"v{axis}": Letter(f"v_{axis}", f"velocity along {axis}") for axis in AXES},
+    **{f"n{axis}": Letter(f"n_{axis}", f"normal along {axis}") for axis in AXES},
+    **{
+        f"t{axis}": Letter(f"p_{axis}", rf"$\mathbf{{n}} \times \dot{{\mathbf{{n}}}}$ along {axis}")
+        for axis in AXES
+    },
+    "turn_rate": Letter("s", "spin about the normal, times the ball's radius"),
+    "lift": Letter(r"\mathcal{L}", "acceleration along the normal but for what friction leaves"),
+    "cosine": Letter(r"c_\alpha", "cosine of the angle around the wire, from outwards"),
+    "sine": Letter(r"s_\alpha", "its sine"),
+    "climb": Letter("A", "its rate"),
+    "along": Letter("P", "speed along the ring"),
+    "cos": Letter(r"c_\phi", "cosine of the azimuth"),
+    "sin": Letter(r"s_\phi", "its sine"),
+    "near": Letter("Q", r"$1/\rho$"),
+    "omega": Letter(r"\Omega", "rate of the azimuth"),
+    "around": Letter("X", r"$A \Omega$"),
+    "tilted": Letter("Y", r"$P s_\alpha - \beta s c_\alpha$, $\beta$ being the share of rolling"),
 }
-"""Of the series of a ball that rolls: its coefficients have their order in brackets."""
+"""Of the series of a ball that rolls: coefficients have their order as an exponent in brackets."""
 
 STUDIES = {
-    "slope": Letter("s", "tangent of the angle of release above the horizontal"),
+    "slope": Letter(r"\gamma", "tangent of the angle of release above the horizontal"),
     "entry": Letter(
-        r"s^\downarrow", "tangent of the angle below the horizontal at the wanted point"
+        r"\gamma^\downarrow", "tangent of the angle below the horizontal at the wanted point"
     ),
-    "release_speed": Letter("v", "speed at release"),
-    "reach": Letter("D", "horizontal distance from the release to the wanted point"),
-    "rise": Letter("h", "height of the wanted point above the release"),
+    "release_speed": Letter(r"\lvert\mathbf{v}\rvert", "speed at release"),
+    "reach": Letter(r"\Delta r", "horizontal distance from the release to the wanted point"),
+    "rise": Letter(r"\Delta z", "height of the wanted point above the release"),
     "level": Letter(r"\bar z", "height above the origin"),
     "half": Letter(r"\eta", "half the width of an interval of time"),
     "place_x": Letter("x_p", "place on the floor plan, x"),
     "place_y": Letter("y_p", "place on the floor plan, y"),
-    "restitution": Letter("e", "restitution of the impact through the contact frame"),
+    "restitution": Letter(r"\hat e", "restitution of the impact through the contact frame"),
 }
 """Of what studies and readers ask."""
 
+LAWS = {
+    "low_speed_restitution": Letter("e_0", "restitution of a contact without speed"),
+    "friction": Letter(r"\mu", "Coulomb's coefficient of friction"),
+    "tangential": Letter("e_t", "tangential restitution"),
+    "falling": Letter("v_0", "speed off the surface at which the restitution is half as large"),
+    "normal_speed": Letter(r"\lvert v_n\rvert", "speed against the normal before a contact"),
+    "friction_impulse": Letter(r"\lambda", "impulse of friction per unit mass"),
+}
+"""Of contact laws in general."""
+
 ARGUMENTS: dict[str, Letter] = FLIGHTS | LOOP | IN_CONTACT | STUDIES
 """Every argument of a kernel that is neither a parameter nor of a kind of `_structured`."""
+
+
+SERIES_TERM = re.compile(r"([a-z_]+)_(\d+)")
+"""A coefficient of a series: its name, and its order."""
+
+ROUNDOFF = r"\mathsf{u}"
+"""The unit roundoff; an italic u, in bold, is the slip."""
 
 
 def latex_name(name: str, words: frozenset[str] = frozenset()) -> str:
@@ -303,6 +329,8 @@ def latex_name(name: str, words: frozenset[str] = frozenset()) -> str:
     """
     if name in ARGUMENTS and name not in words:
         return ARGUMENTS[name].latex
+    if name in LAWS:
+        return LAWS[name].latex
     return structured(name) or text(name)
 
 
@@ -323,9 +351,9 @@ def structured(name: str) -> str | None:
     match = re.fullmatch(r"far_([vw]?[xyz])", name)
     if match:
         return rf"\tilde{{{structured(match[1])}}}"
-    match = re.fullmatch(r"([a-z_]+)_(\d+)", name)
+    match = SERIES_TERM.fullmatch(name)
     if match and match[1] in SERIES:
-        return f"{SERIES[match[1]]}^{{({match[2]})}}"
+        return f"{SERIES[match[1]].latex}^{{({match[2]})}}"
     match = re.fullmatch(r"([a-z])(\d+)", name)
     if match:
         return f"{match[1]}_{{{match[2]}}}"
@@ -335,6 +363,97 @@ def structured(name: str) -> str | None:
 def text(name: str) -> str:
     """Return a name as words in a formula."""
     return rf"\text{{{' '.join(name.split('_')).strip()}}}"
+
+
+QUANTITIES = {
+    "radius": "R",
+    "wire": "R",
+    "depth": "d",
+    "thickness": "d",
+    "height": "h",
+    "width": "b",
+    "length": "l",
+    "distance": "a",
+    "speed": "v",
+    "restitution": "e",
+    "friction": r"\mu",
+    "tangential": "e",
+    "at": "a",
+}
+"""Letters of sizes, by a word of their names."""
+
+ENDS = {
+    **{f"centre_{axis}": axis for axis in AXES},
+    **{f"from_{axis}": rf"\underline{{{axis}}}" for axis in AXES},
+    **{f"to_{axis}": rf"\overline{{{axis}}}" for axis in AXES},
+    "span_from": r"\underline{l}",
+    "span_to": r"\overline{l}",
+    "restitution_speed": "v",
+}
+"""Letters of sizes, by how their names end."""
+
+
+def _subscripted(letter: str, words: list[str]) -> str:
+    return rf"{letter}_{{\mathrm{{" + r"\,".join(words) + "}}" if words else letter
+
+
+def parameter_letter(name: str, usual: str = "") -> str:
+    r"""Return a letter for a size that has none: one for its kind, its other words as a subscript.
+
+    Parameters
+    ----------
+    name
+        Of a parameter, such as ``hole_radius``: $R_{\mathrm{hole}}$.
+    usual
+        The letter where no word of the name says what kind of size it is.
+    """
+    for end, letter in ENDS.items():
+        if name.endswith(f"_{end}"):
+            return _subscripted(letter, name.removesuffix(f"_{end}").split("_"))
+    words = [word for word in name.split("_") if word]
+    for word in (words[-1], words[0]):
+        if word in QUANTITIES:
+            return _subscripted(QUANTITIES[word], [w for w in words if w != word])
+    return _subscripted(usual or "a", words)
+
+
+def _roles(scene: Scene) -> dict[str, str]:
+    """Return the letter of what the scene uses a parameter for, by the parameter's name."""
+    roles: dict[str, str] = {}
+    for law in scene.laws:
+        for attribute, letter in CONSTANTS.items():
+            size = getattr(law, attribute, None)
+            if isinstance(size, ParameterSymbol):
+                roles.setdefault(size.name, letter)
+    return roles
+
+
+CONSTANTS = {"restitution": "e", "friction": r"\mu", "tangential": "e", "falling": "v"}
+"""Letters of the constants of laws, by attribute."""
+
+
+def parameter_letters(scene: Scene) -> dict[str, str]:
+    """Return how each parameter of a scene is written: as it says, else by a letter of its own."""
+    ours = {letter.latex for letter in ARGUMENTS.values()}
+    given = {p.name: p.latex for p in scene.parameters if p.latex and p.latex not in ours}
+    found, taken, roles = dict(given), set(given.values()), _roles(scene)
+    own = {
+        size.name: letter
+        for size, letter in ((scene.ball_radius, "R_B"), (scene.gravity, "g"))
+        if isinstance(size, ParameterSymbol)
+    }
+    for p in scene.parameters:
+        if p.name in found:
+            continue
+        usual = roles.get(p.name, "c" if p.unit == "1" else "a")
+        whole = _subscripted(usual, p.name.split("_"))
+        choices = (own.get(p.name, whole), parameter_letter(p.name, usual), whole)
+        if p.name not in own:
+            choices = choices[1:]
+        letter = next((c for c in choices if c not in taken), rf"{{{whole}}}'")
+        found[p.name] = letter
+        taken.add(letter)
+    return found
 
 
 class Letters:
@@ -347,9 +466,7 @@ class Letters:
     """
 
     def __init__(self, scene: Scene | None = None) -> None:
-        self._parameters: Mapping[str, str] = (
-            {} if scene is None else {p.name: p.latex or text(p.name) for p in scene.parameters}
-        )
+        self._parameters: Mapping[str, str] = {} if scene is None else parameter_letters(scene)
 
     def __call__(self, symbol: sp.Symbol) -> str:
         """Return the LaTeX of a symbol."""

@@ -55,10 +55,7 @@ class SearchText:
     radius: str
     named: Formulas
     gap: Formulas
-    windows: Formulas
     curvature: Formulas
-    advance: Formulas
-    margins: Formulas
 
 
 class Brief:
@@ -124,13 +121,15 @@ def _polynomial(
         paths[named[part]] = [
             sp.Symbol(f"{letter}{k}", real=True) for k in range(len(coefficients))
         ]
-        polynomials.append(brief.line(f"{letter}(t)", part))
-        inner += [brief.line(f"{letter}_{{{k}}}", c) for k, c in enumerate(coefficients)]
+        polynomials.append(brief.line(rf"\mathcal{{{letter}}}(t)", part))
+        inner += [
+            brief.line(rf"\mathcal{{{letter}}}_{{{k}}}", c) for k, c in enumerate(coefficients)
+        ]
     rows = means = event_coefficients(surface, flight)
     if named:
         rows = compose(condition.xreplace(named), paths)
     parts = (symbol for letter in named.values() for symbol in paths[letter])
-    names = {symbol: f"{symbol.name[0]}_{{{symbol.name[1:]}}}" for symbol in parts}
+    names = {symbol: rf"\mathcal{{{symbol.name[0]}}}_{{{symbol.name[1:]}}}" for symbol in parts}
     lines = tuple(
         Line(f"c_{{{k}}}", (show(brief(release(c)), brief.names | names, brief.letters),), means[k])
         for k, c in enumerate(rows)
@@ -176,16 +175,8 @@ def search_text(alike: Sequence[Surface], flight: Parabola, letters: Letters) ->
     names = known(search)
     slopes = {"F": search.gap, "F'": search.rate, "F''": search.bend, r"F_\ell": search.leaving_gap}
     slopes |= {latex_name(name): e for name, e in search.constants.items()}
-    windows: dict[str, sp.Basic] = {}
-    for k, (low, high) in enumerate(search.windows):
-        windows |= {latex_name(f"low{k}"): low, latex_name(f"high{k}"): high}
     width = sp.Symbol("w", nonnegative=True)
-    advance = search.advance()
-    forms = {"F": search.gap, r"F_\ell": search.leaving_gap, "F'": search.rate}
-    gaps = {hold(e, latex): latex for latex, e in forms.items()}
-    margins = {latex_name(name): e for name, e in search.margins.items()}
     bound = {"M(w)": search.curvature(width), "C": search.ceiling}
-    steps = {latex_name(name): advance[name] for name in ("step", "clearance")}
     return SearchText(
         surface.name,
         ", ".join(other.name for other in others),
@@ -193,8 +184,5 @@ def search_text(alike: Sequence[Surface], flight: Parabola, letters: Letters) ->
         show(search.ring.ring_radius, None, letters) if isinstance(search, RingApproach) else "",
         explain(search.named, names, letters),
         plainly(slopes, names, letters),
-        explain(windows, names, letters),
         explain(bound, names, letters),
-        explain(steps, names | gaps, letters),
-        explain(margins, names, letters),
     )
