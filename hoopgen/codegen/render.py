@@ -26,6 +26,7 @@ from hoopgen.outputs import write
 
 from .alone import Alone
 from .derivation import anchor, derivation_context
+from .derivation.summary import worked_shot
 from .fixed import Split, splits
 from .loop import TYPES, weighted
 from .names import FILTERS, identifier
@@ -56,6 +57,7 @@ OUTPUTS = {
     "c/scene.c.j2": "c/{scene}.c",
     "js/flight.js.j2": "js/{scene}.js",
     "derivation.md.j2": "derivation.md",
+    "summary.md.j2": "summary.md",
 }
 """Each template, and the file that it makes."""
 
@@ -242,8 +244,8 @@ def _stamp(template: str, scene: Scene, derivation: str) -> Callable[[str], str]
     return stamp
 
 
-PAGE = "derivation.md.j2"
-"""The template of what is for readers alone, and takes longest."""
+PAGE, SUMMARY = "derivation.md.j2", "summary.md.j2"
+"""The templates of what is for readers alone, and takes longest; the summary is of one scene."""
 
 
 @dataclass(frozen=True)
@@ -274,8 +276,12 @@ class _Derived:
 
     def page(self) -> dict[str, Any]:
         """Return what the template of the page is given besides."""
-        house = self.model.scene in SCENES
-        return {"derivation": derivation_context(self.model), "house": house}
+        scene = self.model.scene
+        return {
+            "derivation": derivation_context(self.model),
+            "house": scene in SCENES,
+            "summary": scene == SCENES[0],
+        }
 
 
 def _derived(scene: Scene) -> _Derived:
@@ -334,16 +340,19 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
         "results": [ResultView(r) for r in model.results],
     }
     files = {}
+    written = derived.page() if page else {}
     # The library in C is for its engine; the others are read, tested and called by studies.
     in_c = [view for view in views.values() if view.name in model.loop.called]
     for template, target in OUTPUTS.items():
         own = derived.stamp(template)
         if template.startswith("c/"):
             own |= {"kernels": in_c}
-        if template == PAGE:
-            if not page:
+        if template in (PAGE, SUMMARY):
+            if not page or (template == SUMMARY and scene != SCENES[0]):
                 continue
-            own |= derived.page()
+            own |= written
+        if template == SUMMARY:
+            own |= {"worked": worked_shot(scene)}
         text = environment.get_template(template).render(context | own)
         files[_path(target, scene)] = text
     return files

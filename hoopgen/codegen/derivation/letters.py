@@ -289,7 +289,7 @@ STUDIES = {
     "reach": Letter(r"\Delta r", "horizontal distance from the release to the wanted point"),
     "rise": Letter(r"\Delta z", "height of the wanted point above the release"),
     "level": Letter(r"\bar z", "height above the origin"),
-    "half": Letter(r"\eta", "half the width of an interval of time"),
+    "half": Letter(r"\bar t", "half the width of an interval of time"),
     "place_x": Letter("x_p", "place on the floor plan, x"),
     "place_y": Letter("y_p", "place on the floor plan, y"),
     "restitution": Letter(r"\hat e", "restitution of the impact through the contact frame"),
