@@ -18,25 +18,35 @@ from hoopgen.derive.search.approach import Approach
 from hoopgen.derive.search.events import event_coefficients
 from hoopgen.derive.search.plane import plane_arrival
 from hoopgen.derive.search.ring import RingApproach
-from hoopgen.derive.surfaces import Plane, Ring, Surface
+from hoopgen.derive.surfaces import Box, Plane, Ring, Surface
 
 from .explain import Formulas, Line, explain, plainly
 from .latex import show
-from .letters import Letters, latex_name
+from .letters import AXES, Letters, latex_name
 
 rho, reach = sp.symbols("rho R", positive=True)
 """What formulas are shorter with: the distance from the axis, and two radii together."""
 
+EXCESS = sp.symbols("excess_x excess_y excess_z", real=True)
+"""How far each coordinate is beyond a face of a box."""
+
 
 @dataclass(frozen=True)
 class SurfaceText:
-    """A surface, and its event polynomial with its inner polynomials named."""
+    """A surface, and its event polynomial with its inner polynomials named.
+
+    Attributes
+    ----------
+    excess
+        Of a box: how far each coordinate is beyond a face, which distance and condition are of.
+    """
 
     name: str
     is_plane: bool
     is_ring: bool
-    distance: Line
-    condition: Line
+    distance: Formulas
+    condition: Formulas
+    excess: Formulas
     normal: str
     bounds: tuple[Line, ...]
     degree: int
@@ -65,6 +75,7 @@ class Brief:
         x, y, _ = POSITION
         self.letters = letters
         self.names = {rho: r"\rho", reach: "R"}
+        self.names |= {e: rf"\Delta_{axis}" for e, axis in zip(EXCESS, AXES, strict=True)}
         self.definitions = [Line(r"\rho", (show(sp.sqrt(x**2 + y**2)),), sp.sqrt(x**2 + y**2))]
         self.known: dict[sp.Basic, str] = {}
         self._square = x**2 + y**2
@@ -144,13 +155,22 @@ def surface_text(surface: Surface, flight: Parabola, brief: Brief) -> SurfaceTex
     if isinstance(surface, Plane):
         outputs = {latex_name(name): e for name, e in plane_arrival(surface, flight).items()}
         arrival = explain(outputs, {}, brief.letters)
+    beyond = surface.excess if isinstance(surface, Box) else []
+    symbols = dict(zip(beyond, EXCESS, strict=False))
+    names = {e: brief.names[symbol] for e, symbol in symbols.items()}
+
+    def formula(expression: sp.Expr) -> Formulas:
+        shown = brief.show(expression.xreplace(symbols))
+        return Formulas((Line("", (shown,), expression),), (), brief.known | names)
+
     return SurfaceText(
         surface.name,
         isinstance(surface, Plane),
         isinstance(surface, Ring),
-        brief.line("", surface.distance),
-        brief.line("", surface.condition),
-        brief.show(surface.normal.T),
+        formula(surface.distance),
+        formula(surface.condition),
+        Formulas(tuple(brief.line(latex, e) for e, latex in names.items()), (), brief.known),
+        brief.show(surface.normal.T.xreplace(symbols)),
         tuple(brief.line("", bound) for bound in surface.bounds),
         len(coefficients) - 1,
         polynomials,
@@ -183,6 +203,6 @@ def search_text(alike: Sequence[Surface], flight: Parabola, letters: Letters) ->
         isinstance(search, RingApproach),
         show(search.ring.ring_radius, None, letters) if isinstance(search, RingApproach) else "",
         explain(search.named, names, letters),
-        plainly(slopes, names, letters),
+        (explain if isinstance(surface, Box) else plainly)(slopes, names, letters),
         explain(bound, names, letters),
     )
