@@ -447,9 +447,9 @@ def parameter_letters(scene: Scene) -> dict[str, str]:
             continue
         usual = roles.get(p.name, "c" if p.unit == "1" else "a")
         whole = _subscripted(usual, p.name.split("_"))
-        choices = (own.get(p.name, whole), parameter_letter(p.name, usual), whole)
-        if p.name not in own:
-            choices = choices[1:]
+        choices = [parameter_letter(p.name, usual), whole]
+        if p.name in own:
+            choices.insert(0, own[p.name])
         letter = next((c for c in choices if c not in taken), rf"{{{whole}}}'")
         found[p.name] = letter
         taken.add(letter)

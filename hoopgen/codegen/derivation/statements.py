@@ -81,7 +81,7 @@ STATEMENTS: dict[str, Statement] = {
         LEMMA, "running error", _kernels("common.scale common.measure common.begun_with")
     ),
     "flight_rounding": Statement(LEMMA, "rounding of a flight"),
-    "plane_margin": Statement(LEMMA, "margin of a plane", _kernels("plane.margin end.margin")),
+    "plane_margin": Statement(CHOICE, "margin of a plane", _kernels("plane.margin end.margin")),
     "displacement": Statement(
         LEMMA, "a length at a computed arrival", _kernels("common.displacement")
     ),

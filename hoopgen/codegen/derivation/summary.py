@@ -187,8 +187,15 @@ def worked_shot(scene: Scene) -> ShotText:
     Raises
     ------
     ValueError
-        If it has more than `EVENTS` events, or none on a surface.
+        If a surface has no polynomial condition, or the shot more than `EVENTS` events, or none on
+        a surface.
     """
+    without = [surface.name for surface in scene.surfaces if not surface.polynomial]
+    if without:
+        raise ValueError(
+            f"scene {scene.name}: expected surfaces with a polynomial condition, got "
+            f"{', '.join(without)} without"
+        )
     usual = {p.symbol: sp.Rational(repr(p.default)) for p in scene.parameters}
     numbers: dict[sp.Basic, sp.Expr] = {**usual, **free_throw()}
     clock, last = sp.Integer(0), None
