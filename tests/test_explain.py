@@ -166,6 +166,14 @@ def test_one_letter_has_one_meaning() -> None:
     assert not [latex for latex in letters if "/" in latex], "a name is no quotient"
 
 
+def test_a_result_has_the_letter_of_what_it_is() -> None:
+    """When a ball is nearest to a plane is a time, how near it is in contact a distance."""
+    text = (Path(__file__).parents[1] / "generated" / "derivation_court.md").read_text("utf-8")
+    meeting = text[text.index("#### meeting_plane") :].partition("#### ")[2].partition("#### ")[0]
+    assert r"\check t &\leftarrow" in meeting
+    assert ARGUMENTS["nearest"].latex not in meeting
+
+
 @pytest.mark.parametrize("scene", [HOOP, COURT])
 def test_parameters_have_letters_of_their_own(scene: Any) -> None:
     own = parameter_letters(scene)

@@ -30,7 +30,11 @@ FLIGHTS = {
         r"\lVert\mathbf{r}\rVert_1", "sum of the sizes of the coordinates at the start"
     ),
     "speed": Letter(r"\lVert\mathbf{v}\rVert_1", "sum of the sizes of the velocities at the start"),
-    "gap": Letter("F", "gap: how far the ball is from a contact, as the searched polynomial says"),
+    "gap": Letter(
+        "F",
+        "gap: how far the ball is from a contact, as the searched function says; in contact, "
+        "as the distance does",
+    ),
     "rate": Letter("F'", "rate of the gap"),
     "bend": Letter("F''", "bend of the gap"),
     "margin": Letter("m", "bound on the error of a gap"),
@@ -305,6 +309,9 @@ LAWS = {
     "friction_impulse": Letter(r"\lambda", "impulse of friction per unit mass"),
 }
 """Of contact laws in general."""
+
+RESULTS = {("meeting_plane", "nearest"): r"\check t"}
+"""Letters of results, by kernel, whose name is that of something else elsewhere: a time here."""
 
 ARGUMENTS: dict[str, Letter] = FLIGHTS | LOOP | IN_CONTACT | STUDIES
 """Every argument of a kernel that is neither a parameter nor of a kind of `_structured`."""

@@ -41,6 +41,7 @@ from .letters import (
     AXES,
     FLIGHTS,
     LOOP,
+    RESULTS,
     ROUNDOFF,
     SERIES,
     SERIES_TERM,
@@ -179,7 +180,9 @@ class Derivation:
 def _kernel(
     kernel: Kernel, names: Mapping[sp.Basic, str], words: frozenset[str], letters: Letters
 ) -> KernelText:
-    outputs = {latex_name(name, words): e for name, e in kernel.outputs}
+    outputs = {
+        RESULTS.get((kernel.name, name)) or latex_name(name, words): e for name, e in kernel.outputs
+    }
     formulas = explain(outputs, names, letters)
     return KernelText(kernel.name, formulas, kernel.summary, kernel.equation)
 
