@@ -301,8 +301,9 @@ def test_another_scene_has_a_page_of_its_own() -> None:
     assert ends is not None
 
 
-def test_nothing_is_typed_in_the_template_that_derive_has() -> None:
-    template = Path(render.__file__).parents[2] / "templates" / "derivation.md.j2"
+@pytest.mark.parametrize("name", ["derivation.md.j2", "summary.md.j2"])
+def test_nothing_is_typed_in_the_template_that_derive_has(name: str) -> None:
+    template = Path(render.__file__).parents[2] / "templates" / name
     typed = re.sub(r"\{\{.*?\}\}|\{%.*?%\}", "", template.read_text(encoding="utf-8"))
     assert not re.search(r"2\^|10\^|\^\{-\d\d", typed), "a power is a constant"
     own = {p.latex for p in model().scene.parameters if len(p.latex) > 1}
