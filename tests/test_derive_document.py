@@ -45,7 +45,8 @@ from test_kernels import DIGITS, Evaluator, model
 from hoopgen.codegen import render
 from hoopgen.codegen.derivation import Formulas, Line, derivation_context, explain, latex_name
 from hoopgen.codegen.derivation.latex import number, show
-from hoopgen.codegen.derivation.letters import ROUNDOFF, Letters, structured
+from hoopgen.codegen.derivation.letters import Letters
+from hoopgen.codegen.derivation.notation import ROUNDOFF, structured
 from hoopgen.codegen.program import lower
 
 # One worker: the derivation takes a few seconds.

@@ -20,13 +20,8 @@ from mpmath import mp, mpf
 
 import hoopgen
 from hoopgen.codegen.derivation.contacts import ContactText, FrictionText, contact_text
-from hoopgen.codegen.derivation.letters import (
-    ARGUMENTS,
-    LAWS,
-    SERIES,
-    Letters,
-    parameter_letters,
-)
+from hoopgen.codegen.derivation.letters import Letters, parameter_letters
+from hoopgen.codegen.derivation.notation import ARGUMENTS, LAWS, SERIES
 from hoopgen.codegen.derivation.statements import STATEMENTS
 from hoopgen.scene import Box, End, Parameter, Plane, Scene, Sphere
 

@@ -8,7 +8,7 @@ name that derive/ gives it, or one of its own where it is long or used more than
 from __future__ import annotations
 
 from .explain import Formulas, Line, explain
-from .letters import latex_name
+from .notation import latex_name
 from .page import Derivation, anchor, derivation_context
 
 __all__ = [

@@ -32,7 +32,8 @@ from hoopgen.derive.scenes.scene import Scene
 
 from .explain import Formulas, plainly
 from .latex import Names, show
-from .letters import Letters, latex_name
+from .letters import Letters
+from .notation import latex_name
 
 RESTITUTION, LOW_SPEED, FRICTION, TANGENTIAL, FALLING = sp.symbols(
     "e low_speed_restitution friction tangential falling", nonnegative=True

@@ -22,7 +22,8 @@ from hoopgen.derive.ground.choice import (
 )
 from hoopgen.derive.ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
 
-from .letters import ROUNDOFF, Letters
+from .letters import Letters
+from .notation import ROUNDOFF
 
 Names = Mapping[sp.Basic, str]
 """LaTeX of what has a name: symbols, and quantities that the reader knows."""

@@ -36,7 +36,8 @@ from hoopgen.derive.surfaces import Plane
 from .contacts import ContactText, contact_text
 from .explain import Formulas, Line, explain, plainly
 from .latex import number, show
-from .letters import (
+from .letters import Letters
+from .notation import (
     ARGUMENTS,
     AXES,
     FLIGHTS,
@@ -46,7 +47,6 @@ from .letters import (
     SERIES,
     SERIES_TERM,
     STUDIES,
-    Letters,
     latex_name,
     structured,
     text,
@@ -196,7 +196,7 @@ def _arguments(model: Model) -> tuple[SymbolText, ...]:
     }
     unknown = sorted(name for name in used - set(ARGUMENTS) if structured(name) is None)
     if unknown:
-        raise ValueError(f"letters.py says nothing of {', '.join(unknown)}")
+        raise ValueError(f"notation.py says nothing of {', '.join(unknown)}")
     return tuple(
         SymbolText(letter.latex, name, letter.meaning)
         for name, letter in ARGUMENTS.items()

@@ -22,7 +22,8 @@ from hoopgen.derive.surfaces import Box, Plane, Ring, Surface
 
 from .explain import Formulas, Line, explain, plainly
 from .latex import show
-from .letters import AXES, Letters, latex_name
+from .letters import Letters
+from .notation import AXES, latex_name
 
 rho, reach = sp.symbols("rho R", positive=True)
 """What formulas are shorter with: the distance from the axis, and two radii together."""
