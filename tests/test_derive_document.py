@@ -33,7 +33,9 @@ from hoopgen.derive.ground.kernel import kernel
 from hoopgen.derive.ground.symbols import UNIT_ROUNDOFF, ParameterSymbol
 from hoopgen.derive.ground.tree import Do, walk
 from hoopgen.derive.model import Model, build
+from hoopgen.derive.scenes import COURT
 from hoopgen.derive.search.polar import WIDER
+from hoopgen.derive.surfaces import Box
 from hoopgen.generated.numpy import hoop
 from latex_reader import read
 from mpmath import mp, mpf
@@ -44,9 +46,11 @@ from test_kernels import DIGITS, Evaluator, model
 
 from hoopgen.codegen import render
 from hoopgen.codegen.derivation import Formulas, Line, derivation_context, explain, latex_name
+from hoopgen.codegen.derivation.contacts import contact_text
 from hoopgen.codegen.derivation.latex import number, show
 from hoopgen.codegen.derivation.letters import Letters
 from hoopgen.codegen.derivation.notation import ROUNDOFF, structured
+from hoopgen.codegen.derivation.parts import Brief, search_text, surface_text
 from hoopgen.codegen.program import lower
 
 # One worker: the derivation takes a few seconds.
@@ -226,6 +230,24 @@ def test_every_printed_formula_is_what_its_kernel_computes(scene: str) -> None:
         if formulas.lines:
             count += assert_printed_as_meant(formulas, letters, seed)
     assert count > 600 if scene == "hoop" else count > 400
+
+
+def test_printed_boxes_and_printed_friction_are_what_is_meant() -> None:
+    """The court has both: their surfaces, their searches and the law, not the whole page."""
+    letters = Letters(COURT)
+    brief, count = Brief(COURT, letters), 0
+    known = {line.means: line.left for line in brief.definitions}
+    boxes = [surface for surface in COURT.surfaces if isinstance(surface, Box)]
+    parts = (
+        contact_text(COURT, letters),
+        *(surface_text(surface, COURT.flight, brief) for surface in COURT.surfaces),
+        *(search_text((box,), COURT.flight, letters) for box in boxes),
+    )
+    for seed, formulas in enumerate(formulas_of(parts, known)):
+        if formulas.lines:
+            count += assert_printed_as_meant(formulas, letters, seed)
+    assert len(boxes) == 2
+    assert count > 60
 
 
 def all_lines(scene: str) -> Iterator[Line]:

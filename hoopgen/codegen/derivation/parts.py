@@ -91,7 +91,10 @@ class Brief:
 
     def __call__(self, expression: sp.Expr) -> sp.Expr:
         """Return the expression in brief."""
-        return expression.subs(self._other).subs(self._square, rho**2)
+        together = expression.subs(self._other)
+        # Where one of the two radii is alone, it stays.
+        shorter = len(together.free_symbols) < len(expression.free_symbols)
+        return (together if shorter else expression).subs(self._square, rho**2)
 
     def show(self, expression: sp.Expr | sp.Matrix) -> str:
         """Return the LaTeX of an expression in brief, with nothing held."""
