@@ -89,7 +89,7 @@ sphinx_gallery_conf = {
 # ----------------------------------------------------------------------------------- what is said
 
 myst_enable_extensions = ["attrs_inline", "dollarmath"]
-myst_heading_anchors = 3
+myst_heading_anchors = 4  # the derivation's pages link to kernels
 default_role = "py:obj"
 autodoc_member_order = "bysource"
 autodoc_typehints = "description"

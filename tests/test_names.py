@@ -396,7 +396,7 @@ def test_a_page_has_texts_in_their_places(monkeypatch: pytest.MonkeyPatch) -> No
         rows = [line for line in page.splitlines() if re.match(r"\| \$[^$]*\$ \| `p?", line)]
         own = [row for row in rows if any(f"`{p.name}`" in row for p in parameters)]
         assert len(own) == len(parameters)
-        assert {len(re.findall(r"(?<!\\)\|", row)) for row in own} == {5}
+        assert {len(re.findall(r"(?<!\\)\|", row)) for row in own} == {6}
         assert page.count(names.markdown(text)) == 2 * len(parameters) + 2
 
 

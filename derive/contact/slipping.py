@@ -17,7 +17,7 @@ from typing import ClassVar
 import sympy as sp
 
 from ..errors.tangent import GUARD, before_impact
-from ..ground.choice import IfAtMost, IfLess, Less, Not, every, hold, hold_all, size
+from ..ground.choice import IfAtMost, IfLess, Less, Not, every, hold, hold_all, size, smallest
 from ..ground.symbols import UNIT_ROUNDOFF
 from .law import Law
 from .rolling import AFTER, BEFORE, INERTIA_FACTOR
@@ -67,6 +67,34 @@ def gripping(ball_radius: sp.Expr, tangential: sp.Expr) -> sp.Expr:
     return sp.solve(left + tangential, share)[0]
 
 
+def lost_energy(
+    ball_radius: sp.Expr, impulse: sp.Expr, slip: sp.Expr, speed: sp.Expr, restitution: sp.Expr
+) -> sp.Expr:
+    """Return by how much a contact changes the kinetic energy per unit mass.
+
+    Parameters
+    ----------
+    ball_radius
+        R_B.
+    impulse
+        What friction pushes against the slip, per unit mass.
+    slip, speed
+        Of the contact point along the surface, and off it, before the contact; not negative.
+    restitution
+        That of the contact.
+    """
+    before = sp.Matrix(BEFORE).subs({BEFORE[1]: 0, BEFORE[2]: -speed, BEFORE[4]: 0})
+    before = before.subs(BEFORE[0], slip)
+    pushed = sp.Matrix([-impulse, 0, (1 + restitution) * speed])
+    after = before + response(ball_radius) * pushed
+
+    def energy(motion: sp.Matrix) -> sp.Expr:
+        v, w = motion[:3, :], motion[3:, :]
+        return (v.dot(v) + INERTIA_FACTOR * ball_radius**2 * w.dot(w)) / 2
+
+    return sp.expand(energy(after) - energy(before))
+
+
 @dataclass(frozen=True)
 class Slipping(Law):
     """Coulomb's law of friction, tangential restitution, restitution that falls with speed.
@@ -95,6 +123,22 @@ class Slipping(Law):
     def coefficient(self) -> sp.Expr:
         """Its own."""
         return self.friction
+
+    def friction_impulse(self, ball_radius: sp.Expr, slip: sp.Expr, speed: sp.Expr) -> sp.Expr:
+        """Return lambda, what friction pushes against the slip, per unit mass: grip or friction.
+
+        It is the smaller of what stops the slip, and turns it about by e_t, and of mu times the
+        normal impulse. `after` has it as a share of the slip.
+
+        Parameters
+        ----------
+        ball_radius
+            R_B.
+        slip, speed
+            Of the contact point along the surface, and off it, before the contact; not negative.
+        """
+        grip = gripping(ball_radius, self.tangential) * slip
+        return smallest(grip, self.friction * hold(1 + self.restitution_at(speed)) * speed)
 
     def restitution_at(self, speed: sp.Expr) -> sp.Expr:
         """Return e0 / (1 + v/v0)."""

@@ -45,6 +45,12 @@ class BoxApproach(Approach):
         return hold(self.box.radius + 2 * WIDER * smallest(*self.box.halves))
 
     @property
+    def named(self) -> dict[str, sp.Expr]:
+        """The place and the velocity, and how far each coordinate is beyond a face."""
+        excess = (e for e, _, _ in self._moving())
+        return super().named | {rf"\Delta_{axis}": e for axis, e in zip("xyz", excess, strict=True)}
+
+    @property
     def windows(self) -> list[Window]:
         """When the ball is near enough along every axis."""
         offsets = (hold(p - c) for p, c in zip(POSITION, self.box.about, strict=True))

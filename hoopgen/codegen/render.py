@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import difflib
 import hashlib
-from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import resources
-from importlib.metadata import version
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -15,6 +13,7 @@ import jinja2
 
 from hoopgen.core.store import MARKER, find_store, marker_text, open_store
 from hoopgen.derive.follow.fields import EVENTS, Result
+from hoopgen.derive.follow.loop import Loop
 from hoopgen.derive.ground.choice import Truth
 from hoopgen.derive.ground.kernel import Kernel
 from hoopgen.derive.ground.number_range import MAX_SIZE, MAX_TIME
@@ -26,7 +25,9 @@ from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.scenes.validity import size_limits
 
 from .alone import Alone
-from .derivation import derivation_context
+from .cost import describe_cost
+from .derivation import anchor, derivation_context
+from .derivation.summary import worked_shot
 from .fixed import Split, splits
 from .loop import TYPES, weighted
 from .names import FILTERS, identifier
@@ -43,8 +44,9 @@ from .printers import (
     constant,
     print_program,
 )
-from .program import Operations, Program, lower
+from .program import Program, lower
 from .rows import print_in_rows
+from .stamp import stamp_of
 from .view import loop_view
 
 OUTPUTS = {
@@ -57,6 +59,7 @@ OUTPUTS = {
     "c/scene.c.j2": "c/{scene}.c",
     "js/flight.js.j2": "js/{scene}.js",
     "derivation.md.j2": "derivation.md",
+    "summary.md.j2": "summary.md",
 }
 """Each template, and the file that it makes."""
 
@@ -65,23 +68,6 @@ KEPT = ("__init__.py", "numpy/__init__.py")
 
 PURPOSE = "generated code"
 """What the marker of generated/ says."""
-
-COST_WORDS = {
-    "add": "additions",
-    "sub": "subtractions",
-    "mul": "multiplications",
-    "div": "divisions",
-    "sqrt": "square roots",
-    "neg": "negations",
-    "abs": "absolute values",
-    "less": "comparisons",
-    "at_most": "comparisons",
-    "equal": "comparisons",
-    "both": "conjunctions",
-    "either": "disjunctions",
-    "not": "complements",
-    "select": "selections",
-}
 
 
 @dataclass(frozen=True)
@@ -155,19 +141,6 @@ class ResultView:
         return C_TYPES.get(self.result.dtype, "double")
 
 
-def describe_cost(program: Operations) -> str:
-    """Return the operation count of a program as a sentence."""
-    words: dict[str, int] = {}
-    for name, count in program.cost.items():
-        words[COST_WORDS[name]] = words.get(COST_WORDS[name], 0) + count
-    total = sum(words.values())
-    if not total:
-        return "No operations."
-    ordered = [w for w in dict.fromkeys(COST_WORDS.values()) if w in words]
-    parts = [f"{words[w]} {w if words[w] > 1 else w.removesuffix('s')}" for w in ordered]
-    return f"{total} operation{'s' * (total > 1)}: {', '.join(parts)}."
-
-
 def _kernel_view(
     program: Program, in_loop: bool, constants: Constants, split: Split | None = None
 ) -> KernelView:
@@ -224,25 +197,70 @@ def _environment() -> jinja2.Environment:
     environment.filters["before"] = lambda name: f"{name}_before"
     environment.filters["waiting"] = lambda name: f"waiting_{name}"
     environment.filters["c_argument"] = lambda name: f"V {name}"
+    environment.filters["anchor"] = anchor
     return environment
 
 
-def _stamp(template: str, scene: str, derivation: str) -> Callable[[str], str]:
-    lines = [
-        f"Generated from templates/{template}, scene {scene}, derivation {derivation},",
-        f"with SymPy {version('sympy')} and Jinja2 {version('jinja2')}. Do not edit: "
-        "change derive/ or templates/",
-        "and run `make generate`.",
-    ]
-
-    def stamp(indent: str) -> str:
-        return "\n".join(indent + line for line in lines)
-
-    return stamp
+PAGE, SUMMARY = "derivation.md.j2", "summary.md.j2"
+"""The templates of what is for readers alone, and takes longest; the summary is of one scene."""
 
 
-PAGE = "derivation.md.j2"
-"""The template of what is for readers alone, and takes longest."""
+@dataclass(frozen=True)
+class _Derived:
+    """A scene's kernels, lowered and printed: what the templates are rendered with."""
+
+    model: Model
+    plain: Loop
+    views: dict[str, KernelView]
+    constants: Constants
+    ready: dict[str, Split]
+    costs: dict[str, int]
+    derivation: str
+
+    @property
+    def context(self) -> dict[str, Any]:
+        """What every template is given."""
+        scene = self.model.scene
+        return {
+            "scene": scene,
+            "parameters": [identifier(symbol) for symbol in scene.symbols],
+            "kernels": list(self.views.values()),
+        }
+
+    def stamp(self, template: str) -> dict[str, Any]:
+        """Return what says how the file of a template is made."""
+        return {"stamp": stamp_of(template, self.model.scene, self.derivation)}
+
+    def page(self) -> dict[str, Any]:
+        """Return what the template of the page is given besides."""
+        scene = self.model.scene
+        return {
+            "derivation": derivation_context(self.model),
+            "house": scene in SCENES,
+            "summary": scene == SCENES[0],
+        }
+
+
+def _derived(scene: Scene) -> _Derived:
+    model: Model = build(scene)
+    programs = [lower(kernel) for kernel in model.kernels]
+    constants = Constants()
+    plain = model.loop.plain()
+    ready = splits(programs, (plain, model.loop))
+    called = model.loop.called
+    views = {
+        p.kernel.name: _kernel_view(p, p.kernel.name in called, constants, ready.get(p.kernel.name))
+        for p in programs
+    }
+    costs = {p.kernel.name: weighted(p.cost) for p in programs}
+    return _Derived(model, plain, views, constants, ready, costs, derivation_hash(programs))
+
+
+def explanation(scene: Scene) -> str:
+    """Return the derivation's page of a scene, in Markdown with LaTeX."""
+    derived = _derived(scene)
+    own = derived.stamp(PAGE) | derived.page()
+    return _environment().get_template(PAGE).render(derived.context | own)
 
 
 def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
@@ -255,32 +273,20 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
     page
         Whether the derivation's page is wanted too.
     """
-    model: Model = build(scene)
-    programs = [lower(kernel) for kernel in model.kernels]
-    called = model.loop.called
-    constants = Constants()
-    plain = model.loop.plain()
-    ready = splits(programs, (plain, model.loop))
-    views = {
-        p.kernel.name: _kernel_view(p, p.kernel.name in called, constants, ready.get(p.kernel.name))
-        for p in programs
-    }
+    derived = _derived(scene)
+    model, views, constants, ready = derived.model, derived.views, derived.constants, derived.ready
+    plain = derived.plain
     rows = {name: view.numpy.rows for name, view in views.items() if view.numpy.rows}
-    derivation = derivation_hash(programs)
-    costs = {p.kernel.name: weighted(p.cost) for p in programs}
     alone = Alone(constants)
     loops = [
-        loop_view(scene.name, costs, rows, alone, ready, plain, bounds=False),
-        loop_view(scene.name, costs, rows, alone, ready, model.loop, bounds=True),
+        loop_view(scene.name, derived.costs, rows, alone, ready, plain, bounds=False),
+        loop_view(scene.name, derived.costs, rows, alone, ready, model.loop, bounds=True),
     ]
     environment = _environment()
-    context: dict[str, Any] = {
-        "scene": scene,
-        "parameters": [identifier(symbol) for symbol in scene.symbols],
+    context: dict[str, Any] = derived.context | {
         "size_limits": [size_limits(scene, parameter) for parameter in scene.parameters],
         "max_size": MAX_SIZE,
         "max_time": MAX_TIME,
-        "kernels": list(views.values()),
         "shared": _shared(model),
         "state": tuple(symbol.name for symbol in STATE),
         "loops": loops,
@@ -294,16 +300,19 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
         "results": [ResultView(r) for r in model.results],
     }
     files = {}
+    written = derived.page() if page else {}
     # The library in C is for its engine; the others are read, tested and called by studies.
-    in_c = [view for view in views.values() if view.name in called]
+    in_c = [view for view in views.values() if view.name in model.loop.called]
     for template, target in OUTPUTS.items():
-        own: dict[str, Any] = {"stamp": _stamp(template, scene.name, derivation)}
+        own = derived.stamp(template)
         if template.startswith("c/"):
             own |= {"kernels": in_c}
-        if template == PAGE:
-            if not page:
+        if template in (PAGE, SUMMARY):
+            if not page or (template == SUMMARY and scene != SCENES[0]):
                 continue
-            own |= {"derivation": derivation_context(model)}
+            own |= written
+        if template == SUMMARY:
+            own |= {"worked": worked_shot(scene)}
         text = environment.get_template(template).render(context | own)
         files[_path(target, scene)] = text
     return files

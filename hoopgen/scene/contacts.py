@@ -41,7 +41,10 @@ def contact(inputs: Inputs, owner: str, body: object, usual: Mapping[str, Any]) 
         given = usual[argument] if own is None else own
         if given is None or (allowed.get("infinite") and is_infinite(given)):
             return None
-        return inputs.add(owner, argument, inputs.read(owner, argument, given), **allowed)
+        formula = inputs.read(owner, argument, given)
+        # Readers are told whose it is: bodies without one of their own have the scene's.
+        whose = "" if inputs.as_written and own is None else owner
+        return inputs.add(whose, argument, formula, **allowed)
 
     restitution = size("restitution", sign="nonnegative", upper=1.0, unit="1")
     if restitution is None:

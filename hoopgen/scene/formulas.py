@@ -168,10 +168,13 @@ class Formula:
         return product
 
     def __str__(self) -> str:
-        """Return it as it may be written; of a number its double."""
+        """Return it as it may be written; a number as the decimal or quotient that it is."""
         if self.kind == "number":
             value = Fraction(self.value)
-            return str(value) if value.denominator == 1 else repr(float(value))
+            double = float(value)
+            if value.denominator == 1 or Fraction(double) != value != Fraction(repr(double)):
+                return str(value)
+            return repr(double)
         if self.kind == "name":
             return str(self.value)
         if self.kind == "sqrt":

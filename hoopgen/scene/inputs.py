@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 import numpy as np
 
@@ -95,10 +96,14 @@ class Inputs:
         Its name, for complaints.
     parameters
         Its parameters, as inputs.
+    as_written
+        True: for readers. Every size is an input of its own, also where another one has the same
+        value, and numbers are the decimals that the scene gives.
     """
 
-    def __init__(self, scene: str, parameters: tuple[Input, ...]) -> None:
+    def __init__(self, scene: str, parameters: tuple[Input, ...], as_written: bool = False) -> None:
         self._scene = scene
+        self.as_written = as_written
         self._inputs = {parameter.name: parameter for parameter in parameters}
         self.declared = tuple(self._inputs)
 
@@ -125,13 +130,17 @@ class Inputs:
             If it is none.
         """
         try:
-            return read(value, (*self.declared, *also))
+            return read(value, (*self.declared, *also), self.as_written)
         except FormulaError as error:
             raise self.wrong(owner, argument, error) from None
 
     def number(self, owner: str, argument: str, formula: Formula, infinite: bool = False) -> float:
         """Return what a formula of the parameters is at their defaults, finite if it must be."""
-        value = float(formula.evaluate(self.defaults))
+        if self.as_written:
+            exact = {given: _fraction(value) for given, value in self.defaults.items()}
+            value = float(formula.fold(exact, lambda number: number, _root))
+        else:
+            value = float(formula.evaluate(self.defaults))
         if not np.isfinite(value) and not (infinite and value == math.inf):
             raise self.wrong(owner, argument, f"{formula} is {value} at the defaults")
         return value
@@ -181,6 +190,8 @@ class Inputs:
             self._inputs[mine] = _stricter(self._inputs[mine], made)
             return formula
         for there in self._inputs.values():
+            if self.as_written and there.name.rstrip("_") != made.name.rstrip("_"):
+                continue
             alike = (there.formula, there.sign, there.upper) == (formula, sign, upper)
             if alike and (there.argument, there.lower) == (argument, lower):
                 return name(there.name)
@@ -212,6 +223,15 @@ def _stricter(own: Input, asked: Input) -> Input:
         lower=max(lowers, default=None),
         infinite=own.infinite and asked.infinite,
     )
+
+
+def _fraction(value: float) -> Fraction | float:
+    """Return the decimal that a double is written as; infinity as it is."""
+    return Fraction(repr(value)) if math.isfinite(value) else value
+
+
+def _root(value: Fraction | float) -> Fraction | float:
+    return _fraction(math.sqrt(value)) if value >= 0 else math.nan
 
 
 def _free(wanted: str, taken: Mapping[str, Input]) -> str:

@@ -8,6 +8,7 @@ small: its length, depth and degree are limited, so that no formula takes long.
 from __future__ import annotations
 
 import ast
+import math
 import re
 import sys
 from collections.abc import Collection
@@ -24,12 +25,25 @@ from .limits import current
 
 __all__ = ["parse", "read"]
 
+LONG = 10**30
+"""Denominators of exact decimals stay below it."""
+
 SMALLEST, LARGEST = Fraction(1, 10**100), Fraction(10**100)
 """Sizes of a number that is not zero: no product of a few overflows."""
 
 
-def read(value: object, names: Collection[str]) -> Formula:
+def read(value: object, names: Collection[str], decimal: bool = False) -> Formula:
     """Return what a user gave as a formula: a number, text, or an expression of SymPy.
+
+    Parameters
+    ----------
+    value
+        What the user gave.
+    names
+        Names that it may have.
+    decimal
+        True: numbers are the decimals that the user wrote, and arithmetic of numbers is exact, for
+        readers. False: they are the doubles that engines compute with.
 
     Raises
     ------
@@ -39,20 +53,21 @@ def read(value: object, names: Collection[str]) -> Formula:
     if isinstance(value, Formula):
         return value
     if isinstance(value, str):
-        return parse(value, names)
+        return parse(value, names, decimal)
     if isinstance(value, bool | np.bool_):
         raise FormulaError(f"expected a number or a formula, got {brief(value)}")
     if isinstance(value, int | float | np.integer | np.floating):
-        return _number(value.item() if isinstance(value, np.generic) else value)
+        return _number(value.item() if isinstance(value, np.generic) else value, decimal)
     sympy = sys.modules.get("sympy")
     if sympy is not None and isinstance(value, sympy.Basic):
-        return _from_sympy(value, names, 0)
+        return _from_sympy(value, names, 0, decimal)
     raise FormulaError(f"expected a number or a formula, got {brief(value)}")
 
 
-def _number(value: float | int) -> Formula:
+def _number(value: float | int, decimal: bool = False) -> Formula:
     try:
-        exact = Fraction(float(value))  # the double: what engines compute with
+        double = float(value)
+        exact = Fraction(repr(double)) if decimal and math.isfinite(double) else Fraction(double)
     except (OverflowError, ValueError):
         raise FormulaError(f"expected a finite number, got {brief(value)}") from None
     if exact and not SMALLEST <= abs(exact) <= LARGEST:
@@ -71,7 +86,7 @@ _MARK = "name_"
 """Before each name in what Python's parser reads."""
 
 
-def parse(text: str, names: Collection[str]) -> Formula:
+def parse(text: str, names: Collection[str], decimal: bool = False) -> Formula:
     """Return the formula that a text says. Nothing in it is run.
 
     Parameters
@@ -80,6 +95,8 @@ def parse(text: str, names: Collection[str]) -> Formula:
         With `+ - * /`, whole powers `**`, `sqrt(...)`, numbers and names.
     names
         That it may have.
+    decimal
+        As for `read`.
 
     Raises
     ------
@@ -112,7 +129,7 @@ def parse(text: str, names: Collection[str]) -> Formula:
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise FormulaError(f"{brief(text)} is not a formula") from None
     try:
-        return _Reader(names).read(tree.body, 0)
+        return _Reader(names, decimal).read(tree.body, 0)
     except FormulaError as error:
         raise FormulaError(f"{brief(text)}: {error}") from None
 
@@ -122,14 +139,19 @@ def _check_depth(depth: int) -> None:
         raise FormulaError(excess)
 
 
-def _limited(formula: Formula) -> Formula:
-    """Refuse too high a degree; round what is a number, so that no power of it grows long."""
+def _limited(formula: Formula, decimal: bool) -> Formula:
+    """Refuse too high a degree; round what is a number, so that no power of it grows long.
+
+    A decimal stays exact where it is short enough.
+    """
     if excess := current().excess("formula_degree", formula.degree):
         raise FormulaError(excess)
     number = formula.number
     if number and not SMALLEST <= abs(number) <= LARGEST:
         raise FormulaError("expected numbers from 1e-100 to 1e100 in size")
-    return formula if number is None else constant(Fraction(float(number)))
+    if number is None or (decimal and number.denominator < LONG):
+        return formula
+    return constant(Fraction(float(number)))
 
 
 @dataclass(frozen=True)
@@ -137,16 +159,17 @@ class _Reader:
     """Python's syntax tree to ours: one line for each node that is allowed."""
 
     names: Collection[str]
+    decimal: bool
 
     def read(self, node: ast.expr, depth: int) -> Formula:
         """Return the node as a formula."""
         _check_depth(depth)
-        return _limited(self._node(node, depth + 1))
+        return _limited(self._node(node, depth + 1), self.decimal)
 
     def _node(self, node: ast.expr, depth: int) -> Formula:
         match node:
             case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
-                return _number(value)
+                return _number(value, self.decimal)
             case ast.Name(id=found) if found.removeprefix(_MARK) in self.names:
                 return name(found.removeprefix(_MARK))
             case ast.UnaryOp(op=ast.USub(), operand=operand):
@@ -186,7 +209,9 @@ class _Reader:
         return self.read(base, depth) ** int(exponent.value)
 
 
-def _from_sympy(expression: Any, names: Collection[str], depth: int) -> Formula:
+def _from_sympy(
+    expression: Any, names: Collection[str], depth: int, decimal: bool = False
+) -> Formula:
     """Return an expression of SymPy as a formula, by the same whitelist."""
     _check_depth(depth)
     if expression.is_Symbol:
@@ -196,17 +221,17 @@ def _from_sympy(expression: Any, names: Collection[str], depth: int) -> Formula:
             )
         return name(expression.name)
     if expression.is_Rational or expression.is_Float:
-        return _number(float(expression))
+        return _number(float(expression), decimal)
     if expression.is_Pow and expression.exp.is_Rational and expression.exp.q <= 2:
         power = int(expression.exp.p)
         if excess := current().excess("formula_degree", abs(power)):
             raise FormulaError(excess)
-        base = _from_sympy(expression.base, names, depth + 1)
+        base = _from_sympy(expression.base, names, depth + 1, decimal)
         result = (base.sqrt() if expression.exp.q == 2 else base) ** abs(power)
-        return _limited(ONE / result if power < 0 else result)
+        return _limited(ONE / result if power < 0 else result, decimal)
     if not (expression.is_Add or expression.is_Mul):
         raise FormulaError(f"{type(expression).__name__} is not allowed; + - * / ** sqrt are")
-    result, *rest = (_from_sympy(part, names, depth + 1) for part in expression.args)
+    result, *rest = (_from_sympy(part, names, depth + 1, decimal) for part in expression.args)
     for part in rest:
-        result = _limited(result + part if expression.is_Add else result * part)
+        result = _limited(result + part if expression.is_Add else result * part, decimal)
     return result

@@ -93,6 +93,10 @@ class Scene:
     @cached_property
     def read(self) -> Read:
         """All of it, as formulas."""
+        return self._read()
+
+    def _read(self, as_written: bool = False) -> Read:
+        """Return all of it as formulas; for readers, every size by itself and as it is given."""
         with raised(check_limits(self.limits)):
             return read_scene(
                 self.name,
@@ -104,6 +108,7 @@ class Scene:
                 down=self.down,
                 rolls=self.rolls,
                 contacts={name: getattr(self, name) for name in CONTACTS},
+                as_written=as_written,
             )
 
     def __hash__(self) -> int:
@@ -165,11 +170,11 @@ class Scene:
             Without SymPy and Jinja2, which the extra `generate` brings.
         """
         try:
-            from hoopgen.codegen.render import PAGE, render_scene
+            from hoopgen.codegen.render import explanation
+
+            from .derived import derived
         except ImportError as error:
             from hoopgen.installed import explained
 
             raise explained(error, "Scene.explain") from None
-        files = render_scene(self.derive())
-        stem = PAGE.partition(".")[0]
-        return next(text for name, text in files.items() if name.startswith(stem))
+        return explanation(derived(self._read(as_written=True), self.axes, self.remarks))

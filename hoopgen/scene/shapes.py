@@ -93,6 +93,7 @@ def read_scene(
     down: str,
     rolls: bool,
     contacts: Mapping[str, pieces.Size | None],
+    as_written: bool = False,
 ) -> Read:
     """Return a scene as formulas.
 
@@ -104,6 +105,8 @@ def read_scene(
         As its author gave them: of any type.
     contacts
         What contacts are like with bodies that do not say it themselves.
+    as_written
+        As for `Inputs`.
 
     Raises
     ------
@@ -111,7 +114,7 @@ def read_scene(
         If something is wrong; names the body and the argument.
     """
     check_name(scene, "", scene)
-    inputs = Inputs(scene, _parameters(scene, parameters))
+    inputs = Inputs(scene, _parameters(scene, parameters), as_written)
     reader = _Reader(inputs)
     ball = reader.size("", "ball_radius", ball_radius, sign="positive")
     fall = reader.size("", "gravity", gravity, sign="positive", unit="m/s²")

@@ -8,7 +8,15 @@ name that derive/ gives it, or one of its own where it is long or used more than
 from __future__ import annotations
 
 from .explain import Formulas, Line, explain
-from .letters import latex_name
-from .page import Derivation, derivation_context
+from .notation import latex_name
+from .page import Derivation, anchor, derivation_context
 
-__all__ = ["Derivation", "Formulas", "Line", "derivation_context", "explain", "latex_name"]
+__all__ = [
+    "Derivation",
+    "Formulas",
+    "Line",
+    "anchor",
+    "derivation_context",
+    "explain",
+    "latex_name",
+]

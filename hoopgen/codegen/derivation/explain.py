@@ -186,17 +186,19 @@ class _Explanation:
         return str(Printer(self.names, self.letters).doprint(expression))
 
     def line(self, left: str, expression: sp.Basic, means: sp.Basic) -> Line:
-        """Return an equation, a long sum or conjunction in rows."""
+        """Return an equation, a long sum, conjunction or disjunction in rows."""
         whole = self.print(expression)
-        if len(whole) <= ROW or not (expression.is_Add or isinstance(expression, Both)):
+        if len(whole) <= ROW or not (expression.is_Add or isinstance(expression, Both | Either)):
             return Line(left, (whole,), means)
-        sign, terms = r"\wedge", _conjuncts(expression)
+        joined = type(expression)
         if expression.is_Add:
             sign, terms = "+", expression.as_ordered_terms()
+        else:
+            sign, terms = (r"\wedge" if joined is Both else r"\vee"), _joined(expression, joined)
         rows: list[str] = []
         for term in terms:
             text = self.print(term)
-            if isinstance(term, Either):
+            if isinstance(term, Both | Either):
                 text = rf"\left({text}\right)"
             signed = text if not rows or text.startswith("-") else f"{sign} {text}"
             if rows and len(rows[-1]) + len(signed) <= ROW:
@@ -206,11 +208,11 @@ class _Explanation:
         return Line(left, tuple(rows), means)
 
 
-def _conjuncts(condition: sp.Basic) -> list[sp.Basic]:
-    """Return the conditions that a conjunction joins, in order."""
-    if not isinstance(condition, Both):
+def _joined(condition: sp.Basic, kind: type[sp.Basic]) -> list[sp.Basic]:
+    """Return the conditions that a conjunction or a disjunction joins, in order."""
+    if not isinstance(condition, kind):
         return [condition]
-    return [part for side in condition.args for part in _conjuncts(side)]
+    return [part for side in condition.args for part in _joined(side, kind)]
 
 
 def explain(

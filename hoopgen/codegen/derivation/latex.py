@@ -23,6 +23,7 @@ from hoopgen.derive.ground.choice import (
 from hoopgen.derive.ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
 
 from .letters import Letters
+from .notation import ROUNDOFF
 
 Names = Mapping[sp.Basic, str]
 """LaTeX of what has a name: symbols, and quantities that the reader knows."""
@@ -195,7 +196,7 @@ def number(value: sp.Rational) -> str | None:
         return None
     units = value / UNIT_ROUNDOFF
     if units.q == 1 and units < 2**10:
-        return "u" if units == 1 else f"{units} u"
+        return ROUNDOFF if units == 1 else f"{units} {ROUNDOFF}"
     power = rf"2^{{-{int(value.q).bit_length() - 1}}}"
     return power if value.p == 1 else rf"{value.p} \cdot {power}"
 

@@ -2,38 +2,63 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
 
 from hoopgen.derive.contact.frame import frame_from_axis
-from hoopgen.derive.contact.rolling import (
-    AFTER,
-    BEFORE,
-    INERTIA_FACTOR,
-    Rolling,
-    impact_equations,
-    impact_inverse,
-    impact_system,
-)
+from hoopgen.derive.errors import tangent
+from hoopgen.derive.flight import circling, rolling
+from hoopgen.derive.follow import gripping, settling
 from hoopgen.derive.ground import rounding
 from hoopgen.derive.ground.kernel import Kernel
 from hoopgen.derive.ground.symbols import UNIT_ROUNDOFF, ParameterSymbol, normal
-from hoopgen.derive.model import RESTITUTION, Model
-from hoopgen.derive.scenes.scene import Scene
-from hoopgen.derive.search import approach, events
+from hoopgen.derive.model import Model
+from hoopgen.derive.scenes import validity
+from hoopgen.derive.search import (
+    approach,
+    bernstein,
+    coarse,
+    curved,
+    decisions,
+    events,
+    far,
+    polar,
+    ring,
+    windows,
+)
 from hoopgen.derive.search.plane import plane_margin
 from hoopgen.derive.surfaces import Plane
 
+from .contacts import ContactText, contact_text
 from .explain import Formulas, Line, explain, plainly
 from .latex import number, show
-from .letters import ARGUMENTS, AXES, FLIGHTS, LOOP, STUDIES, Letters, latex_name, structured, text
+from .letters import Letters
+from .notation import (
+    ARGUMENTS,
+    AXES,
+    FLIGHTS,
+    LOOP,
+    RESULTS,
+    ROUNDOFF,
+    SERIES,
+    SERIES_TERM,
+    STUDIES,
+    latex_name,
+    structured,
+    text,
+)
 from .outline import outline
 from .parts import Brief, SearchText, SurfaceText, known, search_text, surface_text
+from .statements import DEFINITION, STATEMENTS, stated
 
-SHORT = 90
-"""A formula of no more LaTeX than this fits a row of the table of kernels."""
+
+def anchor(heading: str) -> str:
+    """Return what a link to a heading ends with."""
+    return re.sub(r"[^\w\- ]", "", heading).lower().replace(" ", "-")
 
 
 @dataclass(frozen=True)
@@ -44,40 +69,49 @@ class SymbolText:
     name: str
     summary: str
     unit: str = ""
+    value: str = ""
 
 
 @dataclass(frozen=True)
 class KernelText:
-    """A kernel's results."""
+    """A kernel's results, what they are, and where they come from."""
 
     name: str
     formulas: Formulas
-
-    @property
-    def short(self) -> str | None:
-        """The results in one line, none if they are too long for it."""
-        parts = [rf"{line.left} \leftarrow {line.right}" for line in self.formulas.lines]
-        whole = r",\quad ".join(parts)
-        fits = len(whole) <= SHORT and not self.formulas.where and "cases" not in whole
-        return whole if fits else None
+    summary: str
+    equation: str
 
 
 @dataclass(frozen=True)
-class ImpactText:
-    """The equations of an impact, solved."""
+class StatementText:
+    """A statement, and the kernels that rest on it.
 
-    equations: tuple[str, ...]
-    matrix: str
-    unknowns: str
-    right: str
-    inverse: str
-    solution: str
-    inertia: str
-    last_row: str
-    kept: str
-    rolled: str
-    restitution: str
-    lost: str
+    Attributes
+    ----------
+    label
+        Its kind and its number among the statements of the page.
+    title
+        What it is about.
+    kernels
+        Names; of a family of which the page has the first two formulas alone, those.
+    omitted
+        Names of the others of such families.
+    """
+
+    label: str
+    title: str
+    kernels: tuple[str, ...]
+    omitted: tuple[str, ...]
+
+    @property
+    def heading(self) -> str:
+        """Its heading."""
+        return f"{self.label}: {self.title}"
+
+    @property
+    def anchor(self) -> str:
+        """What a link to its heading ends with."""
+        return anchor(self.heading)
 
 
 @dataclass(frozen=True)
@@ -99,7 +133,7 @@ class Derivation:
     remarks: str
     radius: str
     roundoff: str
-    safety: str
+    constants: Mapping[str, str]
     parameters: tuple[SymbolText, ...]
     arguments: tuple[SymbolText, ...]
     brief: Formulas
@@ -107,7 +141,7 @@ class Derivation:
     surfaces: tuple[SurfaceText, ...]
     ends: tuple[EndText, ...]
     frame: str
-    impact: ImpactText
+    contact: ContactText
     crossing: Formulas
     searches: tuple[SearchText, ...]
     flight_rounding: Formulas
@@ -115,61 +149,42 @@ class Derivation:
     displacement: Formulas
     outline: str
     kernels: Mapping[str, KernelText]
+    statements: Mapping[str, StatementText]
+    series: tuple[SymbolText, ...]
 
+    @property
+    def polynomial_surfaces(self) -> bool:
+        """Whether a surface has a polynomial in time."""
+        return any(surface.degree >= 0 for surface in self.surfaces)
 
-def _before() -> dict[sp.Expr, str]:
-    return {symbol: latex_name(symbol.name) + "^-" for symbol in BEFORE}
+    @property
+    def resting(self) -> dict[str, str]:
+        """The key of the statement that each kernel rests on."""
+        return {
+            name: key
+            for key, statement in self.statements.items()
+            for name in (*statement.kernels, *statement.omitted)
+        }
 
+    def shown(self, name: str) -> str:
+        """Return a kernel's name, linked to its formulas if the page has them."""
+        omitted = name in self.statements[self.resting[name]].omitted
+        return f"`{name}`" if omitted else f"[`{name}`](#{name})"
 
-def _lost_energy(ball_radius: sp.Expr, restitution: sp.Expr, letters: Letters) -> str:
-    """Return the kinetic energy per unit mass that a contact changes, by the slip before it."""
-    _, right = impact_system(ball_radius, restitution)
-    after = impact_inverse(ball_radius) * right
-    before = sp.Matrix(BEFORE)
-    slip = sp.symbols("s1 s2", real=True)
-    v1, v2, v3, w1, w2, _ = BEFORE
-
-    def energy(motion: sp.Matrix) -> sp.Expr:
-        v, w = motion[:3, :], motion[3:, :]
-        return (v.dot(v) + INERTIA_FACTOR * ball_radius**2 * w.dot(w)) / 2
-
-    # The contact point slips by v + w × (-R_B n3).
-    slipping = {w2: (v1 - slip[0]) / ball_radius, w1: (slip[1] - v2) / ball_radius}
-    change = sp.expand(sp.expand(energy(after) - energy(before)).subs(slipping))
-    across = sp.factor(change.subs(v3, 0))
-    return show(across + v3**2 * sp.factor(change.coeff(v3, 2)), _before(), letters)
-
-
-def _impact(scene: Scene, letters: Letters) -> ImpactText:
-    """Return the article's impact, with the restitution of the scene's first law if it has one."""
-    given = (law.restitution for law in scene.laws if isinstance(law, Rolling))
-    ball_radius, restitution = scene.ball_radius, next(given, RESTITUTION)
-    matrix, right = impact_system(ball_radius, restitution)
-    inverse = impact_inverse(ball_radius)
-    solution = (inverse * right).applyfunc(sp.expand)
-    v1, _, v3, _, w2, _ = BEFORE
-    equations = impact_equations(ball_radius, restitution)
-    return ImpactText(
-        tuple(f"{show(e, _before(), letters)} &= 0" for e in equations),
-        show(matrix, None, letters),
-        show(sp.Matrix(AFTER), None, letters),
-        show(right, _before(), letters),
-        show(inverse, None, letters),
-        show(solution, _before(), letters),
-        show(INERTIA_FACTOR),
-        show(matrix[5, 5], None, letters),
-        show(solution[0].coeff(v1), None, letters),
-        show(solution[0].coeff(w2), None, letters),
-        show(-solution[2].coeff(v3), None, letters),
-        _lost_energy(ball_radius, restitution, letters),
-    )
+    def refer(self, key: str) -> str:
+        """Return how the text refers to a statement, linked; its title where the page lacks it."""
+        found = self.statements.get(key)
+        return f"[{found.label}](#{found.anchor})" if found else f"({STATEMENTS[key].title})"
 
 
 def _kernel(
     kernel: Kernel, names: Mapping[sp.Basic, str], words: frozenset[str], letters: Letters
 ) -> KernelText:
-    outputs = {latex_name(name, words): e for name, e in kernel.outputs}
-    return KernelText(kernel.name, explain(outputs, names, letters))
+    outputs = {
+        RESULTS.get((kernel.name, name)) or latex_name(name, words): e for name, e in kernel.outputs
+    }
+    formulas = explain(outputs, names, letters)
+    return KernelText(kernel.name, formulas, kernel.summary, kernel.equation)
 
 
 def _arguments(model: Model) -> tuple[SymbolText, ...]:
@@ -181,7 +196,7 @@ def _arguments(model: Model) -> tuple[SymbolText, ...]:
     }
     unknown = sorted(name for name in used - set(ARGUMENTS) if structured(name) is None)
     if unknown:
-        raise ValueError(f"letters.py says nothing of {', '.join(unknown)}")
+        raise ValueError(f"notation.py says nothing of {', '.join(unknown)}")
     return tuple(
         SymbolText(letter.latex, name, letter.meaning)
         for name, letter in ARGUMENTS.items()
@@ -206,6 +221,77 @@ def _kernels(model: Model, letters: Letters) -> dict[str, KernelText]:
     return texts
 
 
+FAMILY = re.compile(r"(?:roll|\w+_round)_(\d+)")
+"""Kernels of the orders of a series: each as the one before, with longer sums."""
+
+
+def _statements(model: Model) -> dict[str, StatementText]:
+    """Return the statements of the page; lemmas and choices are numbered together."""
+    texts, count = {}, 0
+    for key, names in stated(model).items():
+        statement = STATEMENTS[key]
+        label = statement.kind
+        if label != DEFINITION:
+            count += 1
+            label = f"{label} {count}"
+        orders = {name: FAMILY.fullmatch(name) for name in names}
+        omitted = tuple(name for name, order in orders.items() if order and int(order[1]) > 1)
+        kept = tuple(name for name in names if name not in omitted)
+        texts[key] = StatementText(label, statement.title, kept, omitted)
+    return texts
+
+
+def _series(model: Model) -> tuple[SymbolText, ...]:
+    """Return the series of motions in contact that kernels have coefficients of."""
+    names = (argument.name for kernel in model.kernels for argument in kernel.arguments)
+    found = {match[1] for match in map(SERIES_TERM.fullmatch, names) if match}
+    return tuple(
+        SymbolText(letter.latex, name, letter.meaning)
+        for name, letter in SERIES.items()
+        if name in found
+    )
+
+
+def value_text(value: float) -> str:
+    """Return a number as the shortest decimal that is as good; infinity as a formula."""
+    return repr(value) if math.isfinite(value) else r"$\infty$"
+
+
+def _constants() -> dict[str, str]:
+    """Return the numbers that the text speaks of, in LaTeX."""
+    found: dict[str, sp.Expr | int] = {
+        "safety": rounding.SAFETY,
+        "thicker": polar.WIDER,
+        "wider": windows.WIDER,
+        "ease": ring.RingApproach.ease,
+        "single": coarse.CoarseRing.unit,
+        "first_share": events.SHARES[0],
+        "last_share": events.SHARES[-1],
+        "finer": events.SHARES[1] / events.SHARES[0],
+        "converged": decisions.CONVERGED,
+        "found": decisions.CONVERGED**2 / 2,
+        "steps": curved.STEP_LIMIT,
+        "newton": curved.NEWTON_LIMIT,
+        "turns": coarse.TURNS,
+        "guard": tangent.GUARD,
+        "claim": tangent.CLAIM,
+        "lift": tangent.LIFT,
+        "least": tangent.LEAST,
+        "far": far.SHARE,
+        "beyond": bernstein.BEYOND,
+        "missed": rolling.MISSED,
+        "missed_round": circling.MISSED,
+        "order": rolling.ORDER,
+        "order_round": circling.ORDER,
+        "share": rolling.SHARE,
+        "neighbour": settling.FAR,
+        "watched": gripping.STEPS,
+        "room": validity.ROOM,
+    }
+    values = {name: sp.Rational(value) for name, value in found.items()}
+    return {name: number(value) or show(value) for name, value in values.items()}
+
+
 def derivation_context(model: Model) -> Derivation:
     """Return what the template of derivation.md shows."""
     scene = model.scene
@@ -219,18 +305,22 @@ def derivation_context(model: Model) -> Derivation:
     flown = (f"{left}(t)" for left in (*AXES, *(f"v_{axis}" for axis in AXES)))
     kernels = _kernels(model, letters)
 
+    statements = _statements(model)
+    omitted = {name for text in statements.values() for name in text.omitted}
+
     def shown(name: str) -> str:
-        return f"`{name}`" if kernels[name].short else f"[`{name}`](#{name})"
+        return f"`{name}`" if name in omitted else f"[`{name}`](#{name})"
 
     return Derivation(
         name=scene.name,
         axes=scene.axes,
         remarks=scene.remarks,
         radius=letters(scene.ball_radius),
-        roundoff=f"2^{{{int(sp.log(UNIT_ROUNDOFF, 2))}}}",
-        safety=number(rounding.SAFETY) or show(rounding.SAFETY),
+        roundoff=rf"{ROUNDOFF} = 2^{{{int(sp.log(UNIT_ROUNDOFF, 2))}}}",
+        constants=_constants(),
         parameters=tuple(
-            SymbolText(letters(p.symbol), p.name, p.summary, p.unit) for p in scene.parameters
+            SymbolText(letters(p.symbol), p.name, p.summary, p.unit, value_text(p.default))
+            for p in scene.parameters
         ),
         arguments=_arguments(model),
         brief=Formulas(tuple(brief.definitions)),
@@ -247,7 +337,7 @@ def derivation_context(model: Model) -> Derivation:
             for outcome, part in zip(gate.outcomes, gate.parts, strict=True)
         ),
         frame=show(frame_from_axis(normal, 0).applyfunc(sp.simplify)),
-        impact=_impact(scene, letters),
+        contact=contact_text(scene, letters),
         crossing=explain({latex_name(n): e for n, e in events.crossing().items()}),
         searches=tuple(
             search_text(alike, flight, letters)
@@ -270,4 +360,6 @@ def derivation_context(model: Model) -> Derivation:
         displacement=explain({r"\epsilon": events.displacement(flight, lengths)}, {}, letters),
         outline=outline(model.loop, shown),
         kernels=kernels,
+        statements=statements,
+        series=_series(model),
     )

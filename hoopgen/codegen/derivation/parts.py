@@ -18,25 +18,36 @@ from hoopgen.derive.search.approach import Approach
 from hoopgen.derive.search.events import event_coefficients
 from hoopgen.derive.search.plane import plane_arrival
 from hoopgen.derive.search.ring import RingApproach
-from hoopgen.derive.surfaces import Plane, Ring, Surface
+from hoopgen.derive.surfaces import Box, Plane, Ring, Surface
 
 from .explain import Formulas, Line, explain, plainly
 from .latex import show
-from .letters import Letters, latex_name
+from .letters import Letters
+from .notation import AXES, latex_name
 
 rho, reach = sp.symbols("rho R", positive=True)
 """What formulas are shorter with: the distance from the axis, and two radii together."""
 
+EXCESS = sp.symbols("excess_x excess_y excess_z", real=True)
+"""How far each coordinate is beyond a face of a box."""
+
 
 @dataclass(frozen=True)
 class SurfaceText:
-    """A surface, and its event polynomial with its inner polynomials named."""
+    """A surface, and its event polynomial with its inner polynomials named.
+
+    Attributes
+    ----------
+    excess
+        Of a box: how far each coordinate is beyond a face, which distance and condition are of.
+    """
 
     name: str
     is_plane: bool
     is_ring: bool
-    distance: Line
-    condition: Line
+    distance: Formulas
+    condition: Formulas
+    excess: Formulas
     normal: str
     bounds: tuple[Line, ...]
     degree: int
@@ -55,10 +66,7 @@ class SearchText:
     radius: str
     named: Formulas
     gap: Formulas
-    windows: Formulas
     curvature: Formulas
-    advance: Formulas
-    margins: Formulas
 
 
 class Brief:
@@ -68,6 +76,7 @@ class Brief:
         x, y, _ = POSITION
         self.letters = letters
         self.names = {rho: r"\rho", reach: "R"}
+        self.names |= {e: rf"\Delta_{axis}" for e, axis in zip(EXCESS, AXES, strict=True)}
         self.definitions = [Line(r"\rho", (show(sp.sqrt(x**2 + y**2)),), sp.sqrt(x**2 + y**2))]
         self.known: dict[sp.Basic, str] = {}
         self._square = x**2 + y**2
@@ -82,7 +91,10 @@ class Brief:
 
     def __call__(self, expression: sp.Expr) -> sp.Expr:
         """Return the expression in brief."""
-        return expression.subs(self._other).subs(self._square, rho**2)
+        together = expression.subs(self._other)
+        # Where one of the two radii is alone, it stays.
+        shorter = len(together.free_symbols) < len(expression.free_symbols)
+        return (together if shorter else expression).subs(self._square, rho**2)
 
     def show(self, expression: sp.Expr | sp.Matrix) -> str:
         """Return the LaTeX of an expression in brief, with nothing held."""
@@ -124,13 +136,15 @@ def _polynomial(
         paths[named[part]] = [
             sp.Symbol(f"{letter}{k}", real=True) for k in range(len(coefficients))
         ]
-        polynomials.append(brief.line(f"{letter}(t)", part))
-        inner += [brief.line(f"{letter}_{{{k}}}", c) for k, c in enumerate(coefficients)]
+        polynomials.append(brief.line(rf"\mathcal{{{letter}}}(t)", part))
+        inner += [
+            brief.line(rf"\mathcal{{{letter}}}_{{{k}}}", c) for k, c in enumerate(coefficients)
+        ]
     rows = means = event_coefficients(surface, flight)
     if named:
         rows = compose(condition.xreplace(named), paths)
     parts = (symbol for letter in named.values() for symbol in paths[letter])
-    names = {symbol: f"{symbol.name[0]}_{{{symbol.name[1:]}}}" for symbol in parts}
+    names = {symbol: rf"\mathcal{{{symbol.name[0]}}}_{{{symbol.name[1:]}}}" for symbol in parts}
     lines = tuple(
         Line(f"c_{{{k}}}", (show(brief(release(c)), brief.names | names, brief.letters),), means[k])
         for k, c in enumerate(rows)
@@ -145,13 +159,22 @@ def surface_text(surface: Surface, flight: Parabola, brief: Brief) -> SurfaceTex
     if isinstance(surface, Plane):
         outputs = {latex_name(name): e for name, e in plane_arrival(surface, flight).items()}
         arrival = explain(outputs, {}, brief.letters)
+    beyond = surface.excess if isinstance(surface, Box) else []
+    symbols = dict(zip(beyond, EXCESS, strict=False))
+    names = {e: brief.names[symbol] for e, symbol in symbols.items()}
+
+    def formula(expression: sp.Expr) -> Formulas:
+        shown = brief.show(expression.xreplace(symbols))
+        return Formulas((Line("", (shown,), expression),), (), brief.known | names)
+
     return SurfaceText(
         surface.name,
         isinstance(surface, Plane),
         isinstance(surface, Ring),
-        brief.line("", surface.distance),
-        brief.line("", surface.condition),
-        brief.show(surface.normal.T),
+        formula(surface.distance),
+        formula(surface.condition),
+        Formulas(tuple(brief.line(latex, e) for e, latex in names.items()), (), brief.known),
+        brief.show(surface.normal.T.xreplace(symbols)),
         tuple(brief.line("", bound) for bound in surface.bounds),
         len(coefficients) - 1,
         polynomials,
@@ -176,25 +199,14 @@ def search_text(alike: Sequence[Surface], flight: Parabola, letters: Letters) ->
     names = known(search)
     slopes = {"F": search.gap, "F'": search.rate, "F''": search.bend, r"F_\ell": search.leaving_gap}
     slopes |= {latex_name(name): e for name, e in search.constants.items()}
-    windows: dict[str, sp.Basic] = {}
-    for k, (low, high) in enumerate(search.windows):
-        windows |= {latex_name(f"low{k}"): low, latex_name(f"high{k}"): high}
     width = sp.Symbol("w", nonnegative=True)
-    advance = search.advance()
-    forms = {"F": search.gap, r"F_\ell": search.leaving_gap, "F'": search.rate}
-    gaps = {hold(e, latex): latex for latex, e in forms.items()}
-    margins = {latex_name(name): e for name, e in search.margins.items()}
     bound = {"M(w)": search.curvature(width), "C": search.ceiling}
-    steps = {latex_name(name): advance[name] for name in ("step", "clearance")}
     return SearchText(
         surface.name,
         ", ".join(other.name for other in others),
         isinstance(search, RingApproach),
         show(search.ring.ring_radius, None, letters) if isinstance(search, RingApproach) else "",
         explain(search.named, names, letters),
-        plainly(slopes, names, letters),
-        explain(windows, names, letters),
+        (explain if isinstance(surface, Box) else plainly)(slopes, names, letters),
         explain(bound, names, letters),
-        explain(steps, names | gaps, letters),
-        explain(margins, names, letters),
     )

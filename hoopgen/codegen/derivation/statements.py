@@ -1,0 +1,321 @@
+"""Which statement of the page each kernel belongs to: what is proved of it, or chosen, or defined.
+
+The prose is in the template, under the same keys; a kernel's formulas are printed below the
+statement that it rests on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from hoopgen.derive.model import Model, SurfaceKernels
+from hoopgen.derive.search.box import BoxApproach
+from hoopgen.derive.search.curved import CurvedSearch
+from hoopgen.derive.search.gate import GateSearch
+from hoopgen.derive.search.polar import PolarApproach
+
+LEMMA, CHOICE, DEFINITION = "Lemma", "Choice", "Definition"
+"""What is proved on the page; what is chosen, and tested; what says what a word or letter means."""
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A statement of the page.
+
+    Attributes
+    ----------
+    kind
+        `LEMMA`, `CHOICE` or `DEFINITION`.
+    title
+        What it is about.
+    kernels
+        Those that rest on it, by kind and part, such as ``ring.advance``; a part alone is of every
+        kind. One that ends in ``*`` stands for all that begin so.
+    beside
+        Of a statement without kernels: the key of the one that it is shown with; "": always.
+    """
+
+    kind: str
+    title: str
+    kernels: tuple[str, ...] = ()
+    beside: str = ""
+
+
+def _kernels(text: str) -> tuple[str, ...]:
+    return tuple(text.split())
+
+
+STATEMENTS: dict[str, Statement] = {
+    # What is only said, and planes
+    "geometry": Statement(
+        DEFINITION,
+        "flight, surfaces and contact frame",
+        _kernels(
+            "common.flight common.contact_frame *.coefficients *.deflated *.normal *.bounds *.place"
+        ),
+    ),
+    "start": Statement(
+        DEFINITION,
+        "which shots can start",
+        _kernels(
+            "common.allowed common.parameters_in_range common.state_in_range common.valid "
+            "common.aside *.start common.admitted"
+        ),
+    ),
+    "plane_first": Statement(
+        LEMMA,
+        "the only arrival on a plane",
+        _kernels("plane.arrival end.arrival common.meeting_plane common.grazed"),
+    ),
+    "impact": Statement(
+        DEFINITION,
+        "contacts",
+        _kernels("law.impact law.taken *.taken common.impact_through_frame common.untaken"),
+    ),
+    "law_doubt": Statement(
+        LEMMA, "whether a contact grips or slips", _kernels("law.doubt common.undecided")
+    ),
+    # Rounding
+    "rounding": Statement(
+        LEMMA, "running error", _kernels("common.scale common.measure common.begun_with")
+    ),
+    "flight_rounding": Statement(LEMMA, "rounding of a flight"),
+    "plane_margin": Statement(CHOICE, "margin of a plane", _kernels("plane.margin end.margin")),
+    "displacement": Statement(
+        LEMMA, "a length at a computed arrival", _kernels("common.displacement")
+    ),
+    # The search from the left
+    "from_left": Statement(LEMMA, "a parabola from below", beside="one_root"),
+    "first_root": Statement(
+        LEMMA, "the first root of that parabola, without cancellation", beside="one_root"
+    ),
+    "bernstein": Statement(LEMMA, "a bound from Bernstein coefficients", beside="general"),
+    "one_root": Statement(
+        LEMMA,
+        "one simple root follows, and Newton's method finds it",
+        _kernels(
+            "common.polished common.found common.landed common.candidate "
+            "common.refined_candidate *.refine"
+        ),
+    ),
+    "crossing": Statement(
+        LEMMA,
+        "a certain crossing, and its delay",
+        _kernels("common.crossing common.crossed common.landed_surely"),
+    ),
+    "deflation": Statement(
+        LEMMA, "deflation after a contact", _kernels("common.left common.nearby common.own_margin")
+    ),
+    "ending": Statement(
+        CHOICE,
+        "when a search ends, and which errors it allows for",
+        _kernels(
+            "common.opens common.allowance common.beginning common.struck common.struck_or_still "
+            "common.finer common.exceeded common.advanced common.outside "
+            "common.struck_bounded common.passed"
+        ),
+    ),
+    # The ring
+    "ring_bend": Statement(
+        LEMMA, "the second derivative along the ring's gap", beside="ring_windows"
+    ),
+    "ring_windows": Statement(
+        LEMMA, "three windows hold every contact", _kernels("ring.enter ring.prepare")
+    ),
+    "ring_curvature": Statement(LEMMA, "its bounds within a window", _kernels("ring.advance")),
+    "ring_margins": Statement(LEMMA, "the ring's margins", _kernels("ring.margins")),
+    "ring_clear": Statement(LEMMA, "a ring that is certainly missed", _kernels("ring.clear")),
+    "single": Statement(
+        CHOICE,
+        "the same search in single precision",
+        _kernels(
+            "ring.opened ring.started ring.grain ring.leap ring.lost common.opened "
+            "common.coarse common.leapt"
+        ),
+    ),
+    # Boxes and other surfaces
+    "box_windows": Statement(
+        LEMMA,
+        "windows of a box, and when a ball has left it",
+        _kernels("box.prepare box.enter general.prepare general.enter general.clear"),
+    ),
+    "box_bend": Statement(
+        LEMMA, "the second derivative along a box's gap", _kernels("box.advance box.margins")
+    ),
+    "general": Statement(LEMMA, "any other surface", _kernels("general.advance general.margins")),
+    # The first event
+    "within": Statement(
+        LEMMA,
+        "bounds at an arrival",
+        _kernels(
+            "plane.within plane.edges general.within general.edges end.reached end.edge "
+            "common.questioned"
+        ),
+    ),
+    "first": Statement(
+        LEMMA,
+        "the first event is certain, or doubted",
+        _kernels("common.opening common.timely common.tied common.sooner common.doubted"),
+    ),
+    "horizon": Statement(
+        LEMMA,
+        "nothing later is wanted",
+        _kernels("common.horizon common.beyond common.beyond_windows"),
+    ),
+    "plates": Statement(
+        LEMMA, "plates that a flight does not come to", _kernels("common.released common.reachable")
+    ),
+    "far": Statement(
+        LEMMA,
+        "boxes that do not meet",
+        _kernels("common.swept common.halved *.near *.near_any *.box"),
+    ),
+    "passage": Statement(LEMMA, "passing through the ring", _kernels("common.passing*")),
+    # Errors
+    "carried": Statement(
+        LEMMA,
+        "how errors pass through a flight and a contact",
+        _kernels(
+            "common.carry_flight *.carry_normal law.carry common.carry_time common.delayed "
+            "common.unturned common.elsewhere common.again common.returned common.started "
+            "common.anew *.curvature"
+        ),
+    ),
+    "growth": Statement(
+        CHOICE,
+        "what errors are taken to grow by",
+        _kernels("common.error_bounds common.claimed_errors common.closing common.floored"),
+    ),
+    # In contact
+    "bounces": Statement(
+        LEMMA,
+        "bounces that accumulate",
+        _kernels(
+            "law.settling common.slowed common.unslowed common.nearly common.gripped "
+            "common.pressed_on common.alone common.neared common.neared_body *.turning "
+            "*.closing *.parting common.settled common.begun_errors common.beginning_contact"
+        ),
+    ),
+    "series": Statement(
+        LEMMA,
+        "rolling as a power series",
+        _kernels(
+            "common.roll_turn_rate common.roll_start common.roll_* common.roll_pace *.tube "
+            "*.off common.roll_moved common.roll_placed"
+        ),
+    ),
+    "round": Statement(
+        LEMMA,
+        "rolling on a ring",
+        _kernels("ring.round_* common.circles common.leaps common.rejoined"),
+    ),
+    "endless": Statement(
+        LEMMA, "rolling for ever", _kernels("ring.swung common.cleared common.for_ever *.around")
+    ),
+    "leaving": Statement(
+        LEMMA,
+        "what ends a contact",
+        _kernels(
+            "common.leaving_force common.beside_* common.beside *.beside *.seam* "
+            "common.rolled_on common.holding common.resumed"
+        ),
+    ),
+    "parting": Statement(
+        LEMMA,
+        "leaving a surface without a jump",
+        _kernels(
+            "common.unmet common.spared common.spared_seam common.parted common.hopping "
+            "common.carry_hop"
+        ),
+    ),
+    "neighbour": Statement(
+        CHOICE,
+        "errors of a motion in contact",
+        _kernels("common.apart common.neighbour common.compared"),
+    ),
+    "grip": Statement(
+        CHOICE,
+        "when friction would not suffice",
+        _kernels(
+            "common.pulled common.untaut common.losing common.lost_grip common.tightened "
+            "law.strained"
+        ),
+    ),
+    # What is only said
+    "bookkeeping": Statement(
+        DEFINITION,
+        "counts, clocks and outcomes",
+        _kernels(
+            "common.body_of common.expiry common.departed common.expired common.accounted "
+            "common.limited common.ticked common.meeting common.here common.counted "
+            "common.touched common.timed common.kept common.opens_in_flight "
+            "common.reachable_in_flight common.doubted_in_contact common.unhopped "
+            "common.kept_on"
+        ),
+    ),
+    "studies": Statement(DEFINITION, "what studies ask", _kernels("study.*")),
+}
+"""In the order of the page, by the key that the template has."""
+
+
+def kind_of(made: SurfaceKernels) -> str:
+    """Return what kind of search a surface has: plane, end, ring, box or general."""
+    search = made.search
+    if isinstance(search, GateSearch):
+        return "end"
+    if not isinstance(search, CurvedSearch):
+        return "plane"
+    if isinstance(search.approach, PolarApproach):
+        return "ring"
+    return "box" if isinstance(search.approach, BoxApproach) else "general"
+
+
+def parts(model: Model) -> Iterator[tuple[str, str]]:
+    """Return every kernel's name, and its kind and part."""
+    for name in model.common:
+        yield name, f"common.{name}"
+    for kernels in model.laws.values():
+        for part, kernel in kernels.items():
+            yield kernel.name, f"law.{part}"
+    for made in (*model.surfaces, *model.gates):
+        for part, kernel in made.kernels.items():
+            yield kernel.name, f"{kind_of(made)}.{part}"
+    for kernel in model.study:
+        yield kernel.name, f"study.{kernel.name}"
+
+
+def statement_of(part: str) -> str:
+    """Return the key of the statement that a kernel rests on.
+
+    Raises
+    ------
+    ValueError
+        If no statement names it.
+    """
+    _, _, own = part.partition(".")
+    for wanted in (part, f"*.{own}"):
+        for key, statement in STATEMENTS.items():
+            if wanted in statement.kernels:
+                return key
+    for key, statement in STATEMENTS.items():
+        for name in statement.kernels:
+            kind, _, start = name.partition(".")
+            own_kind = kind in ("*", part.partition(".")[0])
+            if own_kind and start.endswith("*") and own.startswith(start[:-1]):
+                return key
+    raise ValueError(f"statements.py names no statement for the kernel {part}")
+
+
+def stated(model: Model) -> dict[str, tuple[str, ...]]:
+    """Return the statements of a scene's page, and the names of the kernels that rest on each."""
+    found: dict[str, list[str]] = {}
+    keys = dict(parts(model))
+    for kernel in model.kernels:
+        found.setdefault(statement_of(keys[kernel.name]), []).append(kernel.name)
+    shown = {
+        key
+        for key, statement in STATEMENTS.items()
+        if key in found or (not statement.kernels and statement.beside in ("", *found))
+    }
+    return {key: tuple(found.get(key, ())) for key in STATEMENTS if key in shown}
