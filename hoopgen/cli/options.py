@@ -11,6 +11,7 @@ import click
 
 from hoopgen.cli.examples import examples
 from hoopgen.cli.flown import flown, reading_of
+from hoopgen.cli.generic import Choice
 from hoopgen.cli.own import NEEDED, engine_of, parameters_of, scene_option
 from hoopgen.cli.types import (
     ASSIGNMENT,
@@ -22,7 +23,6 @@ from hoopgen.cli.types import (
     PICTURE,
     SCENE,
     SETTING,
-    Choice,
     once,
     variable_type,
     whole,

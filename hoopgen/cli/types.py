@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from decimal import Decimal, InvalidOperation
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import Any
 
 import click
 import numpy as np
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from hoopgen.brief import brief
 from hoopgen.cli.command import note_input, note_output
+from hoopgen.cli.generic import Type, Value
 from hoopgen.hoop.releases import FROM_ZERO
 from hoopgen.hoop.variables import ARGUMENTS, INSTEAD, VARIABLES
 from hoopgen.outputs import FILMS, MAPS, PAGES, PICTURES, check_folder, check_output
@@ -42,30 +43,12 @@ __all__ = [
     "SETTING",
     "SHARE",
     "Checked",
-    "Choice",
     "Parsed",
-    "Type",
     "quantity",
     "once",
     "variable_type",
     "whole",
 ]
-
-Value = TypeVar("Value")
-
-if TYPE_CHECKING:
-
-    class Type(click.ParamType[Value]):
-        """The type of an option whose text becomes a value of one kind."""
-
-    Choice = click.Choice[str]
-
-else:  # older releases of click do not know these as generic
-
-    class Type(click.ParamType, Generic[Value]):
-        """The type of an option whose text becomes a value of one kind."""
-
-    Choice = click.Choice
 
 
 class Parsed(Type[Value]):
