@@ -44,6 +44,9 @@ LEVEL = 0.95
 WORST = 0.01
 """With a smaller probability of such a coverage, an interval does not do what it says."""
 
+ENOUGH = 50
+"""Repetitions. Of half an interval two thirds contain the truth: with fewer that is not found."""
+
 SHOTS, ROWS, GROUPS = 1_000, 200, 20
 """Shots of a simulated interval; measured releases, and the groups that they come in."""
 
@@ -409,7 +412,7 @@ def section(found: Sequence[Mapping[str, Any]]) -> list[str]:
             f"{one.repetitions:,}",
             f"{100 * one.share:.1f}%",
             f"{one.probability:.2f}",
-            "yes" if one.holds else "**no**",
+            _verdict(one),
         ]
         for one in done
     ]
@@ -432,6 +435,13 @@ def section(found: Sequence[Mapping[str, Any]]) -> list[str]:
         "intervals. Maps and scenes of one's own have the intervals of the first rows.",
         "",
     ]
+
+
+def _verdict(found: Coverage) -> str:
+    """Say whether an interval holds; of a few repetitions nothing can be said but that it fails."""
+    if not found.holds:
+        return "**no**"
+    return "yes" if found.repetitions >= ENOUGH else "too few to say"
 
 
 HEADING = "## Coverage of the intervals"

@@ -65,10 +65,11 @@ def test_the_section_is_replaced_alone_and_says_what_does_not_hold() -> None:
     assert rows[1].endswith("| 95.0% | 1.00 | yes |")
 
 
-def test_the_page_has_every_interval_and_all_of_them_hold() -> None:
+def test_the_page_has_every_interval_and_none_fails() -> None:
     page = (ROOT / "docs" / "validation.md").read_text("utf-8")
     section = page.split(validation.HEADING)[1].split("\n## ")[0]
-    rows = [line for line in section.splitlines() if line.endswith("yes |")]
+    ends = ("| yes |", "| too few to say |")
+    rows = [line for line in section.splitlines() if line.endswith(ends)]
     assert len(rows) == len(validation.CASES)
     assert "**no**" not in section
     for case, row in zip(validation.CASES, rows, strict=True):
