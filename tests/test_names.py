@@ -206,7 +206,7 @@ def models() -> tuple[Model, ...]:
 def test_no_name_of_ours_is_one_of_a_parameter_a_printer_a_driver_or_a_language() -> None:
     """The driver in C shares its scope with the loop's variables."""
     engine = (ROOT / "templates/c/engine.h.j2").read_text(encoding="utf-8")
-    printers = [ROOT / "hoopgen/codegen" / name for name in ("lists.py", "view.py")]
+    printers = [ROOT / "hoopgen/codegen" / name for name in ("lists.py", "transfers.py", "view.py")]
     printed = "".join(file.read_text(encoding="utf-8") for file in printers)
     columns, _, driver = engine.partition("typedef struct {")[2].partition("} LANES(")
     ours_in_c = r"LANES\(\{\{ [NT] \}\}_\w+\)|\{\{ N \}\}_\w+ \*"

@@ -89,7 +89,7 @@ class Case:
             name: float(scaled(value, UNITS[units[name]], length, time))
             for name, value in self.parameters.items()
         }
-        limit = min(self.scene.time_limit, 3.0) if self.scene.rolls else math.inf
+        limit = min(self.scene.time_limit, 3.0 if self.scene.rolls else math.inf)
         if abs(time) <= 30:  # all shots are invalid elsewhere
             limit = float(scaled(limit, TIME, length, time))
         shots = self.scene.simulate(
