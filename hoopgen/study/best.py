@@ -17,7 +17,7 @@ from hoopgen.units import INCH
 from hoopgen.words import between, for_json, say
 
 from .board import on_board
-from .held_out import HeldOut, folds_of
+from .held_out import HeldOut, folds_of, with_choice
 from .intervals import newcombe
 from .margins import Margin
 from .player import Bounds, Player, Thrown
@@ -57,7 +57,8 @@ class Optimum(Said):
         Share of fresh shots, other than those of the search, that succeed; its Wilson interval.
         An invalid shot is no trial. Of measured releases the shots are the rows, each judged by a
         release that was searched without it (see `folds`), and the interval contains the
-        uncertainty of the sample: with groups that of `grouped_wilson`.
+        uncertainty of the sample, with groups that of `grouped_wilson`, and how much those releases
+        and the one that is given differ in what succeeds (see `hoopgen.study.held_out`).
     made, shots, invalid
         How many of them succeed, were drawn, and could not be simulated.
     confidence
@@ -132,7 +133,8 @@ class Optimum(Said):
 
         Of the same fresh shots for both: Newcombe's interval for paired data (1998). Pairs with an
         invalid shot do not count. Of measured releases row by row, each judged by the releases that
-        were searched without it; that interval contains the uncertainty of the sample.
+        were searched without it; that interval contains the uncertainty of the sample, and how much
+        the releases differ.
 
         Raises
         ------
@@ -157,13 +159,19 @@ class Optimum(Said):
             raise ValueError("other: expected an optimum of measured releases, as this is")
         if not mine.same_groups(others):
             raise ValueError("other: expected an optimum of the same groups of measured releases")
-        scored = [
-            HeldOut(tuple(one.folds), folds_of(model, one.seed)).scored(model, one._player(), {})
+        both = [
+            (HeldOut(tuple(one.folds), folds_of(model, one.seed)), model, one)
             for one, model in ((self, mine), (other, others))
+        ]
+        scored = [without.scored(model, one._player(), {}) for without, model, one in both]
+        shares = [
+            without.shares(model, one._player(), {}, one.point, one.seed)
+            for without, model, one in both
         ]
         valid = scored[0].valid & scored[1].valid
         made, rival = scored[0].made, scored[1].made
         lead = difference_of_rows(made, rival, valid, mine.cluster, self.confidence)
+        lead = with_choice(lead, shares[0] - shares[1], self.confidence, -1.0)
         return lead.value, lead.low, lead.high
 
     def plot(self, **options: Any) -> Figure | Axes:
