@@ -55,7 +55,7 @@ from hoopgen.derive.scenes.hoop import HOOP
 from mpmath import mp, mpf
 from test_kernels import DIGITS, EXTREMES, Evaluator, model
 
-from hoopgen.codegen import render
+from hoopgen.codegen import committed, render
 from hoopgen.codegen.fixed import splits
 from hoopgen.codegen.printers import JS, NUMPY, C, Constants, Spelling, constant
 from hoopgen.codegen.program import lower
@@ -376,7 +376,7 @@ def test_a_kernel_takes_nothing_that_it_does_not_use() -> None:
 @pytest.fixture(scope="module")
 def files() -> dict[str, str]:
     """The files of all scenes that come with hoopgen, rendered once."""
-    return render._render_all()
+    return committed.render_all()
 
 
 def file_of(template: str) -> str:
@@ -388,8 +388,8 @@ def file_of(template: str) -> str:
 def checkout(tmp_path: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPatch) -> Path:
     """A checkout whose generated/ is up to date; nothing is derived again."""
     monkeypatch.setattr(render, "_render_all", lambda: dict(files))
-    render.generate(tmp_path)
-    for name in render.KEPT:
+    committed.generate(tmp_path)
+    for name in committed.KEPT:
         (tmp_path / "generated" / name).write_text("", encoding="utf-8")
     return tmp_path
 
@@ -399,14 +399,14 @@ def test_the_repository_is_up_to_date(
 ) -> None:
     """Otherwise: `make generate`."""
     monkeypatch.setattr(render, "_render_all", lambda: dict(files))
-    assert render.check(ROOT) == []
+    assert committed.check(ROOT) == []
 
 
 def test_what_is_generated_is_what_is_committed_and_nothing_else(files: dict[str, str]) -> None:
     own = {file_of(template) for template in render.OUTPUTS}
     other = {name.replace("hoop", "court") for name in own - {"derivation.md", "summary.md"}}
     assert set(files) == own | other | {"derivation_court.md", "hoopgen.json"}
-    assert not set(files) & set(render.KEPT)
+    assert not set(files) & set(committed.KEPT)
     assert all(text.endswith("\n") and "\r" not in text for text in files.values())
 
 
@@ -459,11 +459,11 @@ def test_only_what_changed_is_written(checkout: Path) -> None:
     written = sorted(path for path in root.rglob("*") if path.is_file())
     for path in written:
         os.utime(path, (0, 0))
-    assert render.generate(checkout) == []
+    assert committed.generate(checkout) == []
     stale = root / "c" / "hoop.h"
     stale.write_text("/* edited */\n", encoding="utf-8")
     os.utime(stale, (0, 0))
-    assert render.generate(checkout) == [stale]
+    assert committed.generate(checkout) == [stale]
     assert [path for path in written if path.stat().st_mtime] == [stale]
 
 
@@ -472,23 +472,23 @@ def test_generation_removes_what_is_no_longer_generated(
 ) -> None:
     root = checkout / "generated"
     older = {"c/hoop_old.h": "", **{name: text for name, text in files.items() if name != MARKER}}
-    older[MARKER] = marker_text(render.PURPOSE, older)
+    older[MARKER] = marker_text(committed.PURPOSE, older)
     with monkeypatch.context() as patch:
         patch.setattr(render, "_render_all", lambda: dict(older))
-        assert render.generate(checkout) == [root / MARKER, root / "c" / "hoop_old.h"]
-    assert render.generate(checkout) == [root / MARKER, root / "c" / "hoop_old.h"]
+        assert committed.generate(checkout) == [root / MARKER, root / "c" / "hoop_old.h"]
+    assert committed.generate(checkout) == [root / MARKER, root / "c" / "hoop_old.h"]
     assert not (root / "c" / "hoop_old.h").exists()
     assert (root / MARKER).read_text(encoding="utf-8") == files[MARKER]
-    assert all((root / name).exists() for name in render.KEPT)
+    assert all((root / name).exists() for name in committed.KEPT)
 
 
 def test_generation_leaves_files_that_it_did_not_make(checkout: Path) -> None:
     """`check` names them, and only who put them there removes them."""
     extra = checkout / "generated" / "c" / "notes.h"
     extra.write_bytes(b"mine")
-    assert render.generate(checkout) == []
+    assert committed.generate(checkout) == []
     assert extra.read_bytes() == b"mine"
-    assert render.check(checkout) == ["extra file: generated/c/notes.h"]
+    assert committed.check(checkout) == ["extra file: generated/c/notes.h"]
 
 
 def test_generation_leaves_a_folder_that_is_not_its_own(
@@ -499,7 +499,7 @@ def test_generation_leaves_a_folder_that_is_not_its_own(
     theirs = tmp_path / "generated" / "c" / "hoop.c"
     theirs.write_bytes(b"theirs")
     with pytest.raises(ValueError, match=r"generated holds files that hoopgen did not make: c; "):
-        render.generate(tmp_path)
+        committed.generate(tmp_path)
     assert [path for path in tmp_path.rglob("*") if path.is_file()] == [theirs]
     assert theirs.read_bytes() == b"theirs"
 
@@ -513,11 +513,11 @@ def test_generation_takes_no_name_that_another_file_has(checkout: Path) -> None:
     same = (root / "c" / "hoop.c").read_bytes()
     (root / "c" / "hoop.c").write_bytes(b"theirs")
     with pytest.raises(FileExistsError, match="hoopgen did not make this file") as raised:
-        render.generate(checkout)
+        committed.generate(checkout)
     assert raised.value.filename == str(root / "c" / "hoop.c")
     assert (root / "c" / "hoop.c").read_bytes() == b"theirs"
     (root / "c" / "hoop.c").write_bytes(same)
-    assert render.generate(checkout) == [root / MARKER]
+    assert committed.generate(checkout) == [root / MARKER]
 
 
 @pytest.mark.skipif(os.name != "posix", reason="links need rights elsewhere")
@@ -532,11 +532,11 @@ def test_generation_follows_no_link(checkout: Path, tmp_path: Path) -> None:
     (root / "c" / "hoop.h").symlink_to(linked)
     linked.write_bytes(b"theirs")
     with pytest.raises(FileExistsError, match="is a link") as raised:
-        render.generate(checkout)
+        committed.generate(checkout)
     assert raised.value.filename == str(root / "js")
     assert {file: file.read_bytes() for file in (tmp_path / "elsewhere").iterdir()} == elsewhere
     (root / "js").unlink()
-    render.generate(checkout)
+    committed.generate(checkout)
     assert linked.read_bytes() == b"theirs"
     assert not (root / "c" / "hoop.h").is_symlink()
 
@@ -544,7 +544,7 @@ def test_generation_follows_no_link(checkout: Path, tmp_path: Path) -> None:
 def test_check_is_empty_on_what_was_generated(checkout: Path) -> None:
     (checkout / "generated" / "numpy" / "__pycache__").mkdir()
     (checkout / "generated" / "numpy" / "__pycache__" / "hoop.pyc").write_bytes(b"")
-    assert render.check(checkout) == []
+    assert committed.check(checkout) == []
 
 
 def test_check_shows_a_stale_a_missing_and_an_extra_file(checkout: Path) -> None:
@@ -555,7 +555,7 @@ def test_check_shows_a_stale_a_missing_and_an_extra_file(checkout: Path) -> None
     stale.write_text(text, encoding="utf-8")
     (root / "numpy" / "hoop.py").unlink()
     (root / "c" / "hoop_old.h").write_text("", encoding="utf-8")
-    extra, *others = render.check(checkout)
+    extra, *others = committed.check(checkout)
     assert extra == "extra file: generated/c/hoop_old.h"
     assert "missing file: generated/numpy/hoop.py" in others
     (difference,) = (entry for entry in others if "\n" in entry)

@@ -17,7 +17,7 @@ for _library in ("matplotlib", "pyarrow", "pydantic", "scipy", "sympy", "xarray"
     pytest.importorskip(_library)
 
 from hoopgen.cli import main  # noqa: E402
-from hoopgen.codegen import render  # noqa: E402
+from hoopgen.codegen import committed  # noqa: E402
 from hoopgen.core import store  # noqa: E402
 from hoopgen.core.store import MARKER, find_store, locked_store, open_store  # noqa: E402
 from hoopgen.scene import cache, compilers  # noqa: E402
@@ -441,9 +441,9 @@ def test_a_write_that_fails_leaves_what_was_there(
 
 def test_the_marker_of_generated_files_is_one_of_them() -> None:
     root = Path(__file__).resolve().parents[1] / "generated"
-    found = find_store(root, render.PURPOSE)
+    found = find_store(root, committed.PURPOSE)
     assert found is not None
     own = {path.relative_to(root).as_posix() for path in root.rglob("*") if path.is_file()}
-    own = {name for name in own if "__pycache__" not in name} - {MARKER, *render.KEPT}
+    own = {name for name in own if "__pycache__" not in name} - {MARKER, *committed.KEPT}
     assert {name for name in found.files if "*" not in name} == own
     assert compilers.library_name() in cache.LIBRARIES

@@ -11,6 +11,7 @@ import click
 
 from hoopgen.brief import brief, listed
 from hoopgen.cli.command import command
+from hoopgen.cli.generic import Parsed
 from hoopgen.cli.options import (
     UNITS_IN_WORDS,
     by_option,
@@ -24,7 +25,7 @@ from hoopgen.cli.options import (
     variable_option,
 )
 from hoopgen.cli.own import no_scene_option
-from hoopgen.cli.types import OUT, Parsed, quantity
+from hoopgen.cli.types import OUT, quantity
 from hoopgen.layout import table
 from hoopgen.phrases import counted
 from hoopgen.told import say_scene

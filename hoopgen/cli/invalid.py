@@ -25,17 +25,11 @@ MAX_LOOKED_AT = 1000
 
 def invalid_reasons(released: Releases, shots: hoopgen.Shots) -> list[str]:
     """Return why shots are invalid, the most frequent reason first, for the first such shots."""
-    import pyarrow as pa
-
-    from hoopgen.study.reasons import reasons
-    from hoopgen.variables import Releases
+    from hoopgen.study.reasons import shot_reason
 
     invalid = shots.outcome == shots.scene.outcomes["INVALID"]
-    rows = np.flatnonzero(invalid)[:MAX_LOOKED_AT]
-    own = {n: v[rows] if np.ndim(v) else v for n, v in released.parameters.items()}
-    columns = {name: column[rows] for name, column in released.columns.items()}
-    some = Releases(released.states[rows], own, columns)
-    found = reasons(pa.table({"row": rows}), {}, {}, some, shots.scene)
+    rows = np.flatnonzero(invalid)[:MAX_LOOKED_AT].tolist()
+    found = [shot_reason(released, row, shots.scene) for row in rows]
     return [reason for reason, _ in Counter(found).most_common()]
 
 

@@ -11,8 +11,8 @@ from click.core import ParameterSource
 from click.shell_completion import CompletionItem
 
 from hoopgen.brief import brief
-from hoopgen.cli.generic import Type
-from hoopgen.cli.types import COUNT, FILE, SCENE, Parsed, once
+from hoopgen.cli.generic import Parsed, Type
+from hoopgen.cli.types import COUNT, FILE, SCENE, once
 from hoopgen.hoop.variables import ARGUMENTS, INSTEAD
 from hoopgen.scenes import BUILT_IN, SUFFIX
 from hoopgen.units import Kind, parse_quantity

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
-from .render import check, generate, render_scene
+from .committed import check, generate
+from .render import render_scene
 
 __all__ = ["check", "generate", "render_scene"]

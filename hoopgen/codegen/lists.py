@@ -13,14 +13,11 @@ from dataclasses import dataclass, field
 from hoopgen.derive.ground.kernel import Kind
 from hoopgen.derive.ground.tree import Do, Each, Guard, Node, Repeat, live_before, writes
 
-from .apart import CApart
 from .groups import Frame
 from .loop import (
     EXPANDED,
-    FILLED,
     LOADED,
     NONE,
-    PACKED,
     STORED,
     TYPES,
     Note,
@@ -31,10 +28,11 @@ from .loop import (
     within,
     written_within,
 )
+from .transfers import CTransfers
 
 
 @dataclass
-class CLists(CApart):
+class CLists(CTransfers):
     """Passes over lists, printed stage by stage.
 
     Attributes
@@ -43,15 +41,12 @@ class CLists(CApart):
         A line for the first pass to come: what is done beside it.
     frame
         The list that the pass at hand goes over.
-    bases
-        By what is of the row at hand of a table, the array that has its values, as if a parameter.
     inner
         By a guarded body of the pass at hand, the columns that it stores; whether it loads them.
     """
 
     beside: str = ""
     frame: Frame = field(default_factory=lambda: Frame("", {}))
-    bases: dict[str, str] = field(default_factory=dict)
     inner: dict[int, dict[str, bool]] = field(default_factory=dict)
 
     def passes(self, nodes: Sequence[Node], frame: Frame, after: Iterable[str], note: Note) -> None:
@@ -226,7 +221,7 @@ class CLists(CApart):
         if self._read("rows", first):
             self.lines.insert(first, f"    const M rows = lanes_first({frame.count} - i);")
         if cut:
-            self._fill(cut, own, takes)
+            self._fill(own, takes)
         return own
 
     def beside_body(
@@ -254,77 +249,6 @@ class CLists(CApart):
         self.lines.extend("    " + text for text in note.lines)
         known |= note.gives
         self._body(nodes[note.index :], known, set(), "rows", "    ", wanted)
-
-    def _column(self, frame: Frame, name: str, kind: Kind) -> None:
-        self.columns.setdefault(f"{frame.prefix}{name}", kind)
-
-    def _parameter(self, frame: Frame, name: str, row: str = "i") -> str:
-        """A parameter's values for the rows from i on; one that all share has one row of lanes."""
-        shared = self.bases.get(name, f"lists->{name}")
-        if not frame.prefix:
-            return f"lanes_load({shared} + ({row} & varying))"
-        return f"lanes_load(varying ? {frame.column(name)} + {row} : {shared})"
-
-    def _pack(
-        self,
-        cut: Guard | Repeat,
-        frame: Frame,
-        own: Frame,
-        takes: Iterable[str],
-        known: dict[str, Kind],
-    ) -> None:
-        line = self.lines.append
-        seldom: list[str] = []
-        line(f"    const M packed = lanes_both(rows, {cut.truth});")
-        line("    if (lanes_any(packed)) {")
-        line(
-            f"        lanes_pack({own.column('row')} + {own.count}, packed, "
-            "lanes_add(lanes_count_up(), K((double)i)));"
-        )
-        self._column(own, "row", "double")
-        for name in takes:
-            if name in self.job:
-                continue
-            self._column(own, name, known[name])
-            place = f"{own.column(name)} + {own.count}"
-            if name in self.parameters:
-                value = self._parameter(frame, name)
-                seldom.append(f"            lanes_pack({place}, packed, {value});")
-            elif isinstance(cut, Repeat) and name == cut.truth:
-                continue
-            else:
-                line(f"        {PACKED[known[name]].format(place, name)};")
-                own.known[name] = known[name]
-        if seldom:
-            self.lines += ["        if (LANES_SELDOM(varying)) {", *seldom, "        }"]
-        line(f"        {own.count} += lanes_many(packed);")
-        line("    }")
-
-    def _fill(self, cut: Guard | Repeat, own: Frame, takes: Iterable[str]) -> None:
-        """Print that the lanes behind a list's end have zeros, not what memory happened to hold."""
-        line = self.lines.append
-        line(f"if ({own.count}) {{")
-        line(f"    lanes_store({own.column('row')} + {own.count}, K(0.0));")
-        for name in takes:
-            if name in own.known:
-                line(f"    {FILLED[own.known[name]].format(f'{own.column(name)} + {own.count}')};")
-        seldom = [name for name in takes if name in self.parameters]
-        if seldom:
-            line("    if (LANES_SELDOM(varying)) {")
-            self.lines += [
-                f"        lanes_store({own.column(name)} + {own.count}, K(0.0));" for name in seldom
-            ]
-            line("    }")
-        line("}")
-
-    def _return(self, frame: Frame, own: Frame, gives: Sequence[str]) -> None:
-        line = self.lines.append
-        line(f"for (size_t k = 0; k < {own.count}; k++) {{")
-        line(f"    const size_t row = (size_t){own.column('row')}[k];")
-        for name in gives:
-            self._column(frame, name, frame.known[name])
-            line(f"    {frame.column(name)}[row] = {own.column(name)}[k];")
-        line("}")
 
     def _turns(self, node: Repeat, frame: Frame, own: Frame, later: set[str]) -> None:
         """Print a body that repeats, the lanes that are done given the next shots of the list."""

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import difflib
 import hashlib
 from dataclasses import dataclass
 from importlib import resources
-from pathlib import Path, PurePosixPath
+from pathlib import PurePosixPath
 from typing import Any
 
 import jinja2
 
-from hoopgen.core.store import MARKER, find_store, marker_text, open_store
 from hoopgen.derive.follow.fields import EVENTS, Result
 from hoopgen.derive.follow.loop import Loop
 from hoopgen.derive.ground.choice import Truth
@@ -62,12 +60,6 @@ OUTPUTS = {
     "summary.md.j2": "summary.md",
 }
 """Each template, and the file that it makes."""
-
-KEPT = ("__init__.py", "numpy/__init__.py")
-"""Files of generated/ that are not generated."""
-
-PURPOSE = "generated code"
-"""What the marker of generated/ says."""
 
 
 @dataclass(frozen=True)
@@ -324,85 +316,3 @@ def _path(target: str, scene: Scene) -> str:
     if "{scene}" in target or scene.name == SCENES[0].name:
         return str(path)
     return str(path.with_stem(f"{path.stem}_{scene.name}"))
-
-
-def _render_all() -> dict[str, str]:
-    files: dict[str, str] = {}
-    for scene in SCENES:
-        files |= render_scene(scene)
-    return files | {MARKER: marker_text(PURPOSE, files)}
-
-
-def generate(root: Path) -> list[Path]:
-    """Write generated/ below `root` and return the files that changed.
-
-    Parameters
-    ----------
-    root
-        A source checkout. Files of generated/ that its marker names and that are no longer
-        generated are removed; others that are not generated stay.
-
-    Raises
-    ------
-    ValueError
-        If generated/ has files and no marker, so that it is not hoopgen's.
-    FileExistsError
-        If a file that hoopgen did not generate has the name of one that is generated.
-    OSError
-        If a file cannot be read, written or removed.
-    """
-    folder = root / "generated"
-    find_store(folder, PURPOSE)  # before the work
-    files = _render_all()
-    marker = files.pop(MARKER)
-    store = open_store(folder, PURPOSE)
-    store.remove_temporaries()
-    changed = [] if _is(folder / MARKER, marker) else [folder / MARKER]
-    new = [name for name, text in files.items() if not _is(folder / name, text)]
-    # What is as it is generated may have come with a merge of another branch.
-    store.adopt(files.keys() - set(new))
-    store.claim(*new)
-    for name in new:
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        store.write(name, files[name])
-    changed += [folder / name for name in (*new, *store.keep_only(files))]
-    return changed
-
-
-def _is(file: Path, text: str) -> bool:
-    """Return whether a file has that text, with line ends of any system."""
-    return file.is_file() and file.read_bytes().replace(b"\r\n", b"\n") == text.encode()
-
-
-def check(root: Path) -> list[str]:
-    """Return how generated/ below `root` differs from what would be generated.
-
-    Each entry is a missing file, an extra file, or a unified difference; there is none if all is
-    as it should be.
-    """
-    folder = root / "generated"
-    files = _render_all()
-    differences = [f"extra file: generated/{name}" for name in _extra(folder, files)]
-    for name, text in files.items():
-        path = folder / name
-        if not path.exists():
-            differences.append(f"missing file: generated/{name}")
-            continue
-        found = path.read_text(encoding="utf-8", errors="replace")
-        if found != text:
-            lines = difflib.unified_diff(
-                found.splitlines(),
-                text.splitlines(),
-                f"generated/{name} (as it is)",
-                f"generated/{name} (as derived)",
-                lineterm="",
-                n=1,
-            )
-            differences.append("\n".join(lines))
-    return differences
-
-
-def _extra(folder: Path, files: dict[str, str]) -> list[str]:
-    present = (p for p in folder.rglob("*") if p.is_file() and "__pycache__" not in p.parts)
-    names = sorted(p.relative_to(folder).as_posix() for p in present)
-    return [name for name in names if name not in files and name not in KEPT]

@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 import pyarrow as pa
@@ -30,10 +30,11 @@ from hoopgen.brief import brief, cut, listed
 from hoopgen.engines import HOOP, Engine
 
 from . import spreadsheets
+from .arrow_files import Opened, read_arrow, read_parquet, regrouped, validated
 from .columns import Column, columns_of, values
 from .delimited import Layout, check_delimiter, layout_of, parsed, read, survey
 from .filters import Condition, check_columns, chosen, parse_conditions
-from .limits import LEAST_MEMORY, MEMORY, check_laid_out, check_pages, text_columns
+from .limits import LEAST_MEMORY, MEMORY
 
 __all__ = ["ABOUT", "FORMATS", "Source", "Stamp"]
 
@@ -219,9 +220,9 @@ class Source:
     def numbered(self, rows: int) -> Iterator[tuple[pa.Table, NDArray[np.int64]]]:
         """Read as `tables` does, and give the number of each row in the file, from 1."""
         with self._opened() as (schema, batches):
-            measured = (_validated(batch, self.memory) for batch in batches)
+            measured = (validated(batch, self.memory) for batch in batches)
             counted = schema.append(pa.field(_ROW, pa.int64()))
-            for table in _regrouped(counted, self._chosen(measured), rows):
+            for table in regrouped(counted, self._chosen(measured), rows):
                 numbers = table[_ROW].to_numpy()
                 yield table.drop_columns([_ROW]).replace_schema_metadata(schema.metadata), numbers
 
@@ -309,8 +310,8 @@ class Source:
     def _opened(self) -> Iterator[tuple[pa.Schema, Iterable[pa.RecordBatch]]]:
         openers = {
             "csv": self._csv,
-            "parquet": _parquet,
-            "arrow": _arrow,
+            "parquet": read_parquet,
+            "arrow": read_arrow,
             "xlsx": spreadsheets.read,
         }
         with self._naming():
@@ -325,7 +326,7 @@ class Source:
                 yield schema, batches
 
     @contextmanager
-    def _csv(self, path: Path, memory: int) -> _Opened:
+    def _csv(self, path: Path, memory: int) -> Opened:
         block = _BLOCK * max(1, memory // MEMORY)
         with read(path, self.layout, block, self.malformed) as (schema, batches):
             about = self.layout.about.encode()
@@ -347,64 +348,3 @@ class Source:
             raise ValueError(f"{self}: {cut(str(error), _SAID)}") from error
         except ValueError as error:
             raise ValueError(f"{self}: {cut(str(error), 10 * _SAID)}") from error
-
-
-_Read: TypeAlias = tuple[pa.Schema, Iterable[pa.RecordBatch]]
-_Opened = Iterator[_Read]
-
-
-@contextmanager
-def _parquet(path: Path, memory: int) -> _Opened:
-    # Else a row group's pages are all read at once, and it may be all the file.
-    options: dict[str, Any] = {"buffer_size": _BLOCK, "pre_buffer": False}
-    with pq.ParquetFile(path, **options) as file:
-        check_pages(file, memory)
-        schema, text = file.schema_arrow, text_columns(file)
-    # A text that many rows share is held once until its size is known.
-    with pq.ParquetFile(path, read_dictionary=text, **options) as file:
-        yield schema, (_laid_out(batch, schema, memory) for batch in file.iter_batches())
-
-
-def _laid_out(batch: pa.RecordBatch, schema: pa.Schema, memory: int) -> pa.RecordBatch:
-    check_laid_out(batch, memory)
-    return batch if batch.schema.equals(schema) else batch.cast(schema)
-
-
-@contextmanager
-def _arrow(path: Path, memory: int) -> _Opened:
-    # No memory map: a file that becomes shorter while it is read would end the process.
-    with pa.OSFile(str(path)) as file:
-        if file.read(len(_ARROW_FILE)) != _ARROW_FILE:
-            file.seek(0)
-            stream = pa.ipc.open_stream(file)
-            yield stream.schema, stream
-        else:
-            blocks = pa.ipc.open_file(file)
-            yield blocks.schema, map(blocks.get_batch, range(blocks.num_record_batches))
-
-
-def _validated(batch: pa.RecordBatch, memory: int) -> pa.RecordBatch:
-    """Return the rows that were read, all of whose offsets and indices lie within them.
-
-    Arrow takes those of a file as they are, and follows them wherever they lead.
-    """
-    batch.validate(full=True)
-    check_laid_out(batch, memory)
-    return batch
-
-
-def _regrouped(
-    schema: pa.Schema, batches: Iterable[pa.RecordBatch], rows: int
-) -> Iterator[pa.Table]:
-    """Give tables of so many rows, whatever the batches have."""
-    held: list[pa.RecordBatch] = []
-    count, first = 0, True
-    for batch in batches:
-        while count + batch.num_rows >= rows:
-            wanted = rows - count
-            yield pa.Table.from_batches([*held, batch.slice(0, wanted)], schema)
-            batch, held, count, first = batch.slice(wanted), [], 0, False
-        held.append(batch)
-        count += batch.num_rows
-    if count or first:
-        yield pa.Table.from_batches(held, schema)
