@@ -22,7 +22,6 @@ from hoopgen.phrases import counted
 from hoopgen.sizes import check_room
 from hoopgen.told import model_told, say_scene
 
-from .best import paired
 from .board import NOWHERE, on_board, window
 from .crew import crew
 from .draws import check_two_seeds
@@ -30,7 +29,7 @@ from .held_out import check_folds, held_out, with_choice
 from .intervals import wilson
 from .of_hoop import of_hoop
 from .optimum import scattering
-from .player import Bounds, By, Player, Thrown, arguments_of
+from .player import Bounds, By, Player, Thrown, arguments_of, paired
 from .resample import Resample
 from .sample import difference_of_rows, share_of_rows
 from .scatter import Scatter

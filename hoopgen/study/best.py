@@ -18,9 +18,8 @@ from hoopgen.words import between, for_json, say
 
 from .board import on_board
 from .held_out import HeldOut, folds_of, with_choice
-from .intervals import newcombe
 from .margins import Margin
-from .player import Bounds, Player, Thrown
+from .player import Bounds, Player, paired
 from .resample import Resample
 from .said import Said
 from .sample import difference_of_rows, in_groups
@@ -30,7 +29,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["PLOTTED", "Optimum", "advice", "paired", "touching", "towards"]
+__all__ = ["PLOTTED", "Optimum", "advice", "touching", "towards"]
 
 PLOTTED = 2_000
 """Shots whose shares are beside their paths."""
@@ -221,20 +220,6 @@ class Optimum(Said):
 
     def __str__(self) -> str:
         return advice(self)
-
-
-def paired(mine: Thrown, others: Thrown, confidence: float) -> tuple[float, float, float]:
-    """Return by how much the share of the first shots is above that of the second, and interval.
-
-    Of the pairs in which both are valid; the difference is NaN if there are none.
-    """
-    valid = mine.valid & others.valid
-    first, second = mine.made[valid], others.made[valid]
-    both, only_first, only_second, neither = (
-        int((a & b).sum()) for a in (first, ~first) for b in (second, ~second)
-    )
-    difference = (only_first - only_second) / len(first) if len(first) else math.nan
-    return difference, *newcombe(both, only_first, only_second, neither, confidence)
 
 
 # ------------------------------------------------------------------------------------ in words
