@@ -7,7 +7,7 @@ gives the same bytes.
 import argparse
 from pathlib import Path
 
-from benchmarks.validation_coverage import counts, replaced, section
+from benchmarks.validation_coverage import counts, present, replaced, section
 from benchmarks.validation_page import page, throw_picture
 from benchmarks.validation_results import DISTANCES, everything
 from benchmarks.validation_rolling import picture
@@ -26,7 +26,9 @@ def main() -> None:
     parser.add_argument("--quick", action="store_true", help="few shots and places, for a look")
     parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")
     parser.add_argument(
-        "--only", choices=["coverage"], help="that section alone; the others stay as they are"
+        "--only",
+        choices=["coverage", "literature"],
+        help="the section on coverage alone, or all others; the rest stays as it is",
     )
     parser.add_argument(
         "--part", type=float, default=1.0, help="of the repetitions of coverage, default 1"
@@ -34,9 +36,13 @@ def main() -> None:
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)  # before the work, should it fail
     file = arguments.out / "validation.md"
-    coverage = counts(0.05 if arguments.quick else arguments.part)
-    if arguments.only:
-        write(file, replaced(file.read_text("utf-8"), coverage))
+    if arguments.only == "literature":
+        coverage = present(file.read_text("utf-8"))
+    else:
+        found = counts(0.05 if arguments.quick else arguments.part)
+        coverage = section(found)
+    if arguments.only == "coverage":
+        write(file, replaced(file.read_text("utf-8"), found))
         return
     if arguments.quick:
         results = everything(2_000, 1_000, DISTANCES[-2:])
@@ -45,7 +51,7 @@ def main() -> None:
     save(throw_picture(results), arguments.out / "validation-throws.svg")
     save(plot_aim_points(results.banks.places, PAPER), arguments.out / "validation-bank.svg")
     save(picture(results.bounces), arguments.out / "validation-bounces.svg")
-    write(file, page(results, section(coverage)))
+    write(file, page(results, coverage))
 
 
 if __name__ == "__main__":

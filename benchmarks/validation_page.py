@@ -17,6 +17,7 @@ from benchmarks.validation_results import (
     LINE,
     SEVENTY,
     STRAIGHTER,
+    THEIR_AIM,
     THEIR_AXIS,
     Banks,
     Check,
@@ -122,7 +123,7 @@ def _head(results: Results) -> list[str]:
         "over the same random numbers, Newcombe), and after angles and aims the range in which "
         "the probability stays within one point of the best. A shot given up after 40 contacts "
         f"does not count as made ({results.line.theirs.capped} of the "
-        f"{results.line.theirs.shots:,} thrown below by the recipe of 52° and 5 cm).",
+        f"{results.line.theirs.shots:,} thrown below at 52° and {100 * THEIR_AIM:.1f} cm).",
         "",
     ]
 
@@ -197,7 +198,11 @@ def _line(results: Results) -> list[str]:
             ["", "theirs", "hoopgen"],
             [
                 ["release angle", "52°", angles(best)],
-                ["aim past the centre", "about 5 cm", aims(best)],
+                [
+                    "aim past the centre",
+                    f"{100 * THEIR_AIM:.1f} cm: 5 cm are left between ball and back rim",
+                    aims(best),
+                ],
                 ["aiming at the centre costs", "about 3 points", points(*cost)],
                 [
                     "backspin",
@@ -211,7 +216,7 @@ def _line(results: Results) -> list[str]:
                     f"{points(*high.lead(low))}",
                 ],
                 [
-                    "their release, 52° and 5 cm",
+                    f"their release, 52° and {100 * THEIR_AIM:.1f} cm",
                     "70%, assumed in 2011",
                     share(theirs.probability, theirs.low, theirs.high),
                 ],

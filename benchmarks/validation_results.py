@@ -48,6 +48,12 @@ ANGLES = (0, 15, 30, 45, 60, 75)
 SPEED_SDS = (0.05, 0.06, 0.07, 0.08, 0.09, 0.10, 0.11, 0.12, 0.13)
 ANGLE_SDS = (1.04, 1.3, 1.56)
 
+THEIR_GAP = 0.05
+"""m between the ball and the back of the ring in Tran and Silverberg's best free throw."""
+
+THEIR_AIM = PAPER["ring_radius"] - PAPER["wire_radius"] - PAPER["ball_radius"] - THEIR_GAP
+"""m past the centre of the ring: where that is in `PAPER`."""
+
 THEIR_AXIS = 3.326 * INCH
 """Behind the board: Silverberg, Tran and Adams."""
 
@@ -331,8 +337,9 @@ def free_throw(angle: float, aim: float) -> dict[str, float]:
 
 
 def recipe(shots: int) -> Estimate:
-    """What becomes of theirs, 52° and 5 cm."""
-    return hoopgen.estimate(Scatter(free_throw(52, 5), SEVENTY), shots=shots, seed=1)
+    """Return the estimate of their best free throw: 52°, and their gap at the back of the ring."""
+    release = free_throw(52, 100 * THEIR_AIM)
+    return hoopgen.estimate(Scatter(release, SEVENTY), shots=shots, seed=1)
 
 
 # -------------------------------------------------------------------------------- everything

@@ -387,7 +387,7 @@ def file_of(template: str) -> str:
 @pytest.fixture
 def checkout(tmp_path: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPatch) -> Path:
     """A checkout whose generated/ is up to date; nothing is derived again."""
-    monkeypatch.setattr(render, "_render_all", lambda: dict(files))
+    monkeypatch.setattr(committed, "render_all", lambda: dict(files))
     committed.generate(tmp_path)
     for name in committed.KEPT:
         (tmp_path / "generated" / name).write_text("", encoding="utf-8")
@@ -398,7 +398,7 @@ def test_the_repository_is_up_to_date(
     files: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Otherwise: `make generate`."""
-    monkeypatch.setattr(render, "_render_all", lambda: dict(files))
+    monkeypatch.setattr(committed, "render_all", lambda: dict(files))
     assert committed.check(ROOT) == []
 
 
@@ -494,7 +494,7 @@ def test_generation_leaves_files_that_it_did_not_make(checkout: Path) -> None:
 def test_generation_leaves_a_folder_that_is_not_its_own(
     tmp_path: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(render, "_render_all", lambda: dict(files))
+    monkeypatch.setattr(committed, "render_all", lambda: dict(files))
     (tmp_path / "generated" / "c").mkdir(parents=True)
     theirs = tmp_path / "generated" / "c" / "hoop.c"
     theirs.write_bytes(b"theirs")

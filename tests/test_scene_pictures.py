@@ -462,7 +462,7 @@ def test_a_shot_of_a_scene_is_proved_on_the_command_line(hole: Path) -> None:
     ("words", "said"),
     [
         (("--speed", "3"), "--speed is of a shot at a hoop; with --scene give --position and"),
-        ((), "with --scene, give --position and --velocity"),
+        ((), "missing --position and --velocity"),
         ((*GIVEN, "--preset", "nba"), "--preset is a hoop's"),
         ((*GIVEN, "--set", "spring=2"), "'spring' is none of bounce"),
         ((*GIVEN, "--set", "bounce=x"), "bounce: 'x' is not a number"),
