@@ -382,7 +382,9 @@ def test_the_command_line_reads_groups_from_a_column(table: Path) -> None:
     wrong = CliRunner().invoke(main, ["estimate", "--from", str(table), "--group", "day", *PLACE])
     assert wrong.exit_code != 0
     assert "there is no column 'day' of groups" in wrong.output
-    alone = CliRunner().invoke(main, ["estimate", "--group", "game", "--speed", "7", *PLACE])
+    alone = CliRunner().invoke(
+        main, ["estimate", "--group", "game", "--speed", "7", "--elevation", "52deg", *PLACE]
+    )
     assert alone.exit_code == 2
     assert "--group: it is a column of --from" in alone.output
 
@@ -425,6 +427,30 @@ margins = []
     assert "of the sample" in (tmp_path / "page.html").read_text()
     assert "20" in json.dumps(answer)
     assert "uncertainty of the sample" in (folder / "report.md").read_text()
+
+
+def test_a_study_file_names_a_column_of_groups_that_is_not_there(
+    table: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "study.toml").write_text(
+        """
+[study]
+name = "A sample"
+[release]
+height = "7 ft"
+distance = "13.75 ft"
+backspin = "3 Hz"
+[releases]
+file = "throws.csv"
+group = "day"
+[[question]]
+kind = "estimate"
+name = "made"
+shots = 500
+"""
+    )
+    with pytest.raises(ValueError, match="there is no column 'day' of groups"):
+        run_study(tmp_path / "study.toml")
 
 
 def test_a_map_of_a_sample_says_what_its_intervals_are() -> None:
