@@ -474,7 +474,7 @@ def test_generation_removes_what_is_no_longer_generated(
     older = {"c/hoop_old.h": "", **{name: text for name, text in files.items() if name != MARKER}}
     older[MARKER] = marker_text(committed.PURPOSE, older)
     with monkeypatch.context() as patch:
-        patch.setattr(render, "_render_all", lambda: dict(older))
+        patch.setattr(committed, "render_all", lambda: dict(older))
         assert committed.generate(checkout) == [root / MARKER, root / "c" / "hoop_old.h"]
     assert committed.generate(checkout) == [root / MARKER, root / "c" / "hoop_old.h"]
     assert not (root / "c" / "hoop_old.h").exists()
