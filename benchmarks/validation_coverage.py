@@ -17,11 +17,12 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtr, ndtri
-from scipy.stats import binomtest
+from scipy.stats import binom, binomtest
 
 import hoopgen
 from benchmarks.report import table
 from hoopgen import PAPER, Resample, Scatter
+from hoopgen.phrases import percent
 from hoopgen.study.bank import bank_or_direct
 from hoopgen.study.optimum import optimum
 from hoopgen.study.player import Player
@@ -424,17 +425,40 @@ def section(found: Sequence[Mapping[str, Any]]) -> list[str]:
         f"a player whose truth is known: from {TRUTH:,} shots, or where each repetition finds its "
         f"own release from {TRUTH_EACH:,} shots of that. The error of the truth is counted. P is "
         "the probability of a coverage as far from the one claimed; an interval holds if it is "
-        f"{WORST:.0%} or more (binomial test, one-sided if at least so much is claimed: a quantile "
-        "lies between two shots, and no pair of ranks gives exactly 95%). The player throws from "
-        "the free-throw line with the errors above. Groups differ in the mean of their speed, by a "
-        "third of its variance. The truth of an `optimum` is how often the release succeeds that "
-        "was found, not that of the best there is.",
+        f"{percent(WORST, None)} or more (binomial test, one-sided if at least so much is claimed: "
+        "a quantile lies between two shots, and no pair of ranks gives exactly 95%). The player "
+        "throws from the free-throw line with the errors above. Groups differ in the mean of their "
+        "speed, by a third of its variance.",
+        "",
+        "The table says how many repetitions were run. A few of them find out gross errors only: "
+        "an interval that claims 95% and contains the truth in 90% fails this test with a "
+        f"probability of {percent(found_out(100), 0)} if 100 are run, and of "
+        f"{percent(found_out(400), 0)} if 400 are.",
+        "",
+        "The truth of an `optimum` is how often the release succeeds that was found, not that of "
+        "the best there is. Of measured releases it is found with all rows, and each row is judged "
+        "by another one, found without a fifth of them. So the interval contains the variance of "
+        "the rows, and that of the release besides: 1 + 1/5 times the variance between the six "
+        "releases, thrown with the same shots, as of one more draw beside a mean of five. What the "
+        "six have in common cancels. The jackknife's factor, (5 − 1)²/5, is larger because it is "
+        "that of releases found from other samples, which differ in what these have in common.",
         "",
         *table(head, rows),
         "What is called flat, and margins with scatter, are estimates of a range and no confidence "
         "intervals. Maps and scenes of one's own have the intervals of the first rows.",
         "",
     ]
+
+
+def found_out(repetitions: int, covers: float = 0.90) -> float:
+    """Return with which probability an interval fails the test that covers less than it claims."""
+    covered = np.arange(repetitions + 1)
+    within = binom.pmf(covered, repetitions, LEVEL)
+    # As `Coverage.probability`: all that is no more probable than what was found.
+    order = np.argsort(within)
+    tail = np.empty_like(within)
+    tail[order] = np.cumsum(within[order])
+    return float(binom.pmf(covered[tail < WORST], repetitions, covers).sum())
 
 
 def _verdict(found: Coverage) -> str:

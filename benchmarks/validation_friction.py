@@ -10,10 +10,10 @@ import hoopgen
 from benchmarks.report import table
 from hoopgen import COURT, NBA, NBA_COURT, PAPER_COURT, Scatter
 from hoopgen.phrases import percent
-from hoopgen.study.best import Optimum, paired
+from hoopgen.study.best import Optimum
 from hoopgen.study.intervals import wilson
 from hoopgen.study.optimum import optimum
-from hoopgen.study.player import By, Player
+from hoopgen.study.player import By, Player, paired
 from hoopgen.units import FOOT
 
 Parameters = Mapping[str, Any]

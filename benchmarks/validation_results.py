@@ -17,11 +17,11 @@ from hoopgen import FIBA, NBA, PAPER, Outcome, Scatter
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.hoop.variables import ARGUMENTS, resolve_variables
 from hoopgen.study.bank import Crossing, bank_or_direct, crossing
-from hoopgen.study.best import Optimum, paired
+from hoopgen.study.best import Optimum
 from hoopgen.study.estimate import Estimate
 from hoopgen.study.intervals import wilson
 from hoopgen.study.optimum import optimum
-from hoopgen.study.player import By, Player
+from hoopgen.study.player import By, Player, paired
 from hoopgen.units import FOOT
 
 Floats = NDArray[np.float64]

@@ -6,6 +6,7 @@ import sys
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -63,6 +64,16 @@ def test_the_section_is_replaced_alone_and_says_what_does_not_hold() -> None:
     rows = [line for line in lines if line.startswith("| `estimate`")]
     assert rows[0].endswith("| 75.0% | 0.00 | **no** |")
     assert rows[1].endswith("| 95.0% | 1.00 | yes |")
+
+
+def test_the_page_says_how_often_the_test_finds_out_an_interval() -> None:
+    # Of what claims 95% rightly it refuses a hundredth, or a little less since counts are whole.
+    assert 0.002 < validation.found_out(400, validation.LEVEL) < validation.WORST
+    case, refused = validation.CASES[0], 0
+    drawn = np.random.default_rng(3).binomial(400, 0.9, 2_000)
+    for covered in drawn.tolist():
+        refused += not validation.Coverage(case, 400, covered, 0.95, 0.1).holds
+    assert refused / 2_000 == pytest.approx(validation.found_out(400), abs=0.03)
 
 
 def test_the_page_has_every_interval_and_none_fails() -> None:

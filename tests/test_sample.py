@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -20,15 +21,22 @@ import hoopgen  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
 from hoopgen.plots.shares import plot_estimate  # noqa: E402
 from hoopgen.study.best import advice  # noqa: E402
-from hoopgen.study.held_out import HeldOut, folds_of  # noqa: E402
+from hoopgen.study.held_out import (  # noqa: E402
+    HeldOut,
+    folds_of,
+    variance_of_choice,
+    with_choice,
+)
 from hoopgen.study.intervals import (  # noqa: E402
     grouped_difference,
     grouped_wilson,
     newcombe,
     quantile_ranks,
+    widened,
     wilson,
 )
 from hoopgen.study.player import Player  # noqa: E402
+from hoopgen.study.sample import SampleInterval  # noqa: E402
 from hoopgen.study.scattering import scaled  # noqa: E402
 from hoopgen.study.smoothed import smoothed  # noqa: E402
 from hoopgen.studyfile import run_study  # noqa: E402
@@ -79,7 +87,63 @@ def test_each_row_is_judged_by_a_release_found_without_it(best: Any) -> None:
         rows = MEASURED.each(np.flatnonzero(fold == number), others)
         made += int(Player(rows).thrown({**point}, 200).made[0])
     assert (best.made, best.shots, best.probability) == (made, 200, made / 200)
-    assert (best.low, best.high) == tuple(map(float, wilson(made, 200, 0.95)))
+    # The releases of the folds are not the one that is given: the interval is wider than the rows'.
+    low, high = map(float, wilson(made, 200, 0.95))
+    assert best.low < low
+    assert high < best.high
+
+
+def thrown_alike(one: Any, fold: Any) -> Any:
+    """Return the shares of the same shots, with the releases of the folds and that of all rows."""
+    rows, shares = smoothed(MEASURED, one.seed), []
+    for number, point in enumerate((*one.folds, {name: one.release[name] for name in one.bounds})):
+        others = MEASURED.each(np.flatnonzero(fold != number))  # of the last release all
+        thrower = Player(replace(rows, about=others.centre), by=one.by)
+        shares.append(thrower.thrown(point, 4_000, one.seed + 1).share[0])
+    return np.array(shares)
+
+
+def test_the_interval_contains_that_the_releases_of_the_folds_differ(best: Any) -> None:
+    shares = thrown_alike(best, folds_of(MEASURED, best.seed))
+    # The mean of five draws beside one more.
+    variance = shares.var(ddof=1) * 6 / 5
+    ends = tuple(map(float, wilson(best.made, 200, 0.95)))
+    wanted = widened(best.probability, ends, math.inf, variance, 5, 0.95, 0.0)
+    assert (best.low, best.high) == pytest.approx(wanted, abs=1e-12)
+
+
+@pytest.mark.parametrize("groups", [None, 20])
+def test_releases_that_are_equally_good_leave_the_interval_as_it_was(groups: int | None) -> None:
+    found = SampleInterval(0.7, 0.6, 0.78, 200, groups)
+    assert with_choice(found, np.full(6, 0.7), 0.95) == found
+
+
+def test_the_factor_is_that_of_one_more_draw_beside_a_mean() -> None:
+    # Draws whose own part alone differs: how far the last is from the mean of the others.
+    random = np.random.default_rng(4)
+    draws = random.normal(0.6, 0.03, (20_000, 1)) + random.normal(0.0, 0.02, (20_000, 6))
+    off = draws[:, -1] - draws[:, :-1].mean(axis=1)
+    claimed = np.mean([variance_of_choice(one) for one in draws])
+    assert np.mean(off**2) == pytest.approx(claimed, rel=0.03)
+
+
+def test_the_interval_of_a_sum_of_two_errors_contains_it_as_often_as_it_says() -> None:
+    # The second error's deviation is as large as the first's, and known from six draws of it.
+    random, inside = np.random.default_rng(5), 0
+    for _ in range(4_000):
+        made, draws = random.binomial(200, 0.7), random.normal(0.0, 0.03, 7)
+        ends = tuple(map(float, wilson(made, 200, 0.95)))
+        variance = float(draws[1:].var(ddof=1))
+        low, high = widened(made / 200, ends, math.inf, variance, 5, 0.95, 0.0)
+        inside += bool(low <= 0.7 + draws[0] <= high)
+    assert 0.94 < inside / 4_000 < 0.965
+
+
+def test_a_widened_interval_stays_within_what_there_is() -> None:
+    assert widened(0.99, (0.9, 0.999), 19, 0.04, 5, 0.95, 0.0)[1] == 1.0
+    assert widened(0.02, (0.0, 0.1), 19, 0.04, 5, 0.95, 0.0)[0] == 0.0
+    assert widened(-0.9, (-0.99, -0.7), 19, 0.2, 5, 0.95, -1.0)[0] == -1.0
+    assert widened(math.nan, (0.0, 1.0), 19, 0.04, 5, 0.95, 0.0) == (0.0, 1.0)
 
 
 def test_the_same_seed_gives_the_same_optimum_of_a_sample(best: Any) -> None:
@@ -114,7 +178,12 @@ def test_the_lead_of_one_way_is_of_held_out_rows() -> None:
         for one in (direct, bank)
     ]
     pairs = [int((a & b).sum()) for a in (rows[0], ~rows[0]) for b in (rows[1], ~rows[1])]
-    assert (low, high) == newcombe(*pairs, 0.95)  # type: ignore[call-arg]
+    alone = newcombe(*pairs, 0.95)  # type: ignore[call-arg]
+    apart = thrown_alike(direct, fold) - thrown_alike(bank, fold)
+    wanted = widened(lead, alone, math.inf, apart.var(ddof=1) * 6 / 5, 5, 0.95, -1.0)
+    assert (low, high) == pytest.approx(wanted, abs=1e-12)
+    assert low < alone[0]
+    assert alone[1] < high
 
 
 def test_too_few_rows_to_hold_some_out_are_refused() -> None:
@@ -132,6 +201,17 @@ def test_bank_or_direct_of_a_sample_has_its_interval() -> None:
     assert (widths > 0.08).all()
     assert (found["difference_high"] - found["difference_low"]).item() > 0.05
     assert found.attrs["interval"].startswith("contains the uncertainty of the sample")
+    # The lead is that of the two optima, from there.
+    there = {**HERE, "distance": 2.7}
+    moved = hoopgen.Resample({**ROWS, **there})
+    one, other = (
+        hoopgen.optimum(moved, ["aim"], by=by, shots=1_000, margins=()) for by in ("bank", "direct")
+    )
+    lead = [found[f"difference{end}"].item() for end in ("", "_low", "_high")]
+    assert lead == pytest.approx(one.lead(other), abs=1e-12)
+    for best, way in ((one, "bank"), (other, "direct")):
+        ends = [found.sel(way=way)[end].item() for end in ("low", "high")]
+        assert ends == pytest.approx([best.low, best.high], abs=1e-12)
 
 
 def test_smoothed_rows_keep_means_and_deviations() -> None:
@@ -302,7 +382,9 @@ def test_the_command_line_reads_groups_from_a_column(table: Path) -> None:
     wrong = CliRunner().invoke(main, ["estimate", "--from", str(table), "--group", "day", *PLACE])
     assert wrong.exit_code != 0
     assert "there is no column 'day' of groups" in wrong.output
-    alone = CliRunner().invoke(main, ["estimate", "--group", "game", "--speed", "7", *PLACE])
+    alone = CliRunner().invoke(
+        main, ["estimate", "--group", "game", "--speed", "7", "--elevation", "52deg", *PLACE]
+    )
     assert alone.exit_code == 2
     assert "--group: it is a column of --from" in alone.output
 
@@ -345,6 +427,30 @@ margins = []
     assert "of the sample" in (tmp_path / "page.html").read_text()
     assert "20" in json.dumps(answer)
     assert "uncertainty of the sample" in (folder / "report.md").read_text()
+
+
+def test_a_study_file_names_a_column_of_groups_that_is_not_there(
+    table: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "study.toml").write_text(
+        """
+[study]
+name = "A sample"
+[release]
+height = "7 ft"
+distance = "13.75 ft"
+backspin = "3 Hz"
+[releases]
+file = "throws.csv"
+group = "day"
+[[question]]
+kind = "estimate"
+name = "made"
+shots = 500
+"""
+    )
+    with pytest.raises(ValueError, match="there is no column 'day' of groups"):
+        run_study(tmp_path / "study.toml")
 
 
 def test_a_map_of_a_sample_says_what_its_intervals_are() -> None:

@@ -173,14 +173,14 @@ class Releasing:
             raise click.UsageError(
                 "--scatter is about a release, and --from has many; leave one out"
             )
+        source, labels = reading.source(file), None
         if group is not None:
+            labels = source.labels(source.whole(), group)
             reading = replace(reading, own=(*reading.own, group))
-        source = reading.source(file)
         read = reading.interpreted(
             source, release=self.values, **asked, override=override, scene=self.engine
         )
         measured, invalid = read.measured(source)
-        labels = None if group is None else source.labels(source.whole(), group)
         scene, values = read.origin.parameters, read.origin.release
         found = replace(self, values=values, parameters=scene, measured=measured, group=labels)
         return found, read, invalid

@@ -22,15 +22,14 @@ from hoopgen.phrases import counted
 from hoopgen.sizes import check_room
 from hoopgen.told import model_told, say_scene
 
-from .best import paired
 from .board import NOWHERE, on_board, window
 from .crew import crew
 from .draws import check_two_seeds
-from .held_out import check_folds, held_out
+from .held_out import check_folds, held_out, with_choice
 from .intervals import wilson
 from .of_hoop import of_hoop
 from .optimum import scattering
-from .player import Bounds, By, Player, Thrown, arguments_of
+from .player import Bounds, By, Player, Thrown, arguments_of, paired
 from .resample import Resample
 from .sample import difference_of_rows, share_of_rows
 from .scatter import Scatter
@@ -103,7 +102,8 @@ def bank_or_direct(
         argument of `hoopgen.release`, and `aim` and what parameters were searched over. Where no
         shot tried succeeds that way, the probability is 0 and the release NaN. Of measured releases
         the shots are the rows, held out of the search as for `optimum`; then all intervals contain
-        the uncertainty of the sample, and the attribute ``interval`` says so.
+        the uncertainty of the sample and how much the releases that were found differ, as those of
+        `optimum` do, and the attribute ``interval`` says so.
 
         Over ``place``: `difference`, bank less direct, with the interval of the paired shots,
         `difference_low` and `difference_high`; where the ball of the best bank shot touches the
@@ -221,14 +221,19 @@ class _Question:
     def answer(self, x: float, y: float) -> dict[str, Floats]:
         """Return the results of one place, (2,) for both ways or ()."""
         here = {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
-        (direct, straight), (bank, banked) = (self._best(player, here) for player in self.players)
+        found = [self._best(player, here) for player in self.players]
+        (direct, straight, by_direct), (bank, banked, by_bank) = found
         both = Thrown(*np.array([[t.made.sum(), t.valid.sum()] for t in (straight, banked)]).T)
         if isinstance(self.model, Resample):
             cluster, level = self.model.cluster, self.confidence
-            ends = [share_of_rows(t.made, t.valid, cluster, level) for t in (straight, banked)]
+            ends = [
+                with_choice(share_of_rows(t.made, t.valid, cluster, level), shares, level)
+                for _, t, shares in found
+            ]
             low, high = (np.array([getattr(one, end) for one in ends]) for end in ("low", "high"))
             valid = straight.valid & banked.valid
             lead = difference_of_rows(banked.made, straight.made, valid, cluster, level)
+            lead = with_choice(lead, by_bank - by_direct, level, -1.0)
             difference, least, most = lead.value, lead.low, lead.high
         else:
             low, high = wilson(both.made, both.valid, self.confidence)
@@ -246,8 +251,13 @@ class _Question:
         }
         return answer | {name: np.asarray(value) for name, value in single.items()}
 
-    def _best(self, player: Player, here: Mapping[str, float]) -> tuple[dict[str, float], Thrown]:
-        """Return arguments and scene of the best release, and what became of fresh shots."""
+    def _best(
+        self, player: Player, here: Mapping[str, float]
+    ) -> tuple[dict[str, float], Thrown, Floats]:
+        """Return arguments and scene of the best release, and what became of fresh shots.
+
+        And of measured releases the shares of `HeldOut.shares`; of scatter nothing, (0,).
+        """
         fixed = {**self.model.apart()[0], **here}
         centre = {**self.model.centre, **here}
         bounds = bounds_of(self.over, centre, player)
@@ -255,11 +265,13 @@ class _Question:
         searcher = player
         if measured is not None:
             searcher = replace(player, model=smoothed(measured, self.seed))
-        point = search(searcher, bounds, fixed, self.shots, self.seed)
+        point, shares = search(searcher, bounds, fixed, self.shots, self.seed), np.zeros(0)
         if point is None:
+            if measured is not None:
+                shares = np.zeros(check_folds(measured) + 1)
             nothing = np.zeros(self.shots if measured is None else measured.rows, np.bool_)
             unknown = dict.fromkeys((*ARGUMENTS, *self.over), math.nan)
-            return {**player.parameters, **unknown, **NOWHERE}, Thrown(nothing, ~nothing)
+            return {**player.parameters, **unknown, **NOWHERE}, Thrown(nothing, ~nothing), shares
         best = change_variables(centre, point)
         player = player.at(best)
         banked = player.by == "bank"
@@ -269,9 +281,11 @@ class _Question:
         else:
             without = held_out(player, measured, bounds, fixed, self.shots, self.seed)
             thrown = without.scored(measured, player, fixed)
+            shares = without.shares(measured, player, fixed, point, self.seed)
         return (
             {**best, **player.parameters, **arguments_of(best, player.parameters), **touched},
             thrown,
+            shares,
         )
 
 

@@ -17,10 +17,9 @@ from hoopgen.units import INCH
 from hoopgen.words import between, for_json, say
 
 from .board import on_board
-from .held_out import HeldOut, folds_of
-from .intervals import newcombe
+from .held_out import HeldOut, folds_of, with_choice
 from .margins import Margin
-from .player import Bounds, Player, Thrown
+from .player import Bounds, Player, paired
 from .resample import Resample
 from .said import Said
 from .sample import difference_of_rows, in_groups
@@ -30,7 +29,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["PLOTTED", "Optimum", "advice", "paired", "touching", "towards"]
+__all__ = ["PLOTTED", "Optimum", "advice", "touching", "towards"]
 
 PLOTTED = 2_000
 """Shots whose shares are beside their paths."""
@@ -57,7 +56,8 @@ class Optimum(Said):
         Share of fresh shots, other than those of the search, that succeed; its Wilson interval.
         An invalid shot is no trial. Of measured releases the shots are the rows, each judged by a
         release that was searched without it (see `folds`), and the interval contains the
-        uncertainty of the sample: with groups that of `grouped_wilson`.
+        uncertainty of the sample, with groups that of `grouped_wilson`, and how much those releases
+        and the one that is given differ in what succeeds (see `hoopgen.study.held_out`).
     made, shots, invalid
         How many of them succeed, were drawn, and could not be simulated.
     confidence
@@ -132,7 +132,8 @@ class Optimum(Said):
 
         Of the same fresh shots for both: Newcombe's interval for paired data (1998). Pairs with an
         invalid shot do not count. Of measured releases row by row, each judged by the releases that
-        were searched without it; that interval contains the uncertainty of the sample.
+        were searched without it; that interval contains the uncertainty of the sample, and how much
+        the releases differ.
 
         Raises
         ------
@@ -157,13 +158,19 @@ class Optimum(Said):
             raise ValueError("other: expected an optimum of measured releases, as this is")
         if not mine.same_groups(others):
             raise ValueError("other: expected an optimum of the same groups of measured releases")
-        scored = [
-            HeldOut(tuple(one.folds), folds_of(model, one.seed)).scored(model, one._player(), {})
+        both = [
+            (HeldOut(tuple(one.folds), folds_of(model, one.seed)), model, one)
             for one, model in ((self, mine), (other, others))
+        ]
+        scored = [without.scored(model, one._player(), {}) for without, model, one in both]
+        shares = [
+            without.shares(model, one._player(), {}, one.point, one.seed)
+            for without, model, one in both
         ]
         valid = scored[0].valid & scored[1].valid
         made, rival = scored[0].made, scored[1].made
         lead = difference_of_rows(made, rival, valid, mine.cluster, self.confidence)
+        lead = with_choice(lead, shares[0] - shares[1], self.confidence, -1.0)
         return lead.value, lead.low, lead.high
 
     def plot(self, **options: Any) -> Figure | Axes:
@@ -213,20 +220,6 @@ class Optimum(Said):
 
     def __str__(self) -> str:
         return advice(self)
-
-
-def paired(mine: Thrown, others: Thrown, confidence: float) -> tuple[float, float, float]:
-    """Return by how much the share of the first shots is above that of the second, and interval.
-
-    Of the pairs in which both are valid; the difference is NaN if there are none.
-    """
-    valid = mine.valid & others.valid
-    first, second = mine.made[valid], others.made[valid]
-    both, only_first, only_second, neither = (
-        int((a & b).sum()) for a in (first, ~first) for b in (second, ~second)
-    )
-    difference = (only_first - only_second) / len(first) if len(first) else math.nan
-    return difference, *newcombe(both, only_first, only_second, neither, confidence)
 
 
 # ------------------------------------------------------------------------------------ in words

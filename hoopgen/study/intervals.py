@@ -9,7 +9,7 @@ where the percentiles of a bootstrap over groups do not.
 from __future__ import annotations
 
 from fractions import Fraction
-from math import inf, isinf, sqrt
+from math import hypot, inf, isinf, isnan, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,6 +23,7 @@ __all__ = [
     "newcombe",
     "newcombe_apart",
     "quantile_ranks",
+    "widened",
     "wilson",
 ]
 
@@ -47,8 +48,7 @@ def wilson(
         distribution.
     """
     n, k = np.asarray(shots, dtype=np.float64), np.asarray(made, dtype=np.float64)
-    tail = 0.5 * (1.0 - confidence)  # near 1 this keeps its digits
-    z = -float(ndtri(tail) if isinf(degrees) else stdtrit(degrees, tail))
+    z = _quantile(degrees, confidence)
     with np.errstate(invalid="ignore"):
         half = z * np.sqrt(k * (n - k) / n + 0.25 * z * z)
     middle, whole = k + 0.5 * z * z, n + z * z
@@ -165,6 +165,55 @@ def _with_trials(made: ArrayLike, trials: ArrayLike) -> tuple[Floats, Floats]:
     """Return both without the groups in which there is no trial."""
     m, n = np.asarray(made, dtype=np.float64), np.asarray(trials, dtype=np.float64)
     return m[n > 0], n[n > 0]
+
+
+def widened(
+    value: float,
+    ends: Ends,
+    degrees: float,
+    variance: float,
+    of_variance: float,
+    confidence: float,
+    least: float,
+) -> Ends:
+    """Return the interval of an estimate to which another error is added, independent of its own.
+
+    The squares of the distances to the ends add, as in Newcombe's intervals (G. Y. Zou and
+    A. Donner (2008), Construction of confidence limits about effect measures, Statistics in
+    Medicine 27). So do the variances, whose sum has the degrees of freedom of B. L. Welch (1947),
+    The generalization of "Student's" problem when several different population variances are
+    involved, Biometrika 34.
+
+    Parameters
+    ----------
+    value, ends
+        The estimate and its interval. Of NaN nothing is known: the ends stay as they are.
+    degrees
+        Degrees of freedom of that interval; infinite, if it has the normal distribution.
+    variance, of_variance
+        Of the other error, and its degrees of freedom.
+    confidence
+        Of both intervals.
+    least
+        The smallest value that there is; the greatest is 1.
+    """
+    low, high = ends
+    if isnan(value) or not variance:
+        return ends
+    before = _quantile(degrees, confidence)
+    own = ((high - low) / (2.0 * before)) ** 2
+    together = (own + variance) ** 2 / (own**2 / degrees + variance**2 / of_variance)
+    after, more = _quantile(together, confidence) / before, before * sqrt(variance)
+    return (
+        max(value - after * hypot(value - low, more), least),
+        min(value + after * hypot(high - value, more), 1.0),
+    )
+
+
+def _quantile(degrees: float, confidence: float) -> float:
+    """Return the two-sided quantile of Student's t, or of the normal distribution."""
+    tail = 0.5 * (1.0 - confidence)  # near 1 this keeps its digits
+    return -float(ndtri(tail) if isinf(degrees) else stdtrit(degrees, tail))
 
 
 def quantile_ranks(level: float, trials: int, confidence: float) -> tuple[int, int]:

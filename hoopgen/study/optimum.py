@@ -1,7 +1,8 @@
 """The best release for a player's scatter.
 
 Its probability is not that of the search, which is the greatest of many and so too good: it is
-estimated with fresh random numbers, and of measured releases with rows that were held out.
+estimated with fresh random numbers, and of measured releases with rows that were held out; then its
+interval contains that the releases which these are judged by are not the one that is given.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from hoopgen.words import between
 from .best import Optimum
 from .crew import crew
 from .draws import check_two_seeds
-from .held_out import check_folds, held_out
+from .held_out import check_folds, held_out, with_choice
 from .intervals import wilson
 from .margins import MARGINS, margins_about
 from .measures import measure
@@ -78,8 +79,8 @@ def optimum(
         Where there is no hoop an end of the scene; "any" is the first.
     shots
         Of the last step of the search, and of the fresh estimate. Of measured releases the search
-        throws each row once, or 4,000 shots if they are fewer, with a little noise on them (see
-        `hoopgen.study.smoothed`); all rows are judged, without noise.
+        throws each row once, or 4,000 shots if they are fewer, and never more than `shots`, with a
+        little noise on them (see `hoopgen.study.smoothed`); all rows are judged, without noise.
     seed
         From 0 to 2^64 - 2. The search throws its shots, the estimate those of ``seed + 1``.
     confidence
@@ -146,7 +147,9 @@ def optimum(
         if isinstance(model, Resample):
             without = held_out(player, model, bounds, fixed, shots, seed)
             judged = without.scored(model, player, fixed)
+            shares = without.shares(model, player, fixed, point, seed)
             sample = share_of_rows(judged.made, judged.valid, model.cluster, confidence)
+            sample = with_choice(sample, shares, confidence)
             thrown, folds = Thrown(judged.made.sum(), judged.valid.sum()), without.points
             ways = ways_of(judged.made, judged.kind) if hoop else {}
             low, high, drawn = sample.low, sample.high, model.rows

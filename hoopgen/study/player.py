@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
+from math import nan
 from types import MappingProxyType
 from typing import Any, Literal
 
@@ -24,6 +25,7 @@ from hoopgen.simulation import simulate
 from hoopgen.variables import check_names
 
 from .crew import Crew, alone
+from .intervals import newcombe
 from .resample import EachRow, Resample
 from .scatter import Scatter
 from .tallies import check_scene
@@ -38,6 +40,7 @@ __all__ = [
     "Thrown",
     "arguments_of",
     "one_each",
+    "paired",
     "ways_of",
 ]
 
@@ -270,6 +273,20 @@ def ways_of(made: NDArray[np.bool_], kind: NDArray[np.uint8]) -> dict[str, int]:
     swish, bank = kind == Kind.SWISH, np.isin(kind, (Kind.BANK, Kind.BANK_RIM))
     found = made & swish, made & ~swish & ~bank, made & bank
     return dict(zip(WAYS_IN, (int(one.sum()) for one in found), strict=True))
+
+
+def paired(mine: Thrown, others: Thrown, confidence: float) -> tuple[float, float, float]:
+    """Return by how much the share of the first shots is above that of the second, and interval.
+
+    Of the pairs in which both are valid; the difference is NaN if there are none.
+    """
+    valid = mine.valid & others.valid
+    first, second = mine.made[valid], others.made[valid]
+    both, only_first, only_second, neither = (
+        int((a & b).sum()) for a in (first, ~first) for b in (second, ~second)
+    )
+    difference = (only_first - only_second) / len(first) if len(first) else nan
+    return difference, *newcombe(both, only_first, only_second, neither, confidence)
 
 
 def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:

@@ -135,11 +135,11 @@ class Setting:
                 "scatter: it is about one release, and releases has many; leave one out, or give "
                 'scatter = "none"'
             )
-        measured = self._measured(self.releases)
+        groups, measured = self._groups(self.releases), self._measured(self.releases)
         alike = {name: value for name, value in measured.items() if not np.ndim(value)}
         left = given_without(alike, over)
         columns = {n: v for n, v in measured.items() if n not in alike or n in left}
-        return Resample(columns, self._groups(self.releases))
+        return Resample(columns, groups)
 
     def _measured(self, releases: Releases) -> dict[str, Any]:
         """Return the columns of measured releases, and what is the same for all."""
