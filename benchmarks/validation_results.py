@@ -141,8 +141,8 @@ def _straight(entry: float, parameters: Parameters) -> bool:
     speed, away = 10.0, 2.0
     towards = np.array([-math.cos(entry), 0.0, -math.sin(entry)])
     state = np.concatenate([-away * towards, speed * towards, np.zeros(3)])
-    # It falls by 2e-14 m on the way.
-    return _swish(state, parameters | {"gravity": 1e-12})
+    # It falls by 2e-11 m on the way.
+    return _swish(state, parameters | {"gravity": 1e-9})
 
 
 def _thrown(entry: float, parameters: Parameters) -> bool:

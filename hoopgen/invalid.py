@@ -14,7 +14,10 @@ from .parameters import resolve
 from .scenes import engine_of
 from .simulation import simulate
 
-__all__ = ["allowed", "not_allowed", "out_of_range", "reason", "why_invalid"]
+__all__ = ["OF_A_HOOP", "allowed", "not_allowed", "out_of_range", "reason", "why_invalid"]
+
+OF_A_HOOP = "a size or gravity is not above zero, or the ball is too big for the ring"
+"""Why parameters of a hoop are not allowed."""
 
 
 def why_invalid(
@@ -92,7 +95,8 @@ def reason(
         return f"not finite: {', '.join(wrong)}"
     if not allowed(scene, parameters):
         named = [f"{name} {parameters[name]:g}" for name in not_allowed(scene, parameters)]
-        return f"parameter not allowed: {', '.join(named) or 'several'}"
+        why = f" ({OF_A_HOOP})" if scene.has_hoop else ""
+        return f"parameter not allowed: {', '.join(named) or 'several'}{why}"
     if sizes := out_of_range(scene, parameters):
         return f"out of range: {'; '.join(sizes)}"
     if not np.isfinite(state).all():

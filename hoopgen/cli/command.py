@@ -35,14 +35,27 @@ GROUPS: Mapping[str, tuple[str, ...]] = {
         *("aim", "entry", "x", "y", "position", "velocity", "spin", "release"),
     ),
     "Its scatter, or measured releases": (
-        *("scatter", "correlation", "from", "override", "format", "own", "delimiter"),
+        *("scatter", "correlation", "from", "group", "override", "format", "delimiter", "column"),
+        *("own", "where", "keep-implausible", "memory"),
     ),
     "The scene": ("scene", "limit", "preset", "set"),
     "The computation": (
         *("seed", "max-contacts", "max-bits", "backend", "threads", "folder", "scheduler"),
     ),
     "The results": (
-        *("out", "csv", "picture", "view", "prefix", "reason", "label", "title", "units", "json"),
+        *(
+            "out",
+            "events",
+            "csv",
+            "picture",
+            "view",
+            "prefix",
+            "reason",
+            "label",
+            "title",
+            "units",
+            "json",
+        ),
         "help",
     ),
 }
