@@ -14,10 +14,10 @@ from .parameters import resolve
 from .scenes import engine_of
 from .simulation import simulate
 
-__all__ = ["OF_A_HOOP", "allowed", "not_allowed", "out_of_range", "reason", "why_invalid"]
+__all__ = ["allowed", "not_allowed", "out_of_range", "reason", "why_invalid"]
 
-OF_A_HOOP = "a size or gravity is not above zero, or the ball is too big for the ring"
-"""Why parameters of a hoop are not allowed."""
+RADII = {"ball_radius", "ring_radius", "wire_radius"}
+"""Parameters of a hoop that have to fit together."""
 
 
 def why_invalid(
@@ -94,9 +94,13 @@ def reason(
     if wrong:
         return f"not finite: {', '.join(wrong)}"
     if not allowed(scene, parameters):
-        named = [f"{name} {parameters[name]:g}" for name in not_allowed(scene, parameters)]
-        why = f" ({OF_A_HOOP})" if scene.has_hoop else ""
-        return f"parameter not allowed: {', '.join(named) or 'several'}{why}"
+        names = not_allowed(scene, parameters)
+        named = ", ".join(f"{name} {parameters[name]:g}" for name in names) or "several"
+        sizes = {name for name in names if parameters[name] > 0}
+        fits = not (scene.has_hoop and names and sizes == set(names) <= RADII)
+        return (
+            f"parameter not allowed: {named}{'' if fits else '; the ball is too big for the ring'}"
+        )
     if sizes := out_of_range(scene, parameters):
         return f"out of range: {'; '.join(sizes)}"
     if not np.isfinite(state).all():

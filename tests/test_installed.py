@@ -88,7 +88,7 @@ def test_tab_completion_shows_the_interface_and_nothing_else() -> None:
         *("PAPER", "NBA", "FIBA", "Scatter", "Resample", "Grid", "estimate", "compare", "map"),
         *("solve", "optimum", "margins", "bank_or_direct", "aim", "measure", "batch", "run_study"),
         *("view", "plots", "HOOP", "Scene", "compile", "load_scene", "scene"),
-        *("COURT", "Event", "PAPER_COURT", "NBA_COURT", "FIBA_COURT"),
+        *("why_invalid", "COURT", "Event", "PAPER_COURT", "NBA_COURT", "FIBA_COURT"),
     }
     assert {"__version__", "__doc__", "__path__"} <= set(dir(hoopgen))
 

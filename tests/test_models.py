@@ -386,10 +386,11 @@ def test_parameters_scatter_about_the_mean_s_or_the_scene_s_value() -> None:
 
 def test_settings_share_their_random_numbers() -> None:
     """Whatever else scatters, however much, and whatever the mean."""
-    alone = Scatter(FREE_THROW, {"azimuth": 1.0}).noise(0, 9, 4)["azimuth"]
+    quarter = 0.25  # of a radian: divides without rounding
+    alone = Scatter(FREE_THROW, {"azimuth": quarter}).noise(0, 9, 4)["azimuth"] / quarter
     more = Scatter({"entry": 0.8, "height": 2, "distance": 5}, SD).noise(0, 9, 4)["azimuth"]
     assert more.tolist() == (SD["azimuth"] * alone).tolist()
-    other = Scatter(FREE_THROW, {"azimuth": 1.0}).noise(0, 9, 5)["azimuth"]
+    other = Scatter(FREE_THROW, {"azimuth": quarter}).noise(0, 9, 5)["azimuth"] / quarter
     assert not np.any(alone == other)
 
 

@@ -33,11 +33,12 @@ def no_batch_is_small(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_the_next_batch_has_the_threads_of_the_last() -> None:
     wanted = outcome()
-    first = ours()
-    assert first
+    assert ours()
+    pools.leave(last := pools.take(2), 2)
     assert outcome() == wanted
-    assert first <= ours()  # a pool starts its threads one by one, as they are needed
-    assert len(ours()) <= 2
+    # It took the same pool, and left it to the next one.
+    assert pools.take(2) is last
+    pools.leave(last, 2)
 
 
 def test_batches_beside_each_other_have_pools_of_their_own() -> None:

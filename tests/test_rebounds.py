@@ -391,7 +391,7 @@ def test_the_commands_take_measures_and_the_height(tmp_path: Path) -> None:
     assert "--measure is of one setting, without --versus." in versus.stderr
     none = _run("estimate", *wanted, "--catching-height", "0m")
     assert none.exit_code == 2
-    assert "catching_height: expected m above the floor, more than 0" in none.stderr
+    assert "--catching-height: expected m above the floor, more than 0" in none.stderr
     out = tmp_path / "out.csv"
     place = ["--release", "height=7ft", "--release", "distance=13.75ft"]
     columns = ["--measure", "rebound_x", "--catching-height", "3m"]

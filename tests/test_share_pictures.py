@@ -327,7 +327,7 @@ def test_rebounds_are_said_as_an_estimate_says_them(tmp_path: Path) -> None:
 def test_rebounds_at_no_height_are_refused_before_the_work() -> None:
     result = run("landings", *SHOTS, "--shots", "1e9", "--catching-height", "0m")
     assert result.exit_code == 2
-    assert "catching_height: expected m above the floor, more than 0" in result.stderr
+    assert "--catching-height: expected m above the floor, more than 0" in result.stderr
 
 
 def test_landings_without_a_miss_say_so_and_cannot_be_drawn(tmp_path: Path) -> None:

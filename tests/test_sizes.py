@@ -205,7 +205,7 @@ def test_no_interval_is_narrower_than_its_least_shots_allow() -> None:
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["shot", *SHOT, "--max-contacts", "2147483647"], "max_contacts: 2.1e+9 events"),
+        (["shot", *SHOT, "--max-contacts", "2147483647"], "--max-contacts: 2.1e+9 events"),
         (
             ["map", "--over", "elevation=45deg:60deg:100000000000", "--speed", "7", *PLACE],
             "elevation: 1e+11 values would take 10 TB",
@@ -216,8 +216,8 @@ def test_no_interval_is_narrower_than_its_least_shots_allow() -> None:
             "over: 1e+12 cells would take 48 TB",
         ),
         (
-            ["map", "--over", "speed=-1e308:1e308:3", "--elevation", "50deg", *PLACE],
-            "speed: from -1e+308 to 1e+308 is further than numbers go",
+            ["map", "--over", "aim=-1e308:1e308:3", "--elevation", "50deg", *PLACE],
+            "aim: from -1e+308 to 1e+308 is further than numbers go",
         ),
         (["aim", "--distance", "1m:2m:5e-324m", "--height", "7ft"], "2 to 10,000 distances"),
         (["estimate", *SHOT, "--scatter", "speed=0.07", "--precision", "1e-300"], "1.9e+300"),

@@ -306,7 +306,7 @@ def test_a_cell_has_the_colour_of_its_kind() -> None:
     assert drawn.shape[:2] == outcome.shape == (50, 90)
     for place in np.ndindex(outcome.shape):
         what, touched = Outcome(outcome[place]).name.lower(), Kind(kind[place]).name.lower()
-        wanted = LINES.get(what, {}).get(touched) or NEITHER[what]
+        wanted = {"made": MADE, "missed": MISSED}.get(what, {}).get(touched) or NEITHER[what]
         assert to_hex(drawn[place]).upper() == wanted
 
 

@@ -76,7 +76,6 @@ _BOX_BELOW = 3.5
 _LABELS = 0.48  # around a 3D view
 _PAD = 0.06  # m
 _ROUND = 0.25  # m: the room's sides
-_FAR = 1e290  # m: near the end of the doubles' range matplotlib computes with infinity
 _ELEVATION = np.radians(25.0)
 _ALONG, _ACROSS = np.radians(62.0), np.radians(36.0)  # azimuth, for a long and for a wide room
 
@@ -197,8 +196,6 @@ def collect(trajectory: Path, parameters: Mapping[str, float], outcome: IntEnum 
     """Gather what all views of a shot share; arguments as of `plot_trajectory`."""
     events, duration = trajectory.events, trajectory.duration
     path = trajectory.at(times_of(events["time"], duration))[:, :3]
-    if not np.abs(path).max() < _FAR:
-        raise ValueError(f"trajectory: it leads further than can be drawn, {_FAR:g} m")
     scenery = scenery_of(trajectory.scene, parameters, path)
     path = scenery.upright(path)
     beats = scenery.upright(trajectory.at(beats_of(duration))[:, :3])

@@ -14,7 +14,7 @@ from hoopgen.brief import brief, listed
 from hoopgen.engines import HOOP, Engine
 from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.inputs import check_contacts, is_whole
-from hoopgen.invalid import OF_A_HOOP, allowed, not_allowed, out_of_range
+from hoopgen.invalid import allowed, not_allowed, out_of_range
 from hoopgen.parameters import resolve
 from hoopgen.results import Shots
 
@@ -177,7 +177,7 @@ def check_scene(parameters: Mapping[str, Any] | None, scene: Engine = HOOP) -> d
         alone = listed(f"{name} {values[name]}" for name in not_allowed(scene, values))
         why = f"{alone} not allowed" if alone else "one is not allowed, beside the others"
         if scene.is_hoop:
-            why = OF_A_HOOP
+            why = "a size or gravity is not above zero, or the ball is too big for the ring"
         raise ValueError(f"parameters: no shot can be simulated with these: {why}")
     if sizes := out_of_range(scene, values):
         raise ValueError(

@@ -148,10 +148,7 @@ STATEMENTS: dict[str, Statement] = {
     "within": Statement(
         LEMMA,
         "bounds at an arrival",
-        _kernels(
-            "plane.within plane.edges general.within general.edges end.reached end.edge "
-            "common.questioned"
-        ),
+        _kernels("*.within *.edges end.reached end.edge common.questioned"),
     ),
     "first": Statement(
         LEMMA,
