@@ -888,3 +888,22 @@ def test_what_a_study_says_wrong_of_a_table_is_refused(
     file = written(tmp_path / "study.toml", f'[study]\nname = "x"\n{question}')
     with pytest.raises(ValueError, match=re.escape(said)):
         hoopgen.run_study(file, tmp_path / "out")
+
+
+def test_a_malformed_row_in_another_encoding_is_one_line(tmp_path: Path) -> None:
+    """The text of such a row cannot be decoded, of which pyarrow printed a traceback."""
+    rows = b"speed_m_s,elevation_deg,player\n7.1,52,Ann\n7.1,52,Zo\xeb,1\n"
+    (tmp_path / "t.csv").write_bytes(rows)
+    command = ["batch", "t.csv", "--out", "o.csv", *HERE]
+    done = subprocess.run(
+        [sys.executable, "-m", "hoopgen", *command],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert done.stderr.splitlines() == [
+        "hoopgen: error: t.csv: is not in UTF-8 but, it seems, in Latin-1 or Windows-1252; "
+        "save it as UTF-8"
+    ]

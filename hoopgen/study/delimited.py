@@ -9,6 +9,7 @@ its number, and is a row of empty cells; a line with the wrong number of cells t
 
 from __future__ import annotations
 
+import codecs
 import csv
 import itertools
 import re
@@ -185,11 +186,21 @@ def read(
         delimiter=delimiter, newlines_in_values=True, invalid_row_handler=found
     )
     with encoded():
+        _check_utf8(path, block)  # what is told of a malformed row cannot be decoded otherwise
         with pa.csv.open_csv(path, blocks, first) as reader:
             text = dict.fromkeys(reader.schema.names, pa.string())
         types = pa.csv.ConvertOptions(column_types=text)
         with pa.csv.open_csv(path, blocks, rest, types) as reader:
             yield reader.schema, _with_malformed(reader, found, malformed, delimiter)
+
+
+def _check_utf8(path: Path, block: int) -> None:
+    """Raise UnicodeDecodeError where a file is not in UTF-8; so many bytes are read at a time."""
+    decoder = codecs.getincrementaldecoder("utf-8")()
+    with path.open("rb") as file:
+        while some := file.read(block):
+            decoder.decode(some)
+    decoder.decode(b"", final=True)
 
 
 class _Malformed:
