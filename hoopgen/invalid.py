@@ -96,8 +96,8 @@ def reason(
     if not allowed(scene, parameters):
         names = not_allowed(scene, parameters)
         named = ", ".join(f"{name} {parameters[name]:g}" for name in names) or "several"
-        sizes = {name for name in names if parameters[name] > 0}
-        fits = not (scene.has_hoop and names and sizes == set(names) <= RADII)
+        positive = {name for name in names if parameters[name] > 0}
+        fits = not (scene.has_hoop and names and positive == set(names) <= RADII)
         return (
             f"parameter not allowed: {named}{'' if fits else '; the ball is too big for the ring'}"
         )
