@@ -115,6 +115,15 @@ def test_the_citation_is_of_this_version() -> None:
     assert re.findall(r"^version: (.*)$", citation, re.M) == [project["version"]]
 
 
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_a_page_of_measurements_is_of_this_version(page: Path) -> None:
+    """A page that a command writes names the version it was measured with."""
+    measured = re.findall(
+        r"^(?:hoopgen: |\| hoopgen \| `)(\d+\.\d+\.\d+)", page.read_text("utf-8"), re.M
+    )
+    assert set(measured) <= {hoopgen.__version__}
+
+
 def test_the_paper_cites_what_its_list_has() -> None:
     cited = set(re.findall(r"@(\w+\d{4})", (ROOT / "paper" / "paper.md").read_text("utf-8")))
     listed = set(

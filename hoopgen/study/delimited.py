@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import codecs
 import csv
+import io
 import itertools
 import re
 from collections import deque
@@ -186,21 +187,35 @@ def read(
         delimiter=delimiter, newlines_in_values=True, invalid_row_handler=found
     )
     with encoded():
-        _check_utf8(path, block)  # what is told of a malformed row cannot be decoded otherwise
-        with pa.csv.open_csv(path, blocks, first) as reader:
+        with _Utf8File(path) as file, pa.csv.open_csv(file, blocks, first) as reader:
             text = dict.fromkeys(reader.schema.names, pa.string())
         types = pa.csv.ConvertOptions(column_types=text)
-        with pa.csv.open_csv(path, blocks, rest, types) as reader:
+        with _Utf8File(path) as file, pa.csv.open_csv(file, blocks, rest, types) as reader:
             yield reader.schema, _with_malformed(reader, found, malformed, delimiter)
 
 
-def _check_utf8(path: Path, block: int) -> None:
-    """Raise UnicodeDecodeError where a file is not in UTF-8; so many bytes are read at a time."""
-    decoder = codecs.getincrementaldecoder("utf-8")()
-    with path.open("rb") as file:
-        while some := file.read(block):
-            decoder.decode(some)
-    decoder.decode(b"", final=True)
+class _Utf8File(io.RawIOBase):
+    """A file whose bytes are validated as UTF-8 while they are read.
+
+    pyarrow cannot tell of a malformed row that is in another encoding.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._file = path.open("rb")
+        self._decoder = codecs.getincrementaldecoder("utf-8")()
+
+    def readable(self) -> bool:
+        return True
+
+    def read(self, size: int = -1) -> bytes:
+        """Return so many bytes; raises UnicodeDecodeError where they are not UTF-8."""
+        content = self._file.read(size)
+        self._decoder.decode(content, final=not content)
+        return content
+
+    def close(self) -> None:
+        self._file.close()
+        super().close()
 
 
 class _Malformed:
