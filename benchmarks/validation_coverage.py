@@ -100,12 +100,12 @@ class Coverage:
 
     @property
     def share(self) -> float:
-        """Of them."""
+        """Return the share of the intervals that contain the truth."""
         return self.covered / self.repetitions
 
     @property
     def probability(self) -> float:
-        """Of a coverage as far from what is claimed, if that were so."""
+        """Return the probability of a share as far from the claim or farther, if the claim holds."""
         side = "two-sided" if self.case.claim == "95%" else "less"
         return float(
             binomtest(self.covered, self.repetitions, self.expected, alternative=side).pvalue

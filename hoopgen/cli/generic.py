@@ -30,7 +30,7 @@ else:
 
 
 class Parsed(Type[Value]):
-    """What a function reads in text; its ValueError is the option's.
+    """The type of a value that a function reads from text; its ValueError is the option's.
 
     Parameters
     ----------

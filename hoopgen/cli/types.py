@@ -88,7 +88,7 @@ Variables = Mapping[str, Variable]
 
 
 class OfScene(Parsed[Value]):
-    """What a function reads in text, given the variables of the command's scene.
+    """The type of a value read from text, given the variables of the command's scene.
 
     Parameters
     ----------

@@ -110,7 +110,7 @@ class StatementText:
 
     @property
     def anchor(self) -> str:
-        """What a link to its heading ends with."""
+        """Return the fragment of a link to the heading."""
         return anchor(self.heading)
 
 
