@@ -105,7 +105,7 @@ class Coverage:
 
     @property
     def probability(self) -> float:
-        """Return the probability of a share as far from the claim or farther, if the claim holds."""
+        """Return the probability of a share at least as far from the claim, if that holds."""
         side = "two-sided" if self.case.claim == "95%" else "less"
         return float(
             binomtest(self.covered, self.repetitions, self.expected, alternative=side).pvalue
