@@ -84,7 +84,7 @@ class KernelView:
 
 @dataclass(frozen=True)
 class SharedKernelView:
-    """What a template sees of a kernel that a surface shares with the first one of its kind."""
+    """A view, for templates, of a kernel that a surface shares with the first of its kind."""
 
     name: str
     kernel: str
@@ -211,7 +211,7 @@ class _Derived:
 
     @property
     def context(self) -> dict[str, Any]:
-        """What every template is given."""
+        """Return the context of every template."""
         scene = self.model.scene
         return {
             "scene": scene,

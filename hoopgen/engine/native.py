@@ -25,7 +25,7 @@ __all__ = ["WIDTHS", "Library", "Refused", "Share", "checked"]
 
 
 class Error(IntEnum):
-    """What a call returns instead of a width, with nothing run; the header says what each means."""
+    """Codes that a call returns instead of a width, with nothing run, as in the header."""
 
     WIDTH = -1
     ARITHMETIC = -2

@@ -82,7 +82,7 @@ class Scenery(Protocol):
 
     @property
     def said_of_ends(self) -> str:
-        """What the key says of the lines where shots end; empty where there are none."""
+        """Return the entry of the key for the lines where shots end; empty where there are none."""
 
     def views(self, path: Points) -> tuple[View, ...]:
         """Return the flat views that show a path, upright, (n, 3): the one that shows most first.

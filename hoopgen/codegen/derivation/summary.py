@@ -51,7 +51,7 @@ Numbers = Mapping[sp.Basic, sp.Expr]
 
 @dataclass(frozen=True)
 class ArrivalText:
-    """What a flight finds on a surface: its first falling root, and whether it counts."""
+    """An arrival on a surface: the first falling root of a flight, and whether it counts."""
 
     surface: str
     degree: int
