@@ -10,16 +10,19 @@ PIP := $(BIN)/python -m pip --disable-pip-version-check
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help paper test generate check lint docs attack bench exactness pictures validate clean
+.PHONY: help paper test test-slow generate check lint docs attack bench exactness pictures validate clean
 
 help:
-	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 12
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 12
 
 paper: $(VENV)/with-plot ## the article's figures and table, into paper-figures/
 	$(BIN)/hoopgen paper --out paper-figures $(ARGS)
 
-test: $(VENV)/with-dev ## the tests
-	$(BIN)/python -m pytest -n auto --dist loadgroup $(ARGS)
+test: $(VENV)/with-dev ## most tests and a sample of the slow ones, in three minutes on two cores
+	HOOPGEN_TEST_EFFORT=$${HOOPGEN_TEST_EFFORT:-0.2} $(BIN)/python -m pytest -n auto --dist loadgroup -m "not slow" $(ARGS)
+
+test-slow: $(VENV)/with-dev ## what make test leaves out: slow tests, and random ones at full effort
+	$(BIN)/python -m pytest -n auto --dist loadgroup -m "slow or scaled" $(ARGS)
 
 generate: $(VENV)/with-generate ## write generated/ from derive/ and templates/
 	$(BIN)/hoopgen generate $(ARGS)
@@ -67,8 +70,15 @@ $(BIN)/python:
 
 # The C library is compiled at installation, so a change of its sources installs again.
 $(VENV)/installed: pyproject.toml setup.py $(wildcard generated/c/*.[ch]) | $(BIN)/python
-	@echo "Installing hoopgen and compiling its C engines: one to two minutes, once"
+	@echo "Installing hoopgen and compiling its C engines for this processor: about 40 s of CPU time, once"
 	$(PIP) install --editable .
+	@touch $@
+
+# Tests compare all widths that the processor has.
+$(VENV)/with-dev: $(VENV)/installed
+	@echo "Installing what 'dev' needs, and compiling the C engines for all widths: two minutes, once"
+	$(PIP) install 'hoopgen[dev]'
+	HOOPGEN_WIDTHS=all $(BIN)/python setup.py -q build_ext --inplace
 	@touch $@
 
 # hoopgen is there already, so this adds only what the extra asks for.

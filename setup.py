@@ -1,24 +1,31 @@
-"""What pyproject.toml cannot say: three folders become sub-packages, and C is built for ctypes."""
+"""Settings beyond pyproject.toml: three folders become sub-packages, and C is built for ctypes."""
 
 import hashlib
 import os
 import shutil
 import subprocess
+import sys
 import sysconfig
 from itertools import takewhile
 from pathlib import Path
 from runpy import run_path
 
 from setuptools import Extension, find_namespace_packages, setup
+from setuptools.command.bdist_wheel import bdist_wheel
 from setuptools.command.build_ext import build_ext
 
-BUILD = run_path("hoopgen/engine/sources.py")
+BUILD = run_path("hoopgen/engine/c_build.py")
 SOURCES = Path("generated/c")
 SCENES = sorted(file.stem for file in SOURCES.glob("*.c"))
 ROOMS = ("derive", "templates", "generated")
 
 # Of long kernels in straight lines -O3 makes no faster code than -O1 does in half the time.
 LEVEL = {"court": ["-O1"]}
+
+# HOOPGEN_WIDTHS=all compiles every vector width, for any processor, as wheels that are given away
+# need. Else the one of this processor is compiled, and one lane, with which others can serve too.
+ALL_WIDTHS = os.environ.get("HOOPGEN_WIDTHS", "native") == "all"
+FEATURES = {16: ("AVX512F", "AVX512DQ", "AVX512VL"), 8: ("AVX2",), 4: ()}
 
 MSVC_FLAGS = ["/O2", "/std:c11", "/fp:precise"]
 
@@ -40,7 +47,10 @@ class BuildPlainLibrary(build_ext):
         ext.extra_compile_args = MSVC_FLAGS if msvc else [*BUILD["FLAGS"], *LEVEL.get(scene, [])]
         # Linking with fast-math makes subnormals zero in every process that loads the library.
         ext.extra_link_args = [] if msvc else BUILD["FLAGS"]
-        ext.define_macros = [(f"{scene.upper()}_SOURCES", BUILD["word"](SOURCES, scene))]
+        ext.define_macros = [(f"{scene.upper()}_SOURCES", BUILD["source_digest"](SOURCES, scene))]
+        width = 0 if msvc or ALL_WIDTHS else self._native_width()
+        if width:
+            ext.define_macros.append((f"{scene.upper()}_NATIVE", str(width)))
         # What flags of the user's own give is built anew each time.
         if msvc or any(os.environ.get(name) for name in ("CFLAGS", "CPPFLAGS", "LDFLAGS")):
             super().build_extension(ext)
@@ -51,6 +61,9 @@ class BuildPlainLibrary(build_ext):
             library.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(compiled, library)
             return
+        widths = f"{width} lanes and one" if width else "all widths"
+        place = f"{1 + SCENES.index(scene)} of {len(SCENES)}"
+        print(f"compiling the C engine of {scene}, {place}: {widths}", file=sys.stderr, flush=True)
         super().build_extension(ext)
         compiled.parent.mkdir(parents=True, exist_ok=True)
         # Another installation may be reading: the file appears whole or not at all.
@@ -58,11 +71,30 @@ class BuildPlainLibrary(build_ext):
         shutil.copy2(library, partial)
         partial.replace(compiled)
 
+    def _native_width(self) -> int:
+        """Return the widest vector of this processor, in lanes; 0 if the compiler does not say."""
+        macros = subprocess.run(
+            [*self._command(), "-march=native", "-dM", "-E", "-x", "c", os.devnull],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        defined = {line.split()[1] for line in macros.stdout.splitlines() if line.count(" ") > 1}
+        # For several processors at once, as some Pythons of macOS compile, none of them is it.
+        if macros.returncode or self.compiler.compiler_so.count("-arch") > 1:
+            return 0
+        has = (
+            w for w, needed in FEATURES.items() if defined.issuperset(f"__{f}__" for f in needed)
+        )
+        return next(has)
+
+    def _command(self) -> list[str]:
+        return list(takewhile(lambda word: not word.startswith("-"), self.compiler.compiler_so))
+
     def _key(self, ext: Extension) -> str:
         """Return a digest of all that a library depends on: sources, compiler, flags, platform."""
-        compiler = takewhile(lambda word: not word.startswith("-"), self.compiler.compiler_so)
         version = subprocess.run(
-            [*compiler, "--version"],
+            [*self._command(), "--version"],
             capture_output=True,
             text=True,
             check=False,
@@ -81,15 +113,25 @@ class BuildPlainLibrary(build_ext):
     def copy_extensions_to_source(self) -> None:
         # Where the compiler fails, an editable install must not keep the library of older sources.
         for ext in self.extensions:
-            path = Path(*ext.name.split("."))
-            path.with_name(path.name + sysconfig.get_config_var("EXT_SUFFIX")).unlink(True)
+            Path(self.get_ext_filename(ext.name)).unlink(True)
         super().copy_extensions_to_source()
+
+    def get_ext_filename(self, fullname: str) -> str:
+        # Without the tag of an interpreter: any Python can load the library.
+        return str(Path(*fullname.split("."))) + ".so"
 
     def get_export_symbols(self, ext: Extension) -> list[str]:
         return ext.export_symbols
 
     def get_libraries(self, ext: Extension) -> list[str]:
         return ext.libraries
+
+
+class WheelForAnyPython(bdist_wheel):
+    """Build a wheel for this platform and every Python 3: no code in it is linked with Python."""
+
+    def get_tag(self) -> tuple[str, str, str]:
+        return "py3", "none", super().get_tag()[2]
 
 
 def packages(folder: str) -> list[str]:
@@ -106,12 +148,12 @@ setup(
             sources=[f"generated/c/{scene}.c"],
             depends=[
                 "setup.py",
-                "hoopgen/engine/sources.py",
-                *sorted(map(str, SOURCES.glob(f"{scene}*.h"))),
+                "hoopgen/engine/c_build.py",
+                *map(str, BUILD["source_files"](SOURCES, scene)),
             ],
             optional=True,  # without a compiler NumPy serves
         )
         for scene in SCENES
     ],
-    cmdclass={"build_ext": BuildPlainLibrary},
+    cmdclass={"build_ext": BuildPlainLibrary, "bdist_wheel": WheelForAnyPython},
 )

@@ -17,7 +17,7 @@ from benchmarks.families import FAMILIES
 from benchmarks.picture import draw
 from benchmarks.report import as_json, as_markdown
 from benchmarks.run import QUICK, Settings, run
-from hoopgen.outputs import write
+from hoopgen.core.files import write
 from hoopgen.plots.style import save
 
 GRAZES = "grazes"

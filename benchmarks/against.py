@@ -26,7 +26,7 @@ Array = NDArray[Any]
 
 PATH = ("outcome", "contacts", "counts", "first", "time", "state")
 BOUNDS = ("uncertain", "time_error", "state_error")
-"""With one of these asked for an engine bounds errors; without, it takes its plain course."""
+"""Fields for which an engine bounds errors; without them it runs its plain loop."""
 
 LOGGED = 1 << 14
 """Shots whose event log is compared at a time: 200 bytes a row, up to 41 rows a shot."""
@@ -42,7 +42,7 @@ EXAMPLES = 3
 
 @dataclass(frozen=True)
 class Wanted:
-    """What to compare: families by key, no more than `shots` of each, no more than `logged` of them
+    """The extent of a comparison.
     with the log in NumPy, which then works a thousand at a time, slowly; rounds of each speed."""
 
     equality: bool = True
@@ -104,7 +104,7 @@ def _shots(name: str, base: Array, tree: Array) -> NDArray[np.intp]:
 
 @dataclass
 class Verdict:
-    """How many shots of a family one engine was compared on, and where the two differ."""
+    """The comparison of one engine on a family: the number of shots, and where the two differ."""
 
     flown: int = 0
     logged: int = 0
@@ -277,7 +277,7 @@ def speed(pair: Pair, wanted: Wanted, engines: Collection[str]) -> None:
 
 @dataclass(frozen=True)
 class Engines:
-    """Which engines of the base there are to compare.
+    """The engines of the base that can be compared.
 
     Attributes
     ----------
@@ -295,7 +295,7 @@ class Engines:
 
     @classmethod
     def of(cls, base: Sequence[str], tree: Sequence[str], widths: Collection[int]) -> Self:
-        """Tell them apart by the widths that the working tree says it has."""
+        """Return the engines that both have, by the widths of the working tree."""
         kept = {f"c {width}" for width in widths} | {"c", "numpy"}
         gone = [engine for engine in base if engine not in tree]
         return cls(

@@ -23,9 +23,10 @@ import hoopgen
 ROOT = Path(__file__).resolve().parents[1]
 TREE = Path(hoopgen.__file__).parent
 KEPT = ROOT / ".bench"
-SUFFIX = sysconfig.get_config_var("EXT_SUFFIX")
+LIBRARIES = ("_*.so", "_*.pyd")
+"""Names of C libraries, at older commits with an interpreter's tag before the ending."""
 C_SOURCES = ("setup.py", "generated/c")
-"""What the C library is made of."""
+"""Sources of the C library."""
 
 
 class CannotBuild(Exception):
@@ -55,7 +56,7 @@ def _checkout(of: str, into: Path) -> None:
 
 
 def _libraries(package: Path) -> list[Path]:
-    return sorted(path.relative_to(package) for path in package.rglob(f"*{SUFFIX}"))
+    return sorted(path.relative_to(package) for name in LIBRARIES for path in package.rglob(name))
 
 
 def shares(of: str) -> bool:
@@ -85,7 +86,7 @@ def _build(of: str, source: Path, package: Path) -> str:
 
 @contextmanager
 def built(of: str) -> Iterator[tuple[Path, str]]:
-    """Give the folder from which to import hoopgen as of a commit, and a word on its library."""
+    """Yield the folder from which to import hoopgen as of a commit, and a word on its library."""
     kept = KEPT / of / sysconfig.get_config_var("SOABI")
     if kept.exists():
         yield kept, "kept from an earlier run"

@@ -1,4 +1,4 @@
-"""What bodies cost: scenes of 3 to 80, most of them near or far; their sources, and their C.
+"""The cost of bodies: scenes of 3 to 80 near or far ones, their sources and their C.
 
 Spheres stand in a square, all of other sizes, and balls are dropped among them. Where most are far
 they stand in a second square, a hundred metres off. A mixed scene has forty bodies of four kinds.
@@ -32,12 +32,12 @@ NEAR, FAR_AWAY = 3, (37, 77)
 """Bodies that balls are dropped among, and how many more are far."""
 
 MATTERS = ("processor", "cores used", "system", "hoopgen")
-"""Of the machine's facts."""
+"""Facts of the machine that the page gives."""
 
 
 @dataclass(frozen=True)
 class Cost:
-    """What a scene costs: `ratio` is that of a shot to one of the hoop's free throws."""
+    """The cost of a scene; `ratio` is that of a shot to one of the hoop's free throws."""
 
     name: str
     bodies: int
@@ -47,7 +47,7 @@ class Cost:
     compiled: float
     """Seconds, for one width; 0: it comes compiled."""
     size: float
-    """Of the printed C, KB."""
+    """Size of the printed C, kB."""
     contacts: float
     shot: float
     """Seconds."""
@@ -183,7 +183,7 @@ def as_json(found: Sequence[Cost]) -> str:
 
 
 def _more(found: Sequence[Cost]) -> list[str]:
-    """Say what a far body adds to a shot, among few and among many, from near ones alone."""
+    """Describe the cost that a far body adds to a shot, among few and among many."""
     alone = next(c for c in found if c.bodies == NEAR and not c.far and c.compiled)
     each = [
         f"{1000 * (cost.ratio.median - alone.ratio.median) / cost.far:.1f} of {cost.far}"
@@ -191,13 +191,13 @@ def _more(found: Sequence[Cost]) -> list[str]:
         if cost.far
     ]
     return [
-        "A body that is far adds to a shot, in thousandths of a free throw on the hoop:",
+        "Each far body adds to the time of a shot, in thousandths of a free throw on the hoop:",
         f"{', '.join(each)}.",
     ]
 
 
 def as_markdown(found: Sequence[Cost]) -> str:
-    """What scenes cost, as a page."""
+    """Return the page on the cost of bodies."""
     hoop = found[0]
     rows = []
     for cost in found:
@@ -232,15 +232,18 @@ def as_markdown(found: Sequence[Cost]) -> str:
         [
             "# Bodies",
             "",
-            "Written by `python -m benchmarks --only bodies`; the numbers are in `bodies.json`.",
+            "`python -m benchmarks --only bodies` writes this page; `bodies.json` contains the "
+            "numbers.",
             "",
             *table(["", ""], [[name, f"`{value}`"] for name, value in machine.items()]),
             "",
-            "Times of C on one thread, with outcome, contacts and time, as multiples of a free",
-            "throw's on the hoop: median and quartiles of rounds in which each has a turn. A shot",
-            "has one flight more than contacts; the hoop has four surfaces with the end's. Bodies",
-            "that differ by their sizes alone share kernels: sizes are data. The C is that of all",
-            "widths, compiled for one, as `hoopgen.compile` does. Times are the processor's own.",
+            "The times are those of the C engine on one thread, with the fields outcome, "
+            "contacts and time, as multiples of the time of a free throw on the hoop: median "
+            "and quartiles of rounds in which each scene is timed once. A shot has one more "
+            "flight than contacts. The hoop has four surfaces including the end. Bodies that "
+            "differ only in their sizes share kernels, because sizes are data. The size of the "
+            "C code is that of all vector widths; the compile time is that of one, as in "
+            "`hoopgen.compile`. All times are processor times.",
             "",
             *table(head, rows),
             "",

@@ -16,11 +16,11 @@ from flint import arb, ctx
 from benchmarks.ring_roll import BOARD, RING, Floats, boxes
 
 BITS = 400
-"""Of which ever smaller bounces take a few each."""
+"""Working precision; each smaller bounce takes a few bits of it."""
 NEWTON = 12
 """Steps, each with twice the digits."""
 SHARE = arb(2) / 5
-"""What a contact that grips takes of the slip."""
+"""Share of the slip that a gripping contact removes."""
 Vector = list[arb]
 
 

@@ -1,4 +1,4 @@
-"""Who takes part: hoopgen as its users call it, and its peers."""
+"""The contenders: hoopgen as its users call it, and its peers."""
 
 import os
 from collections.abc import Callable
@@ -13,7 +13,7 @@ from hoopgen import COURT, PAPER, PAPER_COURT
 
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 RESULTS = ("outcome", "contacts", "time")
-"""What every contender returns, and bytes a shot: 1 + 4 + 8."""
+"""Fields that every contender returns; a shot takes 1 + 4 + 8 bytes."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""How far each contender is from the right answer: outcome, sequence of contacts, time."""
+"""Errors of each contender in outcome, sequence of contacts and time."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -27,7 +27,7 @@ class Errors:
 
 
 def by_hoopgen(states: States) -> Flown:
-    """hoopgen as one of those judged, with the surfaces in sequence."""
+    """Return hoopgen as a contender, with its surfaces in sequence."""
     shots = hoopgen.simulate(states, PAPER, max_contacts=MAX_CONTACTS, record=True)
     events = shots.events[np.isin(shots.events["surface"], range(len(hoopgen.SURFACES)))]
     first = np.searchsorted(events["shot"], events["shot"])

@@ -23,11 +23,11 @@ import hoopgen
 from benchmarks.families import FAMILIES, Family
 from benchmarks.machine import facts
 from benchmarks.report import number, table
-from hoopgen.engines import HOOP
+from hoopgen.core.files import write
 from hoopgen.judge import Certificate, Proof, certify
-from hoopgen.judge.audit import deepest
-from hoopgen.outputs import write
-from hoopgen.phrases import percent
+from hoopgen.judge.penetration import deepest
+from hoopgen.simulation.hoop import HOOP
+from hoopgen.text.numbers import format_percent
 
 ERRORS = ("time", "position", "velocity", "spin")
 MAX_CONTACTS = 40
@@ -40,7 +40,7 @@ Floats = NDArray[np.float64]
 
 @dataclass
 class Tally:
-    """What one family's shots come to.
+    """The results of one family's shots.
 
     `wrong`: neither flagged nor as proved. `unseen`: not flagged, though undecidable. `flagged`:
     of the shots that are not capped, `changed` of them proved to be otherwise. `errors`: largest
@@ -111,7 +111,7 @@ def _add(result: Tally, states: Floats, parameters: Mapping[str, Any], audited: 
 
 
 def _same(flown: hoopgen.Shots, proved: Certificate) -> Bools:
-    """Where outcome and sequence of surfaces agree."""
+    """Return a mask of the shots whose outcome and sequence of surfaces agree."""
     starts = np.searchsorted(flown.events["shot"], np.arange(len(flown) + 1))
     surfaces = flown.events["surface"].tolist()
     sequences = (surfaces[a:b] for a, b in pairwise(starts.tolist()))
@@ -157,7 +157,7 @@ def _differ(
 
 
 def _errors(proof: Proof, time: float, state: Floats) -> list[float]:
-    """The errors of a computed time and state; without an event the state is the release."""
+    """Return the errors of a computed time and state; without an event the state is the release."""
     if not proof.events:
         return [0.0] * len(ERRORS)
     last = proof.events[-1]
@@ -204,7 +204,7 @@ def _audit(
 
 
 def _share(part: int, whole: int) -> str:
-    return percent(part / whole, 2) if whole else "–"
+    return format_percent(part / whole, 2) if whole else "–"
 
 
 def _small(value: float) -> str:
@@ -272,42 +272,44 @@ def _depths(tallies: Sequence[Tally]) -> list[str]:
 
 
 def as_markdown(tallies: Sequence[Tally]) -> str:
-    """The report."""
+    """Return the report."""
     shots, wrong = sum(t.shots for t in tallies), sum(t.wrong for t in tallies)
     seconds = sum(t.seconds for t in tallies)
     lines = [
         "# Exactness",
         "",
-        f"`make exactness` flies {shots:,} shots twice. The engine flies them in doubles and flags "
-        "those of which it cannot decide some contact. The judge (`hoopgen.certify`) flies each "
-        "from the same doubles in ball arithmetic, with more and more digits, until every decision "
-        "is proved; of the engine it shares no numerical code, only the formulas in `derive/`. "
-        f"Of the shots that the engine did not flag, **{wrong}** came out otherwise. Shots that "
-        "break a promise are kept in `exactness.json`, with all digits.",
+        f"`make exactness` simulates {shots:,} shots twice. The engine uses doubles and flags "
+        "shots with a contact that it cannot decide. The judge (`hoopgen.certify`) starts from "
+        "the same doubles and uses ball arithmetic with increasing precision until every "
+        "decision is proved. The judge and the engine share the formulas in `derive/` and no "
+        f"numerical code. Among the shots that the engine did not flag, **{wrong}** have a wrong "
+        "result. Shots that break a promise are stored in `exactness.json`, with all digits.",
         "",
         "## Decisions",
         "",
-        "*Wrong*: another outcome or another sequence of surfaces than the judge proves. "
-        "*Flagged*: `uncertain`, as a share of the shots that are not capped at "
-        f"{MAX_CONTACTS} contacts; *flagged, wrong* is how many of those would have been wrong. "
-        "*Undecidable*: not proved with 4,096 bits either: two contacts at once, an exact touch, "
-        "an exact edge. *Most bits*: the precision that the hardest shot took.",
+        "A shot is *wrong* if its outcome or its sequence of surfaces differs from the proof. "
+        "*Flagged* is the share of `uncertain` shots among those that are not capped at "
+        f"{MAX_CONTACTS} contacts, and *flagged, wrong* the share that is flagged and would have "
+        "been wrong. A shot is *undecidable* if 4,096 bits do not suffice for its proof: two "
+        "contacts at the same time, an exact touch, or an exact edge. *Most bits* is the "
+        "precision that the hardest shot needed.",
         "",
         *_decisions(tallies),
         "## Times and states",
         "",
-        "How far the engine's final time and state are from the judge's, at most, over the shots "
-        "that it did not flag. The engine claims a bound on each (`time_error`, `state_error`); "
-        "a share above 1 would be a broken claim.",
+        "The table gives the largest difference between the final times and states of the "
+        "engine and of the judge, over the shots that the engine did not flag. The engine "
+        "reports an error bound for each (`time_error`, `state_error`). A share of the bound "
+        "above 1 would break this promise.",
         "",
         *_numbers(tallies),
         "## The ball never enters a surface",
         "",
-        "Recorded flights of shots that are not flagged, from each recorded state to the next "
-        "event. The judge bounds the deepest point of every flight, between its ends too; nothing "
-        "is sampled. What is left is the rounding of the recorded states. Backboard and bridge are "
-        "faces: what counts is going through them, not coming to be behind them around an edge, "
-        "which the model leaves out.",
+        "The table covers recorded flights of shots that are not flagged, from each recorded "
+        "state to the next event. The judge bounds the deepest point of every flight, also "
+        "between its ends; nothing is sampled. The remaining depth is the rounding of the "
+        "recorded states. Backboard and bridge are faces in this scene, so only a passage "
+        "through a face counts, not a path around an edge.",
         "",
         *_depths(tallies),
         *(f"{what}: {value}  " for what, value in facts().items() if "peers" not in what),

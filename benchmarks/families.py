@@ -48,7 +48,7 @@ def spins(random: np.random.Generator, n: int) -> Floats:
 
 
 def back(position: Floats, velocity: Floats, spin: Floats, time: Floats) -> States:
-    """The releases that lead to a position and a velocity after `time`."""
+    """Return the releases that lead to a position and a velocity after `time`."""
     fall = np.array([0.0, 0.0, PAPER["gravity"]])
     earlier = velocity + fall * time[:, None]
     start = position - time[:, None] * (velocity + fall * time[:, None] / 2)
@@ -56,7 +56,7 @@ def back(position: Floats, velocity: Floats, spin: Floats, time: Floats) -> Stat
 
 
 def around(n: int) -> Shots:
-    """From anywhere around, at any point near the hoop, however quick."""
+    """Return shots from anywhere around, at any point near the hoop, of any speed."""
     random = seeded("around")
     target = random.uniform((-0.6, -0.6, -0.2), (0.5, 0.6, 0.6), (n, 3))
     time = random.uniform(0.1, 1.5, n)
@@ -103,7 +103,7 @@ def drop(n: int) -> Shots:
 
 
 def in_plane(n: int) -> Shots:
-    """In the hoop's plane of symmetry, where the octic has a factor of its own."""
+    """Return shots in the hoop's plane of symmetry, where the octic factors."""
     random = seeded("in plane")
     target = random.uniform((-0.5, 0, 0.0), (0.4, 0, 0.4), (n, 3))
     time = random.uniform(0.3, 1.3, n)
@@ -200,13 +200,13 @@ def rim(n: int) -> Shots:
 
 
 def with_restitution(restitution: float, n: int) -> Shots:
-    """The shots from anywhere around, with another restitution."""
+    """Return the shots from anywhere around, with another restitution."""
     states, parameters = around(n)
     return states, {**parameters, "restitution": restitution}
 
 
 def other_hoops(n: int) -> Shots:
-    """From anywhere around, every shot with a hoop of its own."""
+    """Return shots from anywhere around, each with its own hoop."""
     random = seeded("other hoops")
     states, _ = around(n)
     preset = random.integers(0, 3, n)

@@ -22,10 +22,10 @@ from hoopgen.judge import certify
 
 Bools = NDArray[np.bool_]
 Places = tuple[Floats, Floats]
-"""Where the ball is at its graze, and its velocity, both (n, 3)."""
+"""Places of the ball at its graze, and its velocities, both (n, 3)."""
 
 BANDS = ((1e-13, 1e-9), (1e-16, 1e-13))
-"""Of the gap's size (m), which is spread evenly over the orders of magnitude. In the second one it
+"""Ranges of the gap's size (m), spread evenly over the orders of magnitude. In the second it
 comes down to the last bits of the releases."""
 
 WINDOW = 5e-4
@@ -85,7 +85,7 @@ def _bridge_side(random: np.random.Generator, gap: Floats) -> Places:
 
 
 def _bridge_top(random: np.random.Generator, gap: Floats) -> Places:
-    """From outside over the bridge's side, at the highest point of the flight: the gap below its
+    """Return grazes over the bridge's side, at the flight's highest point: the gap below its
     plane, or above it, and then the ball comes down on it."""
     n = len(gap)
     position, side = _beside_the_bridge(random, n, np.full(n, WIDE - 1e-4))
@@ -140,7 +140,7 @@ def _draw(kind: Kind, random: np.random.Generator, n: int) -> Grazes:
 
 
 def _undisturbed(grazes: Grazes) -> Bools:
-    """Where the ball meets nothing before its graze, as far as 400 looks at its path tell."""
+    """Return a mask of the balls that meet nothing before the graze, by 400 points of each path."""
     steps = np.linspace(0, 1, 401)[1:, None]
     time = grazes.time - (grazes.time - 1e-4) * steps**2 - 1e-4
     x, y, z, vx, vy, vz = grazes.states[:, :6].T
@@ -169,7 +169,7 @@ def graze(kind: Kind, n: int) -> Grazes:
 
 @dataclass(frozen=True)
 class Seen:
-    """What somebody makes of grazes: whether the ball touches there, and whether that is in doubt,
+    """A contender's verdicts on grazes: whether the ball touches, and whether that is in doubt,
     both (n,)."""
 
     touches: Bools
@@ -184,7 +184,7 @@ def _touching(kind: Kind, grazes: Grazes, first: NDArray[np.int8], time: Floats)
 
 
 def judged(kind: Kind, grazes: Grazes, parameters: Mapping[str, Any] = PAPER) -> Seen:
-    """What is proved; in doubt is what the judge cannot decide."""
+    """Return the proved contacts; those that the judge cannot decide are in doubt."""
     proved = certify(grazes.states, parameters, max_contacts=1)
     time = np.where(proved.decided, proved.time, np.inf)
     return Seen(_touching(kind, grazes, proved.first, time), ~proved.decided)
@@ -209,7 +209,7 @@ def _by_peer(peer: Peer) -> Look:
 
 OURS = {"hoopgen C": _by_hoopgen("c"), "hoopgen NumPy": _by_hoopgen("numpy")}
 FIELD: dict[str, Look] = {**OURS, **{peer.label: _by_peer(peer) for peer in PEERS}}
-"""Who takes part: hoopgen in doubt where it says `uncertain`, the peers never."""
+"""The contenders: hoopgen is in doubt where a shot is `uncertain`, the peers never."""
 
 
 @dataclass(frozen=True)
@@ -246,7 +246,7 @@ def _tally(who: str, kind: Kind, band: int, within: Bools, right: Seen, seen: Se
 
 
 def tallies(n: int, field: Mapping[str, Look] = FIELD) -> list[Tally]:
-    """What everybody makes of n grazes of each kind."""
+    """Return the results of all contenders on n grazes of each kind."""
     found = []
     for kind in KINDS:
         grazes = graze(kind, n)

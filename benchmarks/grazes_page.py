@@ -10,7 +10,7 @@ from benchmarks.peers import LEFT_OUT
 from benchmarks.report import table
 
 MATTERS = ("processor", "system", "python", "hoopgen", "numpy", "scipy", "heyoka")
-"""Of the machine's facts: no speed is told here."""
+"""Facts of the machine that the page gives; it has no speeds."""
 
 COUNTS = ("touching", "passing", "undecided", "missed", "invented", "doubt", "wrong_in_doubt")
 
@@ -36,7 +36,7 @@ def _range(band: int) -> str:
 
 
 def summary(tallies: Sequence[Tally]) -> list[str]:
-    """Who missed and invented how many, in each band; the table that the README shows too."""
+    """Return the table of missed and invented contacts by band, which the README shows too."""
     people = _people(tallies)
     head, rows = ["gap"], [[who] for who in people]
     for band in range(len(BANDS)):
@@ -70,29 +70,29 @@ def _by_kind(tallies: Sequence[Tally], band: int) -> list[str]:
 
 
 def as_markdown(tallies: Sequence[Tally]) -> str:
-    """The report."""
+    """Return the report."""
     shots = _summed(tallies, who=_people(tallies)[0])
     number = shots["touching"] + shots["passing"] + shots["undecided"]
     lines = [
         "# Grazes",
         "",
-        f"`python -m benchmarks --only grazes` makes {number:,} shots whose first contact is "
-        "decided by a gap of 1e-9 m or less, of either sign: along the ring's wire, over it, "
-        "outside and inside; through the plane of the board, or down through that of the bridge, "
-        "beside an edge; and up over the bridge's side to a highest point beside its plane. What "
-        "each does is proved in ball arithmetic, from the same doubles; "
-        f"{shots['undecided']:,} of them could not be decided.",
+        f"`python -m benchmarks --only grazes` creates {number:,} shots whose first contact "
+        "depends on a gap of at most 1e-9 m, positive or negative. Some pass along the ring's "
+        "wire, over it, outside or inside. Some pass through the plane of the board, or down "
+        "through that of the bridge, beside an edge. Others rise beside the bridge to a highest "
+        "point near its plane. The judge proves the result of each shot in ball arithmetic, "
+        f"from the same doubles; it could not decide {shots['undecided']:,} of them.",
         "",
-        "*Missed*: a contact that is proved, and not found, or not within 5e-4 s of its time. "
-        "*Invented*: one found that is proved not to be. *Uncertain*: hoopgen says so itself, and "
-        "they are not among its missed and invented; the peers never do. Below 1e-13 m the gap "
-        "comes down to the last bits of the release. The peers are those of "
-        "[benchmarks.md](benchmarks.md).",
+        "A contact is *missed* if it is proved and the method does not find it within 5e-4 s of "
+        "its time. It is *invented* if the method finds it and it is proved not to exist. "
+        "*Uncertain* shots are flagged by hoopgen and count as neither; the other methods have "
+        "no such flag. Below 1e-13 m the gap is comparable to the last bits of the release. "
+        "[Benchmarks](benchmarks.md) describes the other methods.",
         "",
         *summary(tallies),
         *(f"{line}.\n" for line in LEFT_OUT),
-        "Below: missed, invented; in parentheses how many are uncertain, and how many of those "
-        "would have been wrong.",
+        "The following tables give the numbers of missed and invented contacts. Parentheses "
+        "contain the number of uncertain shots, and how many of those would have been wrong.",
         "",
         *(line for band in range(len(BANDS)) for line in _by_kind(tallies, band)),
         *(f"{what}: {value}  " for what, value in facts().items() if what in MATTERS),

@@ -23,7 +23,7 @@ BYTES_A_SHOT = 9 * 8 + 1 + 4 + 8
 
 
 def processor() -> str:
-    """The processor's name, as far as the system tells."""
+    """Return the processor's name, as far as the system tells."""
     try:
         lines = Path("/proc/cpuinfo").read_text().splitlines()
     except OSError:

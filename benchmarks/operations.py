@@ -1,4 +1,4 @@
-"""What hoopgen's C does for a shot: its sources, compiled with counters in kernels and search."""
+"""Operations of hoopgen's C for a shot, counted in kernels and search."""
 
 import ctypes
 import re
@@ -14,7 +14,8 @@ import hoopgen
 from benchmarks.peers.native import COMPILER, OUR_FLAGS
 from benchmarks.workloads import States
 from hoopgen.engine import native
-from hoopgen.engines import HOOP
+from hoopgen.engine.c_build import source_files
+from hoopgen.simulation.hoop import HOOP
 
 GENERATED = Path(__file__).parents[1] / "generated" / "c"
 ARITHMETIC = ("addition", "subtraction", "multiplication", "division", "square root")
@@ -26,16 +27,16 @@ _KERNEL = re.compile(
     re.DOTALL,
 )
 _COUNT = re.compile(r"(\d+) ([a-z ]+?)s?[,.]")
-_TURNS = ("M leaping = active;", "M searching = active;")
-"""Where a turn of the search begins, in the event loop: in single precision, and in double."""
-_EVALUATIONS = ("hoop_ring_leap", "hoop_ring_advance")
+_TURNS = ("M stepping = active;", "M searching = active;")
+"""First lines of an iteration of the event loop's search, in single and in double precision."""
+_EVALUATIONS = ("hoop_ring_step", "hoop_ring_advance")
 """The kernels that evaluate the gap and its bound, in single precision and in double."""
 
 
 @dataclass(frozen=True)
 class Counts:
-    """By shot: all arithmetic, divisions and roots alone, and evaluations of the search, in either
-    precision; and the share of the lanes that are busy in its turns at the widest."""
+    """Counts per shot: all arithmetic, divisions and roots, evaluations of the search in either
+    precision, and the share of the lanes that are busy in its turns at the widest."""
 
     operations: float
     divisions: float
@@ -68,7 +69,7 @@ def _in_kernels(name: str, text: str) -> str:
 
 
 def _in_search(name: str, text: str) -> str:
-    if name != "hoop_engine.h":
+    if name != "hoop_loop.h":
         return text
     counters = "hoop_count[4] += (double)busy; hoop_count[5] += LANES_WIDTH;"
     for turn in _TURNS:
@@ -81,13 +82,13 @@ def _in_search(name: str, text: str) -> str:
 def _counted(states: States, width: int, change: Callable[[str, str], str]) -> list[float]:
     """Return what the counters say after shots at a width, with the sources so changed."""
     with tempfile.TemporaryDirectory() as folder:
-        for source in GENERATED.glob("hoop*.[ch]"):
+        for source in source_files(GENERATED, "hoop"):
             text = change(source.name, source.read_text(encoding="utf-8"))
             if source.name == "hoop.c":
                 text = f"double hoop_count[6];\n{text}"
             (Path(folder) / source.name).write_text(text, encoding="utf-8")
         target = Path(folder) / "counting.so"
-        command = [COMPILER, *OUR_FLAGS, "-w", "-shared", "-fPIC", f"{folder}/hoop.c"]
+        command = [*COMPILER, *OUR_FLAGS, "-w", "-shared", "-fPIC", f"{folder}/hoop.c"]
         subprocess.run([*command, "-o", str(target), "-lm"], check=True)
         counting = OfWidth(target, HOOP.kernels)
         counting.width = width

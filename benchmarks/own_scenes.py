@@ -19,14 +19,14 @@ from numpy.typing import NDArray
 import hoopgen
 from benchmarks.machine import facts
 from benchmarks.report import table
+from hoopgen.core.files import write
 from hoopgen.judge.certificate import Certificate
-from hoopgen.outputs import write
-from hoopgen.phrases import percent
 from hoopgen.scene import Scene, load_scene
+from hoopgen.text.numbers import format_percent
 
 SCENES = Path(__file__).resolve().parents[1] / "examples" / "scenes"
 MAX_CONTACTS = 12
-"""Of balls that bounce ever lower more would say little: by then most are flagged."""
+"""Limit of contacts: of balls that bounce ever lower most are flagged by then."""
 SHOTS = 2_000
 SEED = 12
 
@@ -91,7 +91,7 @@ def scene_of(file: str) -> Scene:
 
 @dataclass(frozen=True)
 class Row:
-    """What an example's shots come to; as in `benchmarks.exactness`."""
+    """The results of an example's shots; as in `benchmarks.exactness`."""
 
     name: str
     shots: int
@@ -143,8 +143,8 @@ def as_markdown(rows: Sequence[Row], seconds: float) -> str:
             f"{row.capped:,}",
             f"**{row.wrong}**",
             f"**{row.unseen}**",
-            percent(row.flagged / row.shots, 2),
-            percent(row.changed / row.shots, 2),
+            format_percent(row.flagged / row.shots, 2),
+            format_percent(row.changed / row.shots, 2),
             str(row.undecidable),
             str(row.bits),
         ]
@@ -153,11 +153,10 @@ def as_markdown(rows: Sequence[Row], seconds: float) -> str:
     lines = [
         "# Exactness of the example scenes",
         "",
-        f"`make exactness` flies {rows[0].shots:,} shots in each of "
-        "`examples/scenes`, at most "
-        f"{MAX_CONTACTS} contacts each, and holds them against `hoopgen.certify`, as those at the "
-        "hoop in [exactness.md](exactness.md), which has the words; *flagged* is a share of all "
-        "shots here. A ball that bounces ever lower, as on the green, is capped.",
+        f"`make exactness` simulates {rows[0].shots:,} shots in each scene of `examples/scenes`, "
+        f"with at most {MAX_CONTACTS} contacts each, and compares them with `hoopgen.certify`. "
+        "[Exactness](exactness.md) explains the columns; here *flagged* is a share of all "
+        "shots. A ball that bounces ever lower, as on the green, is capped.",
         "",
         *table(head, cells),
         *(f"{what}: {value}  " for what, value in facts().items() if "peers" not in what),

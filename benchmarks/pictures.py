@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 
 import hoopgen
-from hoopgen.paper import run
 from hoopgen.plots import (
     plot_aim_points,
     plot_fan,
@@ -26,13 +26,14 @@ from hoopgen.plots import (
     save,
     style,
 )
-from hoopgen.plots.cells import read_cells
+from hoopgen.plots.class_legend import CLASSES, draw_names, names_height
 from hoopgen.plots.fan import draw_fan, gather_fan
-from hoopgen.plots.key import CLASSES, draw_key, key_height
+from hoopgen.plots.map_cells import read_cells
 from hoopgen.plots.maps import draw_classes
 from hoopgen.plots.page import add_axes, add_view, new_page
-from hoopgen.plots.panels import Panel
-from hoopgen.study.bank import bank_or_direct
+from hoopgen.plots.views import Panel
+from hoopgen.simulation.article import run
+from hoopgen.study.questions.bank import bank_or_direct
 
 SCENE = hoopgen.NBA | {"restitution": 0.75}
 PLACE = {"height": 2.1336, "distance": 4.191, "backspin": 6.0 * np.pi}  # 7 ft, 13.75 ft, 3 Hz
@@ -60,13 +61,13 @@ def free_throws() -> Figure:
             SCENE,
         )
     )
-    key = dict.fromkeys(CLASSES[place] for place in np.unique(cells.values))
+    key = [CLASSES[place] for place in np.unique(cells.values)]
     # Inches, but for the limits of the view.
     width, left, across, below, gap, edge = 8.6, 0.55, 4.5, 0.48, 0.55, 0.1
     limits = (-0.5, 4.3, -0.98, 1.42)
     panel = Panel(fan.view, limits, across / (limits[1] - limits[0]), left, 0.0)
     with style():
-        foot = key_height(key, width - 2.0 * edge) + edge
+        foot = names_height([one.words for one in key], width)
         figure = new_page(width, below + panel.height + 0.28, foot=foot)
         panel = Panel(fan.view, limits, panel.scale, left, foot + below)
         paths = add_view(figure, panel)
@@ -85,7 +86,8 @@ def free_throws() -> Figure:
         chart.set_title("What becomes of them, and at other angles", loc="left", fontsize=8.5)
         chart.text(8.32, 57.0, "over\nthe\nboard", ha="center", **WORDS)
         chart.text(6.95, 62.5, "too\nshort", ha="center", **WORDS)
-        draw_key(figure, key, edge, foot, width - 2.0 * edge, lines=True)
+        swatches = [Patch(fc=one.colour, ec=one.line, lw=1.5, label=one.words) for one in key]
+        draw_names(figure, swatches, width)
     return figure
 
 
@@ -96,7 +98,7 @@ def outcome_map() -> Figure:
 
 
 def probability_map() -> Figure:
-    """How probably the shooter makes it, by the release aimed at."""
+    """Draw the probability of a made shot by the release aimed at."""
     over = {
         "speed": np.linspace(6.95, 7.75, 65),
         "elevation": np.radians(np.linspace(44.0, 64.0, 61)),
@@ -111,13 +113,13 @@ def _released(shots: int, *, record: bool = False) -> tuple[np.ndarray, hoopgen.
 
 
 def fan() -> Figure:
-    """What the shooter's shots look like."""
+    """Draw the paths of the shooter's shots."""
     _, shots = _released(20_000, record=True)
-    return plot_fan(shots, SCENE)
+    return plot_fan(shots, SCENE, paths=110)  # of which the file stays small
 
 
 def landings() -> Figure:
-    """Where the shooter's misses go."""
+    """Draw the landings of the shooter's misses."""
     states, shots = _released(300_000)
     floor = hoopgen.measure(states, shots, SCENE, ["floor_x", "floor_y"])
     missed = shots.outcome == hoopgen.Outcome.MISSED
@@ -126,7 +128,7 @@ def landings() -> Figure:
 
 
 def aim_points() -> Figure:
-    """Where the best bank shots touch the board, from places on four arcs around the ring."""
+    """Draw the aim points of the best bank shots, from places on four arcs around the ring."""
     distance, angle = np.meshgrid([2.0, 3.0, 4.2, 5.5], np.radians(np.arange(-75.0, 76.0, 15.0)))
     places = np.stack([distance * np.cos(angle), distance * np.sin(angle)], axis=-1)
     release = {name: PLACE[name] for name in ("height", "backspin")}
@@ -140,7 +142,7 @@ OWN: Mapping[str, tuple[tuple[float, ...], int | None]] = {
     "netball": ((1.6, 0.258, -0.35, -2.317, -0.301, 4.649, 0.0, -12.0, 0.0), None),
     "bowl": ((-0.6, 0.1, 0.35, 1.2, 0.9, 0.5, 0.0, 0.0, 0.0), 7),
     "bumpers": ((0.03, 0.044, 0.6, 1.259, -0.651, 0.248, 0.0, 0.0, 0.0), None),
-    "golf": ((-0.55, -0.037, 0.12, 1.57, 0.156, 0.706, 0.0, 30.0, 0.0), None),
+    "golf": ((-0.55, -0.037, 0.12, 1.549, 0.155, 0.703, 0.0, 30.0, 0.0), None),
 }
 
 
@@ -164,7 +166,7 @@ def own(name: str) -> Figure:
 
 
 def figure_7() -> Figure:
-    """The article's missed free throw."""
+    """Draw the article's missed free throw."""
     (result,) = (one for one in run() if one.case.figure == "7")
     return plot_trajectory(
         result.trajectory,
@@ -175,7 +177,7 @@ def figure_7() -> Figure:
 
 
 def roll() -> Figure:
-    """A free throw at a dead rim, which rolls along the ring and over it."""
+    """Draw a free throw at a dead rim, which rolls along the ring and over it."""
     parameters = hoopgen.PAPER_COURT | {"ring_restitution": 0.3}
     release = {**PLACE, **AIM, "speed": 7.29, "azimuth": np.radians(0.9)}
     shots = hoopgen.simulate(

@@ -11,7 +11,7 @@ from benchmarks.peers import LEFT_OUT, PEERS
 from benchmarks.run import Results
 from benchmarks.timing import Spread
 from benchmarks.workloads import WORKLOADS
-from hoopgen.phrases import percent
+from hoopgen.text.numbers import format_percent
 
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -25,7 +25,7 @@ def as_json(results: Results) -> str:
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
-    """A Markdown table, its first column to the left and the others to the right."""
+    """Return a Markdown table, its first column to the left and the others to the right."""
     rule = ["---"] + ["---:"] * (len(head) - 1)
     return [f"| {' | '.join(row)} |" for row in (head, rule, *rows)] + [""]
 
@@ -54,12 +54,12 @@ def short(rate: float) -> str:
 
 
 def power(value: float) -> str:
-    """Say a power of ten; the house's pictures have no other formulas."""
+    """Format a power of ten; the house's pictures have no other formulas."""
     return f"10{f'{round(math.log10(value))}'.translate(_RAISED)}"
 
 
 def _rate(spread: Spread) -> str:
-    """Shots a second with the quartiles."""
+    """Format shots per second with the quartiles."""
     unit, _ = _unit(spread.median)
     return f"{short(spread.median)} ({number(spread.lower / unit)}–{number(spread.upper / unit)})"
 
@@ -100,8 +100,8 @@ def _speed(results: Results) -> list[str]:
     shots = [
         ["contacts a shot", *(number(results.work[w.key].contacts) for w in WORKLOADS)],
         [
-            "hoopgen is uncertain of",
-            *(percent(results.work[w.key].uncertain, 2) for w in WORKLOADS),
+            "uncertain shots of hoopgen",
+            *(format_percent(results.work[w.key].uncertain, 2) for w in WORKLOADS),
         ],
         *(
             [f"shots a turn, {one.label}", *(f"{rates[w.key][one.key].shots:,}" for w in WORKLOADS)]
@@ -111,14 +111,14 @@ def _speed(results: Results) -> list[str]:
     return [
         "## Shots a second",
         "",
-        "Median and quartiles over the rounds; in a round everybody has a turn.",
-        "hoopgen returns outcome, contacts and time, as the peers do, and bounds no errors; or all",
-        "fields, of which `uncertain` takes them.",
+        "Median and quartiles over the rounds; each method is timed once per round. hoopgen "
+        "returns outcome, contacts and time, as the other methods do, and computes no error "
+        "bounds; or it returns all fields, including `uncertain`, which needs the error bounds.",
         "",
         *table(head, rows),
         "## How many times as fast hoopgen C is, on one thread",
         "",
-        "One thread against one thread, compared round by round.",
+        "Both sides use one thread. The ratios are those of the same round.",
         "",
         *table(head, ratios),
         f"## {CORES} threads over one",
@@ -136,8 +136,8 @@ def _errors(results: Results) -> list[str]:
         return [
             f"{workload} {label}",
             f"{error.shots:,}",
-            percent(error.wrong_outcome, 2),
-            percent(error.wrong_sequence, 2),
+            format_percent(error.wrong_outcome, 2),
+            format_percent(error.wrong_sequence, 2),
             f"{error.time_median:.1e}",
             f"{error.time_95:.1e}",
         ]
@@ -146,8 +146,8 @@ def _errors(results: Results) -> list[str]:
     return [
         "## Errors",
         "",
-        f"Against {results.judge}. The error in time is that of the shots whose",
-        "outcome and sequence of surfaces are right.",
+        f"The reference is {results.judge}. The error in time covers shots whose outcome and "
+        "sequence of surfaces are right.",
         "",
         *table(
             ["", "shots", "wrong outcome", "wrong sequence", "time, median (s)", "time, 95% (s)"],
@@ -174,15 +174,17 @@ def _calls(results: Results) -> list[str]:
                 for size in sizes
             ],
         ),
-        "## Bounces that accumulate, and rolls",
+        "## Zeno accumulation and rolls",
         "",
-        "What `HOOP` gives up after 40 contacts `COURT` follows to its end: on one thread such a",
-        f"free throw takes {_times(results.settled)}, a million of them",
+        "`COURT` follows the free throws to their end that `HOOP` caps after 40 contacts. On "
+        f"one thread such a free throw takes {_times(results.settled)}, and a million of them "
         f"{_time(1e6 * results.settled.median)}.",
         "",
         "## One shot",
         "",
-        "Through the Python interface, all fields, in a warm process; and the first in a new one.",
+        "The first table gives the time of a call through the Python interface, with all "
+        "fields, in a warm process. The second gives the time of the first shot in a new "
+        "process.",
         "",
         *table(["", "a call"], [[name, _times(cost)] for name, cost in results.single.items()]),
         *table(["new process", ""], [[name, _times(cost)] for name, cost in results.first.items()]),
@@ -205,8 +207,9 @@ def _table_4(results: Results) -> list[str]:
     return [
         "## The article's Table 4",
         "",
-        "One shot a call from Python, timed run by run: mean ± standard deviation of 100 runs, as",
-        "in the article, and the mean of more. Another machine and language than the article's.",
+        "The times are those of one shot per call from Python, timed run by run: mean ± "
+        "standard deviation of 100 runs, as in the article, and the mean of more runs. Machine "
+        "and language differ from the article's.",
         "",
         *table(head, rows),
     ]
@@ -234,7 +237,7 @@ def _limits(results: Results) -> list[str]:
             _time(1 / rate),
             f"{BYTES_A_SHOT}",
             f"{number(moved / 1e9)} GB/s",
-            percent(moved / limits.bandwidth[CORES]),
+            format_percent(moved / limits.bandwidth[CORES]),
         ]
         counts = results.work[workload.key].counts
         if counts is None:
@@ -245,27 +248,29 @@ def _limits(results: Results) -> list[str]:
                 counts.divisions / limits.divisions[CORES] + counts.roots / limits.roots[CORES]
             )
             slow = counts.divisions + counts.roots
-            cells += [number(counts.operations), percent(arithmetic)]
-            cells += [number(slow), percent(divider)]
+            cells += [number(counts.operations), format_percent(arithmetic)]
+            cells += [number(slow), format_percent(divider)]
         rows.append(cells)
     head = ["", "a shot", "bytes", "moved", "of the bandwidth", "operations", "of the peak"]
     head += ["divisions, roots", "of the divider"]
     return [
         "## The limits",
         "",
-        "Memory by STREAM's triad; arithmetic by multiplications and additions in registers, apart",
-        "and fused.",
+        "The memory bandwidth is that of STREAM's triad. The rates of arithmetic are those of "
+        "multiplications and additions in registers, separate and fused.",
         "",
         *table(["", "memory", "apart", "fused", "divisions", "roots"], machine),
-        f"hoopgen C, {CORES} threads, outcome, contacts and time. Bytes: the state read, the",
-        "results written. Operations: + - * / and square roots of the kernels, each as one, for a",
-        "shot by itself; what the lanes of a vector do for each other's sake is not counted. The",
-        "peak is that of multiplications and additions apart. Of the divider: what part of the",
-        "time the divisions and roots among them would take alone, were all in double precision.",
+        f"The table is for hoopgen C with {CORES} threads and the fields outcome, contacts and "
+        "time. *Bytes* are the state read and the results written. *Operations* are the + - * / "
+        "and square roots of the kernels for a single shot; the table does not count operations "
+        "that lanes execute only because other lanes need them. *Of the peak* is relative to "
+        "separate multiplications and additions. *Of the divider* is the share of the time that "
+        "the divisions and square roots alone would take if all were in double precision.",
         "",
         *table(head, rows),
-        "The search for the ring: how often its condition is evaluated, and how many of the widest",
-        "vector's lanes are busy with it after the first time, which all have together.",
+        "The last table describes the search on the ring: the number of evaluations of its "
+        "condition, and the share of busy lanes of the widest vector after the first "
+        "evaluation, in which all lanes take part.",
         "",
         *table(["", "evaluations a shot", "a contact", "lanes busy"], _searches(results)),
     ]
@@ -280,7 +285,7 @@ def _searches(results: Results) -> list[list[str]]:
         else:
             each = work.counts.evaluations
             a_contact = number(each / work.contacts) if work.contacts else "none"
-            busy = percent(work.counts.busy) if each else "none"
+            busy = format_percent(work.counts.busy) if each else "none"
             cells = [number(each), a_contact, busy]
         rows.append([f"{workload.key} {workload.label}", *cells])
     return rows
@@ -291,15 +296,15 @@ def as_markdown(results: Results) -> str:
     lines = [
         "# Benchmarks",
         "",
-        "Written by `python -m benchmarks`; the numbers, round by round, are in `benchmarks.json`.",
-        "What everybody makes of shots that graze is in [grazes.md](grazes.md).",
+        "`python -m benchmarks` writes this page; `benchmarks.json` contains the numbers of "
+        "every round. [Grazes](grazes.md) compares the methods on shots that graze.",
         "",
         "![Shots a second](benchmarks.svg)",
         "",
         *table(["", ""], [[name, f"`{value}`"] for name, value in results.facts.items()]),
         *_speed(results),
         *_errors(results),
-        "What the peers do, all on the same model and the same shots:",
+        "The other methods (peers) simulate the same model and the same shots:",
         "",
         *(f"- {peer.label}: {peer.what}" for peer in PEERS),
         *(f"- {line}" for line in LEFT_OUT),

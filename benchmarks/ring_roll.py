@@ -24,12 +24,12 @@ Floats = NDArray[np.float64]
 BITS = 110
 ORDER = 24
 SMALL = arb(2) ** -96
-"""What the last terms of a series come to."""
+"""Size of the last terms of a series."""
 LOOKED = np.linspace(0.0, 1.0, 33)
-"""Where in a step is looked whether something has happened."""
+"""Shares of a step at which events are looked for."""
 RING, BOARD, BRIDGE, END = range(4)
 LEAVES = 4
-"""What can happen to a ball that rolls on the ring; the first four by their numbers in the log."""
+"""Events of a ball that rolls on the ring; the first four have the log's numbers."""
 TIME = -1
 """The time is up."""
 
@@ -214,7 +214,7 @@ def _values(row: list[arb], t: Floats) -> Floats:
 
 
 def boxes(scene: Mapping[str, float]) -> Iterator[tuple[Floats, Floats]]:
-    """The board and the bridge, by their lowest and highest corners."""
+    """Return the board and the bridge, by their lowest and highest corners."""
     p, front = scene, -scene["board_distance"]
     width, level = p["board_half_width"], p["wire_radius"]
     yield (

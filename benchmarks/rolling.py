@@ -33,7 +33,7 @@ def elastic(restitution: float) -> Mapping[str, float]:
 
 @dataclass
 class Found:
-    """What the comparison of shots has found.
+    """The results of a comparison of shots.
 
     `lodged` are those that end between two bodies, or at rest, which are always flagged. Of the
     other flagged ones `bouncing` are flagged before they begin to roll, and `rolling` from then on

@@ -19,7 +19,7 @@ from hoopgen import COURT, PAPER, PAPER_COURT
 
 @dataclass(frozen=True)
 class Settings:
-    """How much of everything."""
+    """The extent of every part of the benchmarks."""
 
     rounds: int = 9
     budget: float = 0.3
@@ -59,7 +59,7 @@ class Runs:
 
 @dataclass(frozen=True)
 class Work:
-    """What a shot of a workload asks for: contacts, hoopgen's arithmetic where its sources are at
+    """The work of a shot of a workload: contacts, hoopgen's arithmetic where its sources are at
     hand; and the share of the shots that hoopgen calls uncertain."""
 
     contacts: float
@@ -74,7 +74,7 @@ class Results:
     facts: dict[str, str]
     rates: dict[str, dict[str, Rates]]
     work: dict[str, Work]
-    """By workload."""
+    """Work of a shot, by workload."""
     flatness: dict[int, dict[int, Spread]]
     """Seconds a shot, by threads and number of shots, W2."""
     single: dict[str, Spread]
@@ -83,10 +83,10 @@ class Results:
     """Seconds a shot of those that `HOOP` gives up, about the whole hoop, one thread."""
     first: dict[str, Spread]
     table_4: dict[str, dict[str, Runs]]
-    """By method and shot."""
+    """Runs of the article's table 4, by method and shot."""
     limits: Limits
     judge: str
-    """Who knows the right answers."""
+    """Source of the right answers."""
     errors: dict[str, dict[str, Errors]]
 
 

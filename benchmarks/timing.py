@@ -41,11 +41,11 @@ class Rates:
 
     @property
     def spread(self) -> Spread:
-        """Of the rounds."""
+        """The quartiles of the rounds."""
         return Spread.of(self.rates)
 
     def over(self, other: "Rates") -> Spread:
-        """How many times as fast as another, compared round by round."""
+        """Return the ratio of speeds to another, compared round by round."""
         return Spread.of(a / b for a, b in zip(self.rates, other.rates, strict=True))
 
 
@@ -58,7 +58,7 @@ def seconds(call: Callable[[], object], repeats: int = 1) -> float:
 
 
 def affordable(fly: Callable[[States], object], states: States, budget: float) -> int:
-    """How many of the shots, a power of two, fly within about `budget` seconds; at least 8."""
+    """Return the number of shots, a power of two from 8, that fly within about `budget` seconds."""
     shots = 8
     while True:
         # The first call in a process may compile or load: not counted.
@@ -131,7 +131,7 @@ print(numpy_there - start, hoopgen_there - numpy_there, perf_counter() - hoopgen
 
 
 def first_call(count: int) -> dict[str, Spread]:
-    """What a new process pays, part by part and together, over `count` processes (s)."""
+    """Return the time of a new process, part by part and together, over `count` processes (s)."""
     parts: dict[str, list[float]] = {}
     for _ in range(count):
         command = [sys.executable, "-c", _FIRST_CALL]

@@ -12,7 +12,7 @@ from benchmarks.validation_page import page, throw_picture
 from benchmarks.validation_results import DISTANCES, everything
 from benchmarks.validation_rolling import picture
 from hoopgen import PAPER
-from hoopgen.outputs import write
+from hoopgen.core.files import write
 from hoopgen.plots import save
 from hoopgen.plots.aim_points import plot_aim_points
 

@@ -1,4 +1,4 @@
-"""Which shots of the hoop change on the whole hoop with the article's law, and why."""
+"""Shots of the hoop that change on the whole hoop with the article's law, with the causes."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ import hoopgen
 from benchmarks.report import table
 from benchmarks.workloads import SEED, States, free_throw, swirl
 from hoopgen import COURT, HOOP, PAPER, PAPER_COURT, Event, Outcome
-from hoopgen.phrases import percent
+from hoopgen.text.numbers import format_percent
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -24,11 +24,11 @@ REASONS = {
     "board": "touches the board's back, top, side or underside",
     "front": "touches the bridge's edge above the ring, or its end below",
     "bridge": "touches the bridge's sides or underside, or an edge of them",
-    "round": "lands where the hoop's bridge goes on beside the wire, but a plate does not",
-    "rose": "goes the same way, and had come up through the ring",
-    "starts": "starts in a body that the hoop does not have",
-    "rolls": "rolls, where the hoop's ball bounces on",
-    "ends": "ends, where the hoop gives it up",
+    "round": "lands beside the wire, where only the bridge of `HOOP` extends",
+    "rose": "has the same contacts, but had come up through the ring",
+    "starts": "starts in a body that only `COURT` has",
+    "rolls": "rolls in `COURT` and bounces on in `HOOP`",
+    "ends": "ends in `COURT` and is capped in `HOOP`",
     "doubt": "is uncertain in one of the scenes",
 }
 """Why a shot changes: the first of these that happens to it."""
@@ -62,7 +62,7 @@ KINDS: Mapping[str, Callable[[int], States]] = {
 
 @dataclass(frozen=True)
 class Changes:
-    """Of shots of a kind: how many there are, which change and why, and who makes them."""
+    """The changes of shots of a kind: their number, their causes, and their sources."""
 
     shots: int
     changed: int
@@ -86,7 +86,7 @@ def changes(states: States) -> Changes:
 
 
 def _same_bodies(one: hoopgen.Shots, other: hoopgen.Shots) -> Flags:
-    """Where two simulations have the same surfaces in the same order."""
+    """Return a mask of the shots that touch the same surfaces in the same order in both."""
     counts = [np.bincount(s.events["shot"], minlength=len(s)) for s in (one, other)]
     same = counts[0] == counts[1]
     left, right = (s.events[same[s.events["shot"]]] for s in (one, other))
@@ -145,7 +145,7 @@ def _parts(events: NDArray[np.void], places: Mapping[str, int]) -> tuple[Flags, 
 
 
 def section(shots: int = SHOTS) -> list[str]:
-    """The section of the page."""
+    """Return the section of the page."""
     found = {kind: changes(make(shots)) for kind, make in KINDS.items()}
     rows = [
         ["change", *(_of(one.changed, one) for one in found.values())],
@@ -154,24 +154,24 @@ def section(shots: int = SHOTS) -> list[str]:
             for name, said in REASONS.items()
             if any(one.reasons[name] for one in found.values())
         ),
-        ["made, `HOOP`", *(percent(one.hoop / one.shots) for one in found.values())],
-        ["made, `COURT`", *(percent(one.court / one.shots) for one in found.values())],
+        ["made, `HOOP`", *(format_percent(one.hoop / one.shots) for one in found.values())],
+        ["made, `COURT`", *(format_percent(one.court / one.shots) for one in found.values())],
     ]
     return [
         "## The whole hoop: `HOOP` beside `COURT`",
         "",
-        "`COURT` has what the article leaves out: the board's edges, top, sides and back, the "
-        "bridge's sides and underside, and a ball that comes up through the ring, which is not "
-        "made whatever it does then. With the preset `PAPER_COURT` its contacts are the "
-        f"article's. Both scenes have their default `max_contacts`, {HOOP.max_contacts} and "
-        f"{COURT.max_contacts:,}. Of {shots:,} shots of a kind so many touch other bodies, or end "
-        "otherwise, and the reason is the first thing that happens to them and not in `HOOP`. The "
-        "last two kinds are no player's: balls tipped from beside the ring, and thrown up from "
-        "below it.",
+        "`COURT` contains parts that the article leaves out: the board's edges, top, sides and "
+        "back, and the bridge's sides and underside. A ball that comes up through the ring is "
+        "not made, whatever it does afterwards. The preset `PAPER_COURT` has the article's "
+        f"contact law. Both scenes use their default `max_contacts`, {HOOP.max_contacts} and "
+        f"{COURT.max_contacts:,}. The table counts, among {shots:,} shots of each kind, those "
+        "that touch other bodies or end otherwise in `COURT`. The reason is the first thing "
+        "that happens in `COURT` and not in `HOOP`. The last two kinds are not a player's "
+        "shots: balls tipped from beside the ring, and balls thrown up from below it.",
         "",
         *table(["", *found], rows),
     ]
 
 
 def _of(count: int, one: Changes) -> str:
-    return f"{count:,} ({percent(count / one.shots, 2)})" if count else "0"
+    return f"{count:,} ({format_percent(count / one.shots, 2)})" if count else "0"

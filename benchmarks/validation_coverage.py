@@ -1,4 +1,4 @@
-"""How often the intervals that hoopgen prints contain the truth, on players whose truth is known.
+"""Coverage of hoopgen's intervals, on players whose truth is known.
 
 The players are normal about a free throw. What is true of one is the share, the difference or the
 quantile of many shots; that this has an error, too, lowers the coverage to be expected by as much
@@ -22,12 +22,12 @@ from scipy.stats import binom, binomtest
 import hoopgen
 from benchmarks.report import table
 from hoopgen import PAPER, Resample, Scatter
-from hoopgen.phrases import percent
-from hoopgen.study.bank import bank_or_direct
-from hoopgen.study.optimum import optimum
-from hoopgen.study.player import Player
-from hoopgen.study.scattering import scaled
-from hoopgen.study.throws import setting_of
+from hoopgen.study.jobs.monte_carlo import setting_of
+from hoopgen.study.jobs.objective import Player
+from hoopgen.study.models.requirements import scaled
+from hoopgen.study.questions.bank import bank_or_direct
+from hoopgen.study.questions.optimum import optimum
+from hoopgen.text.numbers import format_percent
 
 Floats = NDArray[np.float64]
 Claim = Literal["95%", "at least 95%"]
@@ -43,7 +43,7 @@ DEADER = PAPER | {"restitution": 0.6}
 
 LEVEL = 0.95
 WORST = 0.01
-"""With a smaller probability of such a coverage, an interval does not do what it says."""
+"""Smallest probability of a coverage with which an interval counts as right."""
 
 ENOUGH = 50
 """Repetitions. Of half an interval two thirds contain the truth: with fewer that is not found."""
@@ -90,7 +90,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Coverage:
-    """How many of the intervals of a case contain the truth."""
+    """The coverage of a case: how many of its intervals contain the truth."""
 
     case: Case
     repetitions: int
@@ -113,7 +113,7 @@ class Coverage:
 
     @property
     def holds(self) -> bool:
-        """Whether the coverage is what is claimed, by a binomial test at 1%."""
+        """True if the coverage is what is claimed, by a binomial test at 1%."""
         return self.probability >= WORST
 
 
@@ -324,7 +324,7 @@ _HERE = [(2.7, 0.0)]
 
 
 def _banked(rows: bool) -> Callable[[int], Interval]:
-    """The difference of the best bank shot and the best direct one, from straight in front."""
+    """Return the difference of the best bank and direct shots, from straight in front."""
 
     def once(seed: int) -> Interval:
         sample = measured(seed, False) if rows else None
@@ -421,31 +421,34 @@ def section(found: Sequence[Mapping[str, Any]]) -> list[str]:
     return [
         HEADING,
         "",
-        "Each interval is asked for again and again, of other shots or other measured releases of "
-        f"a player whose truth is known: from {TRUTH:,} shots, or where each repetition finds its "
-        f"own release from {TRUTH_EACH:,} shots of that. The error of the truth is counted. P is "
-        "the probability of a coverage as far from the one claimed; an interval holds if it is "
-        f"{percent(WORST, None)} or more (binomial test, one-sided if at least so much is claimed: "
-        "a quantile lies between two shots, and no pair of ranks gives exactly 95%). The player "
-        "throws from the free-throw line with the errors above. Groups differ in the mean of their "
-        "speed, by a third of its variance.",
+        "Each interval is computed many times, from other shots or from other measured releases "
+        f"of a player whose truth is known. The truth comes from {TRUTH:,} shots, or from "
+        f"{TRUTH_EACH:,} shots of its own release if each repetition finds a release. The test "
+        "takes the error of the truth into account. P is the probability of a coverage at least "
+        f"as far from the claimed one. An interval holds if P is "
+        f"{format_percent(WORST, None)} or more. The test is a binomial test, and "
+        "one-sided for a claim of *at least*: a quantile lies "
+        "between two shots, and no pair of ranks gives exactly 95%. The player shoots from the "
+        "free-throw line with the errors above. Groups differ in their mean speed, by a third "
+        "of its variance.",
         "",
-        "The table says how many repetitions were run. A few of them find out gross errors only: "
+        "The table gives the number of repetitions. Few repetitions detect only gross errors: "
         "an interval that claims 95% and contains the truth in 90% fails this test with a "
-        f"probability of {percent(found_out(100), 0)} if 100 are run, and of "
-        f"{percent(found_out(400), 0)} if 400 are.",
+        f"probability of {format_percent(found_out(100), 0)} after 100 repetitions, and of "
+        f"{format_percent(found_out(400), 0)} after 400.",
         "",
-        "The truth of an `optimum` is how often the release succeeds that was found, not that of "
-        "the best there is. Of measured releases it is found with all rows, and each row is judged "
-        "by another one, found without a fifth of them. So the interval contains the variance of "
-        "the rows, and that of the release besides: 1 + 1/5 times the variance between the six "
-        "releases, thrown with the same shots, as of one more draw beside a mean of five. What the "
-        "six have in common cancels. The jackknife's factor, (5 − 1)²/5, is larger because it is "
-        "that of releases found from other samples, which differ in what these have in common.",
+        "The truth of an `optimum` is the success rate of the release that the search found, "
+        "not that of the best release. For measured releases the search uses all rows, and each "
+        "row is judged by another release, found without a fifth of the rows. The interval "
+        "therefore contains the variance of the rows and also that of the release: 1 + 1/5 "
+        "times the variance between the six releases over the same shots, as for one more draw "
+        "beside a mean of five. Effects common to the six cancel. The factor of the jackknife, "
+        "(5 − 1)²/5, is larger because it describes releases found from other samples, which "
+        "also differ in these common effects.",
         "",
         *table(head, rows),
-        "What is called flat, and margins with scatter, are estimates of a range and no confidence "
-        "intervals. Maps and scenes of one's own have the intervals of the first rows.",
+        "Flat ranges, and margins with scatter, are estimates of a range and not confidence "
+        "intervals. Maps and scenes of your own have the intervals of the first rows.",
         "",
     ]
 
@@ -462,7 +465,7 @@ def found_out(repetitions: int, covers: float = 0.90) -> float:
 
 
 def _verdict(found: Coverage) -> str:
-    """Say whether an interval holds; of a few repetitions nothing can be said but that it fails."""
+    """Describe whether an interval holds; a few repetitions can only show that it fails."""
     if not found.holds:
         return "**no**"
     return "yes" if found.repetitions >= ENOUGH else "too few to say"

@@ -9,12 +9,12 @@ from typing import Any
 import hoopgen
 from benchmarks.report import table
 from hoopgen import COURT, NBA, NBA_COURT, PAPER_COURT, Scatter
-from hoopgen.phrases import percent
-from hoopgen.study.best import Optimum
-from hoopgen.study.intervals import wilson
-from hoopgen.study.optimum import optimum
-from hoopgen.study.player import By, Player, paired
-from hoopgen.units import FOOT
+from hoopgen.core.units import FOOT
+from hoopgen.study.jobs.objective import By, Player, paired
+from hoopgen.study.questions.optimum import optimum
+from hoopgen.study.questions.optimum_result import Optimum
+from hoopgen.study.statistics.intervals import wilson
+from hoopgen.text.numbers import format_percent
 
 Parameters = Mapping[str, Any]
 Paired = tuple[float, float, float]
@@ -50,7 +50,7 @@ SETTINGS: Mapping[str, tuple[Any, Parameters]] = {
 
 @dataclass(frozen=True)
 class Setting:
-    """What a shooter finds there.
+    """The results for a shooter in one setting.
 
     The release angle of the best direct free throw, and how often it is made, with the ends of the
     interval; by how much backspin helps, each with its own best release; by how much the best free
@@ -102,31 +102,32 @@ def _again(best: Optimum, by: By, scene: Any, parameters: Parameters, shots: int
 
 
 def section(shots: int = SHOTS) -> list[str]:
-    """The section of the page."""
+    """Return the section of the page."""
     found = {name: found_in(*setting, shots) for name, setting in SETTINGS.items()}
     return [
-        "## Friction and restitutions: what of the differences they explain",
+        "## Friction and restitutions: do they explain the differences?",
         "",
-        "The free throw of the literature, of the same shooter with the same errors, searched anew "
-        f"in each setting with {max(100, 2 * shots // 5):,} shots and thrown with {shots:,} "
-        "others. `NBA_COURT` has guesses for what nobody has measured well, so one of them at a "
-        "time is changed. Backspin is 3 Hz over none, each with its own best release; the bank is "
-        "the best free throw off the board, less the best direct one, in points. Capped are throws "
-        "whose bounces end with slip left; they do not count as made. Intervals are those of the "
-        "throws; the search may miss its best by a point or so, too.",
+        "The table shows the free throw of the literature, for the same player with the same "
+        f"errors. Each setting has its own search with {max(100, 2 * shots // 5):,} shots; "
+        f"{shots:,} other shots estimate the result. Some parameters of `NBA_COURT` are assumed "
+        "because no good measurements exist, so each row changes one of them. *Backspin* is the "
+        "gain of 3 Hz over none, each with its own best release. *Bank − direct* is the best "
+        "bank shot from the free-throw line minus the best direct shot, in points. *Capped* are "
+        "shots whose bounces end with slip left; they do not count as made. The intervals are "
+        "those of the simulation; in addition, the search may miss its best by about one point.",
         "",
         *table(
-            ["", "direct", "release angle", "backspin", "bank less direct", "roll", "capped"],
+            ["", "direct", "release angle", "backspin", "bank − direct", "roll", "capped"],
             [[name, *_cells(one)] for name, one in found.items()],
         ),
-        "What this says of the differences: what backspin gains hangs on friction and on the rim. "
-        "With a friction of 0.3, or a rim of 0.8, it is three to four points less than else; above "
-        "0.5 friction makes no difference that these numbers show. By how much the bank is worse "
-        "hangs on friction, and on the rim and the board most of all; a rim that takes more energy "
-        "makes direct throws better. Best release angles differ by no more than the search leaves "
-        "open. In none of these settings is the bank from the line better than the direct throw. "
-        "How much of the literature's numbers comes from its restitutions and its friction cannot "
-        "be told: they are not known to us.",
+        "The gain from backspin depends on friction and on the rim. With a friction of 0.3, or "
+        "a rim of 0.8, it is three to four points smaller than otherwise; above a friction of "
+        "0.5 these numbers show no effect. The disadvantage of the bank shot depends on "
+        "friction, and most of all on the rim and the board. A rim that absorbs more energy "
+        "improves direct shots. The best release angles differ by no more than the uncertainty "
+        "of the search. In none of these settings is the bank shot from the line better than "
+        "the direct shot. The restitutions and the friction of the literature are not known to "
+        "us, so we cannot tell how much of its numbers they explain.",
         "",
     ]
 
@@ -134,12 +135,12 @@ def section(shots: int = SHOTS) -> list[str]:
 def _cells(one: Setting) -> list[str]:
     chance, low, high = one.direct
     return [
-        f"{percent(chance)} ({100 * low:.1f}–{100 * high:.1f})",
+        f"{format_percent(chance)} ({100 * low:.1f}–{100 * high:.1f})",
         f"{one.elevation / DEGREE:.1f}°",
         _points(one.by_spin),
         _points(one.by_bank),
-        percent(one.rolled, 2),
-        percent(one.slip_left, 2),
+        format_percent(one.rolled, 2),
+        format_percent(one.slip_left, 2),
     ]
 
 

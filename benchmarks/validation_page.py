@@ -29,9 +29,9 @@ from benchmarks.validation_results import (
     rounded,
 )
 from hoopgen import PAPER
-from hoopgen.phrases import percent
 from hoopgen.plots.style import COLOURS, PAGE, style
-from hoopgen.study.best import Optimum
+from hoopgen.study.questions.optimum_result import Optimum
+from hoopgen.text.numbers import format_percent
 
 SOURCES = (
     "P. J. Brancazio (1981), Physics of basketball, *American Journal of Physics* 49, 356–365.",
@@ -54,29 +54,29 @@ SOURCES = (
 
 
 def share(value: float, low: float, high: float) -> str:
-    """A probability with its interval."""
-    return f"{percent(value)} ({100 * low:.1f}–{100 * high:.1f})"
+    """Format a probability with its interval."""
+    return f"{format_percent(value)} ({100 * low:.1f}–{100 * high:.1f})"
 
 
 def points(value: float, low: float, high: float) -> str:
-    """A difference of probabilities with its interval."""
+    """Format a difference of probabilities with its interval."""
     return f"{100 * value:+.1f} ({100 * low:+.1f} to {100 * high:+.1f})".replace("-", "−")
 
 
 def angles(best: Optimum) -> str:
-    """The best angle, and which are as good."""
+    """Format the best angle, and the range of those as good."""
     low, high = best.flat["elevation"]
     return f"{best.release['elevation'] / DEGREE:.1f}° ({low / DEGREE:.1f}–{high / DEGREE:.1f})"
 
 
 def aims(best: Optimum) -> str:
-    """The best aim, and which are as good."""
+    """Format the best aim, and the range of those as good."""
     low, high = (100 * end for end in best.flat["aim"])
     return f"{100 * best.release['aim']:.1f} cm ({low:.1f} to {high:.1f})".replace("-", "−")
 
 
 def chance(best: Optimum) -> str:
-    """Its probability."""
+    """Format its probability."""
     return share(best.probability, best.low, best.high)
 
 
@@ -84,7 +84,7 @@ def chance(best: Optimum) -> str:
 
 
 def page(results: Results, coverage: Sequence[str]) -> str:
-    """The whole page, with the lines of the section on coverage."""
+    """Return the whole page, with the lines of the section on coverage."""
     lines = [
         *_head(results),
         *closed_forms(results.checks, results.entries),
@@ -106,24 +106,25 @@ def _head(results: Results) -> list[str]:
     return [
         "# Validation",
         "",
-        "Results of hoopgen beside those of the literature. `make validate` computes every number "
-        "of ours on this page anew; on one machine it gives the same bytes each time.",
+        "This page compares results of hoopgen with those of the literature. `make validate` "
+        "computes every number of hoopgen on this page anew; on one machine it gives the same "
+        "bytes each time.",
         "",
-        f"Unless another is named, the scene is the preset `PAPER` (restitution "
-        f"{PAPER['restitution']:.2f}), and the shooter releases the ball {LINE['height'] / FOOT:g} "
-        f"ft above the floor with {LINE['backspin'] / HERTZ:g} Hz of backspin; a free throw is "
-        f"{LINE['distance'] / FOOT:g} ft from the ring's centre. The shooter's errors are normal "
+        f"By default the scene is the preset `PAPER` (restitution {PAPER['restitution']:.2f}), "
+        f"and the player releases the ball {LINE['height'] / FOOT:g} ft above the floor with "
+        f"{LINE['backspin'] / HERTZ:g} Hz of backspin. A free throw is "
+        f"{LINE['distance'] / FOOT:g} ft from the ring's centre. The player's errors are normal "
         f"and independent, with standard deviations (SD) of {sd['speed']:.2f} m/s in speed, "
         f"{sd['elevation'] / DEGREE:.1f}° in release angle and {sd['azimuth'] / DEGREE:.1f}° to "
         "the side.",
         "",
-        "The best release is that of `hoopgen.optimum`, searched with the random numbers of seed "
-        "0. Its probability is estimated again with those of seed 1: the search's own would be too "
-        f"good. In parentheses are 95% intervals ({results.shots:,} shots, Wilson; differences "
-        "over the same random numbers, Newcombe), and after angles and aims the range in which "
-        "the probability stays within one point of the best. A shot given up after 40 contacts "
-        f"does not count as made ({results.line.theirs.capped} of the "
-        f"{results.line.theirs.shots:,} thrown below at 52° and {100 * THEIR_AIM:.1f} cm).",
+        "The best release is the result of `hoopgen.optimum` with the random numbers of seed 0. "
+        "Its probability is estimated again with those of seed 1, because the estimate of the "
+        f"search itself would be too high. Parentheses contain 95% intervals ({results.shots:,} "
+        "shots, Wilson; differences over the same random numbers, Newcombe), and after angles "
+        "and aims the range in which the probability stays within one point of the best. A shot "
+        f"that is capped after 40 contacts does not count as made ({results.line.theirs.capped} "
+        f"of the {results.line.theirs.shots:,} shots below at 52° and {100 * THEIR_AIM:.1f} cm).",
         "",
     ]
 
@@ -133,10 +134,10 @@ def closed_forms(checks: Sequence[Check], entries: Sequence[Smallest]) -> list[s
     return [
         "## Closed forms",
         "",
-        "The slowest free throw through the centre of the ring, distance L, rise h: angle 45° + "
-        "atan(h/L)/2, speed² = g (h + sqrt(h² + L²)), and tan(entry) = tan(release) − 2h/L "
-        "(Brancazio 1981). A minimum is found to the root of the rounding unit, a value to the "
-        "unit.",
+        "The slowest free throw through the centre of the ring has, for the distance L and the "
+        "rise h, the angle 45° + atan(h/L)/2 and speed² = g (h + sqrt(h² + L²)), and it "
+        "satisfies tan(entry) = tan(release) − 2h/L (Brancazio 1981). The place of a minimum is "
+        "accurate to the square root of the unit roundoff, its value to the unit roundoff.",
         "",
         *table(
             ["", "hoopgen", "closed form", "difference"],
@@ -153,14 +154,15 @@ def closed_forms(checks: Sequence[Check], entries: Sequence[Smallest]) -> list[s
                 for check in checks
             ],
         ),
-        "The smallest entry angle is usually given as asin(ball Ø / ring Ø), of the ring's inner "
-        "diameter: about 32°. So the ball would slip between two sharp edges. But the rim is a "
-        "wire, round in section, and the ball has to clear its lower and its upper side too: "
-        "asin((ball radius + wire radius) / radius of the circle of the wire's centre), steeper by "
-        f"{min(steeper):.1f}° to {max(steeper):.1f}°. The engine finds that angle by bisection on "
-        "swishes in straight flight. A free throw falls while it passes the ring: less steep than "
-        "its entry angle at the front, steeper at the back. The angle at which one just swishes, "
-        "wherever within the ring it comes down, follows in the last column.",
+        "The smallest entry angle is usually given as asin(ball Ø / ring Ø), with the inner "
+        "diameter of the ring: about 32°. This formula describes a ball between two sharp "
+        "edges. The rim is a round wire, and the ball must also clear its lower and its upper "
+        "side. The angle is then asin((ball radius + wire radius) / radius of the wire's centre "
+        f"circle), which is steeper by {min(steeper):.1f}° to {max(steeper):.1f}°. The engine "
+        "finds this angle by bisection on swishes in straight flight. A free throw falls while "
+        "it passes the ring, so it is less steep than its entry angle at the front and steeper "
+        "at the back. The last column gives the smallest entry angle of a swish that comes down "
+        "anywhere within the ring.",
         "",
         *table(
             ["", "sharp edge", "round wire", "engine, straight", "engine, free throw"],
@@ -211,7 +213,7 @@ def _line(results: Results) -> list[str]:
                 ],
                 [
                     "release height",
-                    "as high as is steady",
+                    "as high as the player is steady",
                     f"{max(line.by_height):g} ft over {min(line.by_height):g} ft "
                     f"{points(*high.lead(low))}",
                 ],
@@ -231,15 +233,23 @@ def _line(results: Results) -> list[str]:
             ["release height", "release angle", "aim past the centre", "success"],
             [[f"{h:g} ft", angles(o), aims(o), chance(o)] for h, o in line.by_height.items()],
         ),
-        "A ball that spins back leaves rim and board more slowly. The restitution of their model "
-        "is not known to us. From the least to the greatest success it is "
-        f"{_spread(line.by_spin)} points in the table of backspins, {_spread(line.by_height)} in "
-        f"that of heights, and in that of restitutions {_spread(line.direct)} for direct shots "
-        f"and {_spread(line.bank)} for bank shots. In its last column is the best bank shot from "
-        "the free-throw line, and by how many points it is better than the direct one.",
+        "Backspin reduces the speed with which the ball leaves rim and board. The restitution "
+        "of their model is not known to us. The difference between the largest and the smallest "
+        f"success is {_spread(line.by_spin)} points in the table of backspins and "
+        f"{_spread(line.by_height)} points in the table of heights. In the following table of "
+        f"restitutions it is {_spread(line.direct)} points for direct shots and "
+        f"{_spread(line.bank)} points for bank shots. The last two columns give the best bank "
+        "shot from the free-throw line and its difference from the direct shot in points.",
         "",
         *table(
-            ["restitution", "direct: release angle", "aim", "success", "bank shot", "less direct"],
+            [
+                "restitution",
+                "direct: release angle",
+                "aim",
+                "success",
+                "bank shot",
+                "bank − direct",
+            ],
             [
                 [
                     *(f"{e:.1f}", angles(o), aims(o), chance(o), chance(line.bank[e])),
@@ -266,11 +276,12 @@ def _bank(results: Results) -> list[str]:
     return [
         "## Bank shots: Silverberg, Tran and Adams 2011, Silverberg 2013",
         "",
-        "From each place the best direct shot and the best shot off the board, each over release "
-        f"angle, speed and direction ({results.bank_shots:,} shots a place). Bank less direct, in "
-        "points; 0° is straight in front of the board, 90° along the baseline. Each interval, and "
-        "each verdict counted below, is at 95% by itself. The place where the bank leads most was "
-        "chosen by these random numbers, so its lead is of others (seed 2).",
+        "The table compares, for each place, the best direct shot with the best bank shot, each "
+        f"over release angle, speed and direction ({results.bank_shots:,} shots per place). It "
+        "gives the bank shot minus the direct shot in points. The angle 0° is straight in front "
+        "of the board, 90° along the baseline. Each interval, and each verdict counted below, "
+        "has its own confidence of 95%. The place with the largest lead of the bank shot was "
+        "selected with these random numbers, so its lead is estimated with others (seed 2).",
         "",
         *_grid(found),
         *table(
@@ -282,7 +293,7 @@ def _bank(results: Results) -> list[str]:
                     f"at {better} of {data.sizes['place']} places (worse at {worse}), each at 95%",
                 ],
                 [
-                    "by how much at most",
+                    "largest lead of the bank shot",
                     "20 points",
                     ", at ".join(_most(found)),
                 ],
@@ -296,29 +307,31 @@ def _bank(results: Results) -> list[str]:
         ),
         "![Best bank shots: where the ball touches the board, and from where](validation-bank.svg)",
         "",
-        "The axis is where the directions of all best bank releases cross on the floor plan, by "
-        "least squares. It has a reason. The board keeps 3/5 of the ball's velocity along it, if "
-        "it does not spin about the vertical, and the restitution e of that towards it (Eqs. "
-        "11-17); so the releases that bring the ball to the middle of the ring all point at an "
-        "axis 0.6 (a − R)/e − R behind the board, with a the ring's distance from it and R the "
-        f"ball's radius: {found.closed / INCH:.2f} in with restitution {found.restitution:.2f}. "
-        f"Theirs belongs to a restitution of {restitution_of_axis(THEIR_AXIS):.3f}. With that, "
-        f"from the {livelier.places.sizes['place']} outermost places, ours lies "
-        f"{_behind(livelier)} in behind the board, and the bank is better by "
-        f"{_most(livelier)[0]} points at most. The formula is for balls that come to the middle "
-        f"of the ring; the best shots come down {100 * found.past:.0f} cm from it on average. "
-        "Lines to the points that the ball touches, rather than along its flight, cross "
-        f"{(-PAPER['board_distance'] - found.touches.x) / INCH:.1f} in behind the board, missing "
-        f"by {found.touches.spread * 1000:.0f} mm.",
+        "The axis is the point of the floor plan where the directions of all best bank releases "
+        "cross, by least squares. It has a physical reason. The board keeps 3/5 of the ball's "
+        "velocity along the board, if the ball does not spin about the vertical, and the "
+        "restitution e of the velocity towards it (Eqs. 11-17). The releases that bring the "
+        "ball to the centre of the ring therefore all point at an axis 0.6 (a − R)/e − R behind "
+        "the board, where a is the distance of the ring's centre from the board and R the "
+        f"radius of the ball. This is {found.closed / INCH:.2f} in for restitution "
+        f"{found.restitution:.2f}. Their axis corresponds to a restitution of "
+        f"{restitution_of_axis(THEIR_AXIS):.3f}. With this restitution and the "
+        f"{livelier.places.sizes['place']} outermost places, our axis is {_behind(livelier)} in "
+        f"behind the board, and the bank shot is better by at most {_most(livelier)[0]} points. "
+        "The formula describes balls that come to the centre of the ring; the best shots come "
+        f"down {100 * found.past:.0f} cm from it on average. Lines to the points that the ball "
+        "touches, instead of lines along its flight, cross "
+        f"{(-PAPER['board_distance'] - found.touches.x) / INCH:.1f} in behind the board and miss "
+        f"this point by {found.touches.spread * 1000:.0f} mm.",
         "",
-        "By how much the bank is better depends on where a shooter's errors are. Of theirs we know "
-        "the 70% of free throws, not the deviations. A bank shot forgives errors of speed and "
-        "angle more than a direct one, and errors to the side about as much (Silverberg 2013). So "
-        "one who is straighter and less steady in speed, with SDs of "
-        f"{STRAIGHTER['speed']:.2f} m/s, {STRAIGHTER['elevation'] / DEGREE:.1f}° and "
-        f"{STRAIGHTER['azimuth'] / DEGREE:.1f}° to the side, who makes "
-        f"{chance(results.line.straighter)} of the best free throws, gains {_most(straighter)[0]} "
-        "points from the outermost places at most.",
+        "The advantage of the bank shot depends on the kind of a player's errors. Of their "
+        "players we know the 70% of free throws, but not the standard deviations. A bank shot "
+        "forgives errors of speed and angle more than a direct shot, and errors to the side "
+        "about as much (Silverberg 2013). A player who is straighter and has a less steady "
+        f"speed, with SDs of {STRAIGHTER['speed']:.2f} m/s, "
+        f"{STRAIGHTER['elevation'] / DEGREE:.1f}° and {STRAIGHTER['azimuth'] / DEGREE:.1f}° to "
+        f"the side, makes {chance(results.line.straighter)} of the best free throws. From the "
+        f"outermost places this player gains at most {_most(straighter)[0]} points.",
         "",
     ]
 
@@ -340,7 +353,7 @@ def _grid(found: Banks) -> list[str]:
 
 
 def _most(found: Banks) -> tuple[str, str]:
-    """By how much the bank is better where it is most so, and where that is."""
+    """Return the greatest lead of the bank, and its place."""
     data = found.places.isel(place=found.most)
     away, angle = math.hypot(data.x, data.y) / FOOT, math.atan2(data.y, data.x) / DEGREE
     return points(*found.lead), f"{away:.0f} ft and {angle:.0f}°"
@@ -364,11 +377,12 @@ def _scatter(results: Results) -> list[str]:
     return [
         "## Scatter: Slegers, Lee and Wong 2021",
         "",
-        "Twelve players: SD of the release speed between 0.05 and 0.13 m/s, of the release angle "
-        "1.3° ± 0.26° in free throws. How many they made went with the SD of the speed (r = −0.88) "
-        "and not with that of the angle. Here one release, our best free throw as the table gives "
-        f"it ({_rounded(results)}), is thrown with one deviation varied "
-        "over the players' range:",
+        "Among twelve players the SD of the release speed was between 0.05 and 0.13 m/s, and "
+        "that of the release angle 1.3° ± 0.26° in free throws. The number of made shots "
+        "correlated with the SD of the speed (r = −0.88) and not with that of the angle. The "
+        "tables simulate one release, our best free throw rounded as in the table above "
+        f"({_rounded(results)}), with one standard deviation varied over the range of the "
+        "players:",
         "",
         *table(["SD of the speed", "success"], _rows(speed, lambda sd: f"{sd:.2f} m/s")),
         *table(["SD of the angle", "success"], _rows(angle, lambda sd: f"{sd / DEGREE:.2f}°")),
@@ -410,18 +424,19 @@ def _left_out() -> list[str]:
     return [
         "## Where the model differs from the court",
         "",
-        "That of `HOOP`, the article's, of which most of this page is:",
+        "This section describes `HOOP`, the article's scene, which most of this page uses:",
         "",
-        "- **One restitution**, whatever is hit and however fast. That of the rim differs from "
-        "that of the board, and from hoop to hoop; the tables above say how much it moves.",
-        "- **Perfect grip.** A ball that slips changes its spin, and its velocity along the "
-        "surface, less; backspin then does less.",
-        "- **No air**: no drag, no lift from spin. Slegers, Lee and Wong have drag in the paths "
-        "they fit.",
-        "- **No net, no edges of the board, and a rim that does not give.** A rim that gives takes "
-        "energy from the ball, as a lower restitution does.",
-        "- **Normal, independent errors.** Those of a player need be neither. `hoopgen.Scatter` "
-        "takes correlations, and `hoopgen.Resample` measured releases.",
+        "- **One restitution** for all bodies and all speeds. In reality the rim and the board "
+        "have different restitutions, which also differ from hoop to hoop; the tables above "
+        "show the effect.",
+        "- **Perfect grip.** A ball that slips changes its spin and its tangential velocity "
+        "less, so backspin has less effect.",
+        "- **No air**, hence no drag and no lift from spin. Slegers, Lee and Wong include drag "
+        "in the paths that they fit.",
+        "- **No net, no edges of the board, and a rim that does not yield.** A rim that yields "
+        "absorbs energy from the ball, as a lower restitution does.",
+        "- **Normal, independent errors.** The errors of a player need be neither. "
+        "`hoopgen.Scatter` accepts correlations, and `hoopgen.Resample` measured releases.",
         "",
     ]
 

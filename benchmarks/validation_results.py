@@ -1,4 +1,4 @@
-"""What `benchmarks.validation` computes: results that the literature has, too."""
+"""Results of `benchmarks.validation`, which the literature has, too."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -14,15 +14,15 @@ import hoopgen
 from benchmarks import validation_court, validation_friction, validation_rolling
 from benchmarks.rolling import Bounce
 from hoopgen import FIBA, NBA, PAPER, Outcome, Scatter
+from hoopgen.core.units import FOOT
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.hoop.variables import ARGUMENTS, resolve_variables
-from hoopgen.study.bank import Crossing, bank_or_direct, crossing
-from hoopgen.study.best import Optimum
-from hoopgen.study.estimate import Estimate
-from hoopgen.study.intervals import wilson
-from hoopgen.study.optimum import optimum
-from hoopgen.study.player import By, Player, paired
-from hoopgen.units import FOOT
+from hoopgen.study.jobs.objective import By, Player, paired
+from hoopgen.study.questions.bank import Crossing, bank_or_direct, crossing
+from hoopgen.study.questions.estimate import Estimate
+from hoopgen.study.questions.optimum import optimum
+from hoopgen.study.questions.optimum_result import Optimum
+from hoopgen.study.statistics.intervals import wilson
 
 Floats = NDArray[np.float64]
 Parameters = Mapping[str, Any]
@@ -35,7 +35,7 @@ SEVENTY = {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE}
 """Scatter of a shooter who makes about 70% of free throws."""
 
 STRAIGHTER = SEVENTY | {"speed": 0.09, "azimuth": 0.5 * DEGREE}
-"""Of one who makes as many, less steady in speed, and straighter."""
+"""Spread of a player who makes as many, less steady in speed, and straighter."""
 
 LINE = {"distance": 13.75 * FOOT, "height": 7 * FOOT, "backspin": 3 * HERTZ}
 """The free throw of the literature."""
@@ -72,7 +72,7 @@ class Check:
 
 
 def closed_forms() -> list[Check]:
-    """The slowest free throw: found by a search, and by formula."""
+    """Return the slowest free throw, by a search and by formula."""
     length, rise, gravity = LINE["distance"], RING_HEIGHT - LINE["height"], PAPER["gravity"]
     angle = math.pi / 4 + math.atan(rise / length) / 2
     speed = math.sqrt(gravity * (rise + math.hypot(length, rise)))
@@ -109,7 +109,7 @@ class Smallest:
 
 
 def smallest_entries() -> list[Smallest]:
-    """For each preset: through a sharp edge, through a wire, straight flights, free throws."""
+    """Return the smallest entry angles of each preset, by four definitions."""
     return [
         Smallest(
             name,
@@ -123,7 +123,7 @@ def smallest_entries() -> list[Smallest]:
 
 
 def smallest(swishes: Callable[[float], bool]) -> float:
-    """The entry angle from which on it swishes, by bisection to a billionth."""
+    """Return the entry angle from which on it swishes, by bisection to a billionth."""
     low, high = 25 * DEGREE, 45 * DEGREE
     while high - low > 1e-9:
         middle = (low + high) / 2
@@ -137,7 +137,7 @@ def _swish(states: Floats, parameters: Parameters) -> bool:
 
 
 def _straight(entry: float, parameters: Parameters) -> bool:
-    """Whether a flight without gravity to speak of goes through the centre untouched."""
+    """Return whether a flight almost without gravity goes through the centre untouched."""
     speed, away = 10.0, 2.0
     towards = np.array([-math.cos(entry), 0.0, -math.sin(entry)])
     state = np.concatenate([-away * towards, speed * towards, np.zeros(3)])
@@ -146,7 +146,7 @@ def _straight(entry: float, parameters: Parameters) -> bool:
 
 
 def _thrown(entry: float, parameters: Parameters) -> bool:
-    """Whether a free throw with this entry angle swishes, wherever in the ring it comes down."""
+    """Return whether a free throw with this entry angle can swish."""
     aims = np.linspace(-0.03, 0.03, 601)
     shots = resolve_variables({**LINE, "entry": np.full(len(aims), entry), "aim": aims}, parameters)
     return _swish(shots.states, parameters)
@@ -169,7 +169,7 @@ class FreeThrows:
 
     @property
     def best(self) -> Optimum:
-        """With the backspin and the height of the literature."""
+        """Return the best release with the backspin and the height of the literature."""
         return self.by_spin[3]
 
 
@@ -278,7 +278,7 @@ def _thrown_again(
 
 
 def _past(best: xr.Dataset, scene: Parameters) -> float:
-    """How far from the middle of the ring the shots without scatter come down on average, m."""
+    """Return how far from the ring's centre shots without scatter come down on average, m."""
     states = hoopgen.release(**{name: best[name].values for name in ARGUMENTS})
     shots = hoopgen.simulate(states, scene)
     found = hoopgen.measure(states, shots, scene, ("depth", "left_right"))
@@ -286,7 +286,7 @@ def _past(best: xr.Dataset, scene: Parameters) -> float:
 
 
 def axis_behind(restitution: float) -> float:
-    """How far behind the board the axis is, m, for balls that come to the centre of the ring.
+    """Return how far behind the board the axis is, m, for balls to the centre of the ring.
 
     Without spin about the vertical the board leaves 3/5 of the velocity along it (Eqs. 11-17) and
     the restitution's share of that towards it; so the straight line of the release, gone on with,
@@ -297,7 +297,7 @@ def axis_behind(restitution: float) -> float:
 
 
 def restitution_of_axis(behind: float) -> float:
-    """The restitution with which the axis is so far behind the board."""
+    """Return the restitution with which the axis is so far behind the board."""
     radius = PAPER["ball_radius"]
     return float(0.6 * (PAPER["board_distance"] - radius) / (behind + radius))
 
@@ -318,7 +318,7 @@ class Curve:
 def success(release: Mapping[str, float], name: str, sds: Sequence[float], shots: int) -> Curve:
     """Vary one deviation of the shooter's scatter, all else the same."""
     thrown = [
-        Player(Scatter({}, SEVENTY | {name: sd})).thrown(release, shots, seed=1) for sd in sds
+        Player(Scatter({}, SEVENTY | {name: sd})).sampled(release, shots, seed=1) for sd in sds
     ]
     pairs = [(one.made, one.valid) for one in thrown]
     made, valid = (np.concatenate(counts) for counts in zip(*pairs, strict=True))
@@ -326,13 +326,13 @@ def success(release: Mapping[str, float], name: str, sds: Sequence[float], shots
 
 
 def rounded(best: Optimum) -> dict[str, float]:
-    """The best free throw as the page gives it, to a tenth of a degree and of a centimetre."""
+    """Return the best free throw, rounded to a tenth of a degree and of a centimetre."""
     angle, aim = best.release["elevation"] / DEGREE, best.release["aim"]
     return free_throw(round(angle, 1), round(100 * aim, 1))
 
 
 def free_throw(angle: float, aim: float) -> dict[str, float]:
-    """A free throw, angle in degrees and aim in cm."""
+    """Return a free throw, by its angle in degrees and its aim in cm."""
     return {**LINE, "elevation": angle * DEGREE, "aim": aim / 100}
 
 

@@ -13,8 +13,8 @@ from benchmarks.report import power, table
 from benchmarks.rolling import NAMES, NBA, Bounce, Found, bounces, settled
 from benchmarks.workloads import FOOT, SEED, States, free_throw
 from hoopgen import COURT, HOOP, Outcome
-from hoopgen.phrases import percent
 from hoopgen.plots.style import COLOURS, PAGE, style
+from hoopgen.text.numbers import format_percent
 
 THROWS = {0.3: 1 << 10, 0.5: 1 << 11, 0.7: 1 << 13}
 """Free throws whose bounces are looked at, by restitution."""
@@ -74,9 +74,9 @@ def sequences() -> dict[float, list[Bounce]]:
 
 
 def section(found: dict[float, list[Bounce]], shots: int = SHOTS) -> list[str]:
-    """The section of the page."""
+    """Return the section of the page."""
     return [
-        "## Bounces that accumulate, and rolling",
+        "## Zeno accumulation and rolling",
         "",
         *_accumulating(found),
         *_again(settled(shots // 100)),
@@ -90,20 +90,22 @@ def _accumulating(found: dict[float, list[Bounce]]) -> list[str]:
         for low, high in reversed([*pairwise(SPEEDS)])
     ]
     return [
-        "A ball whose bounces become ever smaller ends up as one that rolls, as the article "
-        "says. How soon: from each recorded bounce of shots that "
-        "settle on the ring, with the speed V off it, a ball is rolled on, and compared with where "
-        "the sequence of bounces ends. It is off by 2 F V²/(N² (1 − e²)) in the limit, with the "
-        "normal force N and the friction F of rolling, per unit mass. The table has the measured "
-        "distance by that: its median, and in parentheses 5% and 95% of the bounces. The distance "
-        "by V² tends to a constant of each sequence.",
+        "A ball whose bounces become ever smaller finally rolls, as the article says. This "
+        "section measures how soon rolling describes the bouncing ball. From each recorded "
+        "bounce of shots that settle on the ring, with the normal speed V, a second ball starts "
+        "to roll, and its place is compared with the place where the sequence of bounces ends. "
+        "In the limit the distance is 2 F V²/(N² (1 − e²)), with the normal force N and the "
+        "friction F of rolling, per unit mass. The table gives the measured distance divided by "
+        "this limit: its median and, in parentheses, the 5% and 95% quantiles and the number of "
+        "bounces. The distance divided by V² tends to a constant of each sequence.",
         "",
         *table(["V", *(f"e = {e:g}" for e in found)], rows),
-        "The same distances against V, up to a hundred of each restitution, and the law's line "
-        "for the median of F/N² over these bounces, about which they scatter:",
+        "The picture shows the same distances against V, up to a hundred for each restitution. "
+        "The line is the limit for the median of F/N² of these bounces, about which the "
+        "distances scatter:",
         "",
-        "![How far rolling is from bouncing, against the speed of the bounce: a line of slope 2 on "
-        "logarithmic axes](validation-bounces.svg)",
+        "![The distance between rolling and bouncing, against the speed of the bounce: a line "
+        "of slope 2 on logarithmic axes](validation-bounces.svg)",
         "",
     ]
 
@@ -150,22 +152,24 @@ def _again(found: Found) -> list[str]:
     off, share, most = found.bounced()
     later = found.flagged - found.lodged - found.bouncing - found.rolling
     return [
-        f"Of {found.shots:,} free throws that settled on the ring (e = 0.7, 0.5, 0.3), rolling was "
-        "computed a second time, in the ring's own coordinates, with series of order 24 and 110 "
-        f"bits (`python -m benchmarks.rolling`). Their contact ends by: {ends}. Flagged are "
-        f"{found.flagged:,} of them. {found.lodged:,} end LODGED, which always is: where two "
-        "bodies hold a ball that grips, the forces are not determined. Of the rest "
-        f"{found.bouncing} are flagged while they still bounce, with errors grown so large that a "
-        f"later bounce is in doubt; {found.rolling} in contact, where what ends it is; {later} "
-        f"after that. Of those not flagged {len(found.wrong)} end otherwise or are further off "
-        "than they claim. "
-        f"The largest differences are {errors}, at most "
-        f"{found.ratios.max():.0e} of what is claimed, and {found.leaving:.0e} s in when contact "
-        f"ends. Of the flagged {found.flagged_wrong} differ. The bounces before were computed "
-        "again, too, with 400 bits: at the last of them half of the positions are off by less than "
-        f"{off:.0e} m, half by less than {percent(share)} of what is claimed, and nothing by more "
-        f"than {percent(most, 0)} of it. What the engine's series leave out in a roll is estimated "
-        "from their last terms, not bounded: this comparison stands for it.",
+        f"For {found.shots:,} free throws that settled on the ring (e = 0.7, 0.5, 0.3), a second "
+        "program computed the rolling again, in the ring's own coordinates, with series of "
+        f"order 24 and 110 bits (`python -m benchmarks.rolling`). Their contact ends by: {ends}. "
+        f"{found.flagged:,} of them are flagged. {found.lodged:,} end LODGED, which is always "
+        "flagged: if two bodies hold a ball that grips, the forces are not determined. Of the "
+        f"others, {found.bouncing} are flagged while they still bounce, because the errors have "
+        f"grown so large that a later bounce is uncertain; {found.rolling} are flagged in "
+        f"contact, because the event that ends the contact is uncertain; {later} are flagged "
+        f"afterwards. Of the shots that are not flagged, {len(found.wrong)} end otherwise or "
+        f"have a larger error than their bound. The largest differences are {errors}, at most "
+        f"{found.ratios.max():.0e} of the bound, and {found.leaving:.0e} s in the time at which "
+        f"contact ends. Of the flagged shots, {found.flagged_wrong} differ. The program also "
+        "computed the bounces before the roll again, with 400 bits. At the last bounce half of "
+        f"the positions have an error of less than {off:.0e} m, half have less than "
+        f"{format_percent(share)} of the bound, and none has more than "
+        f"{format_percent(most, 0)} of it. The engine estimates the "
+        "remainder of the series of a roll from its last terms and does "
+        "not bound it; this comparison takes the place of a bound.",
         "",
     ]
 
@@ -178,15 +182,22 @@ def _ended(found: dict[str, GivenUp]) -> list[str]:
             [f"of these in `COURT`: {name}", *(f"{one.ends[name]:,}" for one in found.values())]
             for name in names
         ),
-        ["made, of made and missed", *(percent(one.share) for one in found.values())],
-        ["made in all, `HOOP`", *(percent(one.hoop / one.shots, 2) for one in found.values())],
-        ["made in all, `COURT`", *(percent(one.court / one.shots, 2) for one in found.values())],
+        ["made, of made and missed", *(format_percent(one.share) for one in found.values())],
+        [
+            "made in all, `HOOP`",
+            *(format_percent(one.hoop / one.shots, 2) for one in found.values()),
+        ],
+        [
+            "made in all, `COURT`",
+            *(format_percent(one.court / one.shots, 2) for one in found.values()),
+        ],
     ]
     shots = max(one.shots for one in found.values())
     return [
-        f"What `HOOP` gives up after 40 contacts, `COURT` ends. Of {shots:,} free throws with the "
-        "NBA's sizes, grip, and a restitution of 0.7, with the scatter of the benchmarks' W2 and "
-        "of a player who makes 70%:",
+        "`COURT` follows the shots to their end that `HOOP` caps after 40 contacts. The table "
+        f"counts {shots:,} free throws with the NBA's sizes, perfect grip and a restitution of "
+        "0.7, once with the scatter of the workload W2 of the benchmarks and once with that of "
+        "a player who makes 70%:",
         "",
         *table(["", *found], rows),
     ]

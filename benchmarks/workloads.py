@@ -42,7 +42,7 @@ TABLE_3: Mapping[str, States] = MappingProxyType(
 
 
 def swish_shot() -> States:
-    """The free throw that drops through the ring's centre, 3 Hz of backspin, shape (9,)."""
+    """Return the free throw that drops through the ring's centre, 3 Hz of backspin, shape (9,)."""
     x, z, vx = 13.75 * FOOT, -2.0 * FOOT, -4.4
     flight = -x / vx
     vz = -z / flight + 0.5 * PAPER["gravity"] * flight

@@ -1,4 +1,4 @@
-"""The site: `make docs`. How its pages are run is said in pages.py."""
+"""Configuration of the site that `make docs` builds; pages.py runs its pages."""
 
 import logging
 import os
@@ -97,7 +97,9 @@ autodoc_typehints_description_target = "documented"
 autodoc_typehints_format = "short"
 autodoc_preserve_defaults = True
 autosummary_generate = False
-autodoc_type_aliases = {name: name for name in ("ArrayLike", "Backend", "Bounds", "By", "Value")}
+autodoc_type_aliases = {
+    name: name for name in ("ArrayLike", "BackendName", "Bounds", "By", "Value")
+} | {"Drawn": "Axes"}  # by which a picture's own type is told
 napoleon_google_docstring = False
 napoleon_attr_annotations = False  # docstrings say types and shapes where they matter
 viewcode_line_numbers = True

@@ -1,13 +1,13 @@
-"""How the site's pages are run: their code blocks become the cells of a notebook.
+"""The reader of the site's pages: it turns their code blocks into the cells of a notebook.
 
-A page is plain Markdown. When the site is built, its blocks are run in order, in one folder of its
-own in which ``examples`` and ``generated`` are those of the checkout:
+A page is plain Markdown. The build of the site runs its blocks in order, in a temporary folder in
+which ``examples`` and ``generated`` are those of the checkout:
 
-- ``python`` is shown, and what it gives below it;
-- ``sh`` likewise, stopped at the first command that fails;
-- a block with a file's name after its language, such as ``toml hole.toml``, is written there.
+- The page shows a ``python`` block and its output.
+- The page shows an ``sh`` block and its output; the block stops at the first command that fails.
+- A block with a file name after its language, such as ``toml hole.toml``, is written to that file.
 
-All other blocks are text. What fails, or writes to stderr, is a warning of the build.
+All other blocks are text. A block that fails or writes to stderr is a warning of the build.
 """
 
 from __future__ import annotations
@@ -30,20 +30,20 @@ for name in ("examples", "generated"):
     os.symlink({str(ROOT)!r} + "/" + name, name)
 
 def run_commands(text):
-    told = subprocess.run(["bash", "-e", "-c", text], capture_output=True, encoding="utf-8")
-    print(told.stdout, end="")
-    sys.stderr.write(told.stderr)
-    told.check_returncode()
+    completed = subprocess.run(["bash", "-e", "-c", text], capture_output=True, encoding="utf-8")
+    print(completed.stdout, end="")
+    sys.stderr.write(completed.stderr)
+    completed.check_returncode()
 """
 
 
 def runs(text: str) -> bool:
-    """Return whether there is something to run on a page."""
+    """Return whether a page has a block to run."""
     return _BLOCK.search(text) is not None
 
 
 def read(text: str) -> NotebookNode:
-    """Return a page as a notebook; lines keep their numbers."""
+    """Return a page as a notebook whose cells keep the line numbers of the page."""
     cells: list[NotebookNode] = []
     lines: list[int] = []
 

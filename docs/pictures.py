@@ -1,4 +1,4 @@
-"""What the gallery shows of a script: each picture that a block makes, as SVG, and each film."""
+"""Scraper of the gallery: each figure of a script's block as SVG, and each film."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-/* A few free throws in C. From the root of the checkout:
+/* A few free throws in C. Compile and run it from the root of the checkout:
 
    cc -O2 -ffp-contract=off -Igenerated/c examples/shots.c generated/c/hoop.c -lm -o shots && ./shots
 
-   Under flags that change hoopgen's bits hoop.c does not compile, or hoop_simulate returns -2. */
+   Under flags that change the bits, hoop.c does not compile or hoop_simulate returns -2. */
 
 #include "hoop.h"
 
@@ -10,7 +10,7 @@
 #include <stdio.h>
 
 /* x y z (m), vx vy vz (m/s), wx wy wz (rad/s): 13.75 ft from the ring's centre and 8 ft above the
-   floor, 3 Hz of backspin; a little faster from row to row. */
+   floor, with 3 Hz of backspin. The speed grows from row to row. */
 static const double shots[][HOOP_STATE] = {
     {4.191, 0, -0.6096, -4.40, 0, 5.3128, 0, 18.85, 0},
     {4.191, 0, -0.6096, -4.45, 0, 5.35, 0, 18.85, 0},

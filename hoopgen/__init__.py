@@ -8,52 +8,56 @@ array([0], dtype=uint8)
 
 from __future__ import annotations
 
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if find_spec(f"{__name__}.generated") is None:
-    # In a checkout whose hoopgen/ shadows an installed one: its rooms lie beside this folder.
+    # In a checkout whose hoopgen/ shadows an installed one: derive/ and its like lie beside it.
     __path__.append(str(Path(__file__).resolve().parent.parent))
+
+from .core.plotting import register_plotting
+from .core.rounding import rounding_to_nearest
 
 if TYPE_CHECKING:
     # What type checkers see: each name is exported with its own type. `_LAZY` is the same list at
     # run time, and a test compares the two.
     from . import plots as plots
     from . import scene as scene
-    from .court import COURT as COURT
-    from .court import FIBA_COURT as FIBA_COURT
-    from .court import NBA_COURT as NBA_COURT
-    from .court import PAPER_COURT as PAPER_COURT
-    from .engines import HOOP as HOOP
-    from .events import Event as Event
+    from .core.event_log import Event as Event
+    from .hoop.court import FIBA_COURT as FIBA_COURT
+    from .hoop.court import NBA_COURT as NBA_COURT
+    from .hoop.court import PAPER_COURT as PAPER_COURT
     from .hoop.presets import FIBA as FIBA
     from .hoop.presets import NBA as NBA
     from .hoop.presets import PAPER as PAPER
     from .hoop.releases import release as release
-    from .invalid import why_invalid as why_invalid
     from .judge import certify as certify
-    from .results import SURFACES as SURFACES
-    from .results import Outcome as Outcome
-    from .results import Shots as Shots
-    from .results import Trajectory as Trajectory
+    from .results.shots import SURFACES as SURFACES
+    from .results.shots import Outcome as Outcome
+    from .results.shots import Shots as Shots
+    from .results.trajectory import Trajectory as Trajectory
     from .scene import Scene as Scene
     from .scene import load_scene as load_scene
-    from .scene.compile import compile as compile
-    from .simulation import simulate as simulate
-    from .study.aim import aim as aim
-    from .study.bank import bank_or_direct as bank_or_direct
-    from .study.batch import batch as batch
-    from .study.compare import compare as compare
-    from .study.estimate import estimate as estimate
-    from .study.grid import Grid as Grid
-    from .study.maps import map as map
-    from .study.margins import margins as margins
-    from .study.measures import measure as measure
-    from .study.optimum import optimum as optimum
-    from .study.resample import Resample as Resample
-    from .study.scatter import Scatter as Scatter
-    from .study.solve import solve as solve
+    from .simulation.compile import compile as compile
+    from .simulation.court import COURT as COURT
+    from .simulation.hoop import HOOP as HOOP
+    from .simulation.invalid import why_invalid as why_invalid
+    from .simulation.simulate import simulate as simulate
+    from .study.measures.measures import measure as measure
+    from .study.models.grid import Grid as Grid
+    from .study.models.resample import Resample as Resample
+    from .study.models.scatter import Scatter as Scatter
+    from .study.questions.aim import aim as aim
+    from .study.questions.bank import bank_or_direct as bank_or_direct
+    from .study.questions.batch import batch as batch
+    from .study.questions.compare import compare as compare
+    from .study.questions.estimate import estimate as estimate
+    from .study.questions.map import map as map
+    from .study.questions.margins import margins as margins
+    from .study.questions.optimum import optimum as optimum
+    from .study.questions.solve import solve as solve
     from .studyfile import run_study as run_study
     from .viewer import view as view
 
@@ -82,39 +86,39 @@ __all__ = [
 
 
 _LAZY = {
-    "simulate": "simulation",
-    "why_invalid": "invalid",
-    "compile": "scene.compile",
+    "simulate": "simulation.simulate",
+    "why_invalid": "simulation.invalid",
+    "compile": "simulation.compile",
     "Scene": "scene",
     "load_scene": "scene",
-    "HOOP": "engines",
-    "COURT": "court",
-    "PAPER_COURT": "court",
-    "NBA_COURT": "court",
-    "FIBA_COURT": "court",
+    "HOOP": "simulation.hoop",
+    "COURT": "simulation.court",
+    "PAPER_COURT": "hoop.court",
+    "NBA_COURT": "hoop.court",
+    "FIBA_COURT": "hoop.court",
     "release": "hoop.releases",
     "PAPER": "hoop.presets",
     "NBA": "hoop.presets",
     "FIBA": "hoop.presets",
-    "Outcome": "results",
-    "Event": "events",
-    "SURFACES": "results",
-    "Shots": "results",
-    "Trajectory": "results",
+    "Outcome": "results.shots",
+    "Event": "core.event_log",
+    "SURFACES": "results.shots",
+    "Shots": "results.shots",
+    "Trajectory": "results.trajectory",
     "certify": "judge",
-    "Scatter": "study.scatter",
-    "Resample": "study.resample",
-    "Grid": "study.grid",
-    "estimate": "study.estimate",
-    "compare": "study.compare",
-    "solve": "study.solve",
-    "map": "study.maps",
-    "optimum": "study.optimum",
-    "margins": "study.margins",
-    "bank_or_direct": "study.bank",
-    "aim": "study.aim",
-    "measure": "study.measures",
-    "batch": "study.batch",
+    "Scatter": "study.models.scatter",
+    "Resample": "study.models.resample",
+    "Grid": "study.models.grid",
+    "estimate": "study.questions.estimate",
+    "compare": "study.questions.compare",
+    "solve": "study.questions.solve",
+    "map": "study.questions.map",
+    "optimum": "study.questions.optimum",
+    "margins": "study.questions.margins",
+    "bank_or_direct": "study.questions.bank",
+    "aim": "study.questions.aim",
+    "measure": "study.measures.measures",
+    "batch": "study.questions.batch",
     "run_study": "studyfile",
     "view": "viewer",
 }
@@ -125,24 +129,26 @@ _SUBMODULES = ("plots", "scene")
 """Modules that are part of the interface, imported when first asked for too."""
 
 
+register_plotting(lambda: import_module(f"{__name__}.plots"))
+
+
 def _import_public(name: str) -> Any:
     """Return a public name of `_LAZY` or `_SUBMODULES`, imported now."""
     if name == "__version__":
-        from .installed import version
+        from .core.extras import version
 
         return version()
     if name not in (*_LAZY, *_SUBMODULES):
         raise AttributeError(f"module 'hoopgen' has no attribute {name!r}")
-    from importlib import import_module
-
     try:
-        if name in _SUBMODULES:
-            return import_module(f"{__name__}.{name}")
-        found = getattr(import_module(f"{__name__}.{_LAZY[name]}"), name)
+        with rounding_to_nearest():
+            if name in _SUBMODULES:
+                return import_module(f"{__name__}.{name}")
+            found = getattr(import_module(f"{__name__}.{_LAZY[name]}"), name)
     except ImportError as error:
-        from .installed import explained
+        from .core.extras import explain_import_error
 
-        raise explained(error, f"hoopgen.{name}") from None
+        raise explain_import_error(error, f"hoopgen.{name}") from None
     globals()[name] = found  # the next time it is there
     return found
 

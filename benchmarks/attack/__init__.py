@@ -1,4 +1,4 @@
-"""What should not be able to break hoopgen, tried for a chosen time: `python -m benchmarks.attack`.
+"""Attacks on hoopgen for a chosen time: `python -m benchmarks.attack`.
 
 Each attack is a file: it prepares, and then makes one try after the other, each from random numbers
 that hang on the seed, the attack and the number of the case alone. POSIX only.

@@ -15,7 +15,7 @@ ATTACKS = (files.ATTACK, rows.ATTACK, kills.ATTACK, compilers.ATTACK, lines.ATTA
 
 
 def _run(attacks: Sequence[Attack], arguments: argparse.Namespace) -> list[Tally]:
-    """Give each attack the same time; what prepares it, and ends its last case, is not counted."""
+    """Run each attack for the same time, without its preparation and the end of its last case."""
     tallies: list[Tally] = []
     for attack in attacks:
         with tempfile.TemporaryDirectory(prefix="attack-", ignore_cleanup_errors=True) as name:

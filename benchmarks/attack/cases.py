@@ -12,7 +12,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Result:
-    """What one case came to.
+    """The result of one case.
 
     `wrong` says what did not hold, nothing if all did; `command` what was run, for a reader.
     `unforeseen` counts errors that no check foresaw and that were said in one line nevertheless.
@@ -54,7 +54,7 @@ class Finding:
 
 @dataclass
 class Tally:
-    """What an attack came to."""
+    """The result of an attack."""
 
     attack: Attack
     seed: int
@@ -64,13 +64,13 @@ class Tally:
     findings: list[Finding] = field(default_factory=list)
 
     def again(self, finding: Finding) -> str:
-        """The command that makes a finding anew."""
+        """Return the command that reproduces a finding."""
         chosen = f"--only {self.attack.key} --seed {self.seed} --case {finding.case}"
         return f'make attack ARGS="{chosen}"'
 
 
 def random_of(seed: int, key: str, case: int) -> np.random.Generator:
-    """The random numbers of a case."""
+    """Return the random numbers of a case."""
     return np.random.Generator(
         np.random.Philox(np.random.SeedSequence([seed, case, *key.encode()]))
     )

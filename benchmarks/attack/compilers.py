@@ -1,7 +1,6 @@
 """Compilers' flags: the C engine, built under those that a stranger may have set."""
 
 import shlex
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,14 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from tests.helpers.flags import COMPILERS, MATRIX, Verdict, try_flags
+
 from .cases import Attack, Attempt, Result
 
-sys.path.append(str(Path(__file__).resolve().parents[2] / "tests"))  # tests/ is not installed
-
-from flags import COMPILERS, MATRIX, Verdict, try_flags
-
 SHOTS = 50
-"""Of each family, besides those that hoopgen compares itself."""
+"""Shots of each family, besides those that hoopgen compares itself."""
 
 WIDEST = (1, 1, 4, 4, 4, 8, 16)
 """Wider vectors take longer to compile."""
@@ -24,7 +21,7 @@ WIDEST = (1, 1, 4, 4, 4, 8, 16)
 
 @dataclass(frozen=True)
 class Compilers:
-    """What builds the engine under flags, and says what becomes of it."""
+    """Builds of the engine under flags, and their results."""
 
     try_flags: Callable[..., Verdict] = try_flags
 
@@ -57,8 +54,9 @@ ATTACK = Attack(
     "compilers",
     "compiler flags",
     "builds",
-    "The C engine built by GCC and Clang, as `setup.py` does and by hand, under one to three sets "
-    "of flags that a stranger may have in `CFLAGS` and `LDFLAGS`, fast-math and its parts among "
-    "them. Each is refused, gives NumPy's bits, or is found out before it is used; none is silent.",
+    "The C engine, built by GCC and Clang, both by `setup.py` and by hand, under one to three "
+    "sets of flags that a user may have in `CFLAGS` and `LDFLAGS`, including fast-math and its "
+    "parts. The build must refuse the flags, or the engine must give NumPy's bits, or hoopgen "
+    "must detect the difference before it uses the engine.",
     prepare,
 )

@@ -27,7 +27,7 @@ READERS: tuple[tuple[str, ...], ...] = (
     ("view", "{}", "--out", "page.html", "--sample", "5", *SHARED),
     ("study", "measured.toml", "--out", "answers"),
 )
-"""What reads a table; {} is the file."""
+"""Commands that read a table; {} is the file."""
 
 MEASURED = """
 [study]
@@ -83,7 +83,7 @@ KEPT: tuple[tuple[str, ...], ...] = (
     ("map", "--over", "backspin=0:3Hz:2", *PLAYER, "--folder", "kept", "--out", "map.csv"),
     ("study", "study.toml", "--out", "kept"),
 )
-"""What goes on from files that it has kept itself."""
+"""Commands that continue from files that they stored."""
 
 
 def table() -> pa.Table:
@@ -189,7 +189,7 @@ class Files:
 
 
 def _came(folder: Path) -> dict[str, bytes]:
-    """What a command said and wrote, besides what it kept."""
+    """Return the output of a command and its files, except those that it keeps."""
     files = (f for f in (folder / "work").iterdir() if f.is_file())
     return {"stdout": (folder / "stdout").read_bytes()} | {f.name: f.read_bytes() for f in files}
 
@@ -218,10 +218,10 @@ ATTACK = Attack(
     "files",
     "flipped bytes",
     "files",
-    "One to five changed bytes, or an end that is missing: Feather (plain, LZ4, ZSTD), an Arrow "
-    "stream, Parquet and CSV, read by `batch`, `estimate --from`, `view` and `study`; a study "
-    "file; chunks, identities and answers that `estimate`, `map` and `study` have kept. No signal, "
-    "no traceback, no other result than that of whole chunks; 4 GB of address space and 20 s at "
-    "most.",
+    "Files with one to five changed bytes or a missing end: Feather (plain, LZ4, ZSTD), Arrow "
+    "streams, Parquet and CSV, read by `batch`, `estimate --from`, `view` and `study`; a study "
+    "file; stored chunks, identities and answers of `estimate`, `map` and `study`. The attack "
+    "fails on a signal, a traceback, a result other than that of whole chunks, more than 4 GB "
+    "of address space, or more than 20 s.",
     prepare,
 )

@@ -29,7 +29,7 @@ COMMANDS: tuple[tuple[str, ...], ...] = (
 )
 
 ROWS = 200_000
-"""Of the table: four chunks."""
+"""Rows of the table: four chunks."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Whole:
 
 
 def _left(folder: Path) -> dict[str, bytes]:
-    """What a command said, and every file that is there after it."""
+    """Return the output of a command, and all files after it."""
     work = folder / "work"
     files = {str(f.relative_to(work)): f for f in sorted(work.rglob("*")) if f.is_file()}
     return {name: f.read_bytes() for name, f in {**files, "stdout": folder / "stdout"}.items()}
@@ -76,7 +76,7 @@ class Kills:
 
 
 def _otherwise(ended: Ended, left: Mapping[str, bytes], wanted: Mapping[str, bytes]) -> str:
-    """Say in what the end is not that of an undisturbed run."""
+    """Describe how the end differs from that of an undisturbed run."""
     if ended.status != 0:
         return wrong(ended) or f"does not go on: {ended.err.strip()}"
     names = sorted(name for name in {**left, **wanted} if left.get(name) != wanted.get(name))
@@ -114,8 +114,8 @@ ATTACK = Attack(
     "kills",
     "kills",
     "kills",
-    "`estimate --folder`, `map --folder`, `batch` and `study`, ended by SIGKILL at random moments, "
-    "up to three times, then gone on with, each time with another number of threads. All that is "
-    "said and every file that is left are byte for byte those of a run that nothing disturbed.",
+    "`estimate --folder`, `map --folder`, `batch` and `study`, ended by SIGKILL at random "
+    "moments up to three times and then continued, each time with another number of threads. "
+    "The output and every file must be byte for byte those of an undisturbed run.",
     prepare,
 )

@@ -55,7 +55,7 @@ CHANGES = {"--set", "--scatter", "--release", "--versus"}
 """Options by which one changes anything."""
 
 OFTEN = 3
-"""How much oftener these two are absurd than others."""
+"""Factor by which these two are absurd more often than others."""
 
 FLAGS = {
     option.opts[0]
@@ -124,7 +124,7 @@ def _name(random: np.random.Generator, names: Iterable[str]) -> str:
 
 
 def _values(random: np.random.Generator, form: str) -> str:
-    """A number, or several where the option takes them."""
+    """Return a number, or several if the option takes them."""
     if form.endswith((":COUNT", ":STEP")) and random.integers(2):
         whole = form.endswith("COUNT")
         return f"{_number(random)}:{_number(random)}:{_number(random, whole)}"
@@ -136,7 +136,7 @@ def _values(random: np.random.Generator, form: str) -> str:
 
 
 def absurd(random: np.random.Generator, option: click.Parameter) -> str:
-    """A value for an option, of its form more often than not."""
+    """Return a value for an option, mostly of its form."""
     if random.integers(8) == 0:
         return _one(random, TEXTS + NO_NUMBERS)
     form = option.make_metavar(click.Context(main)) if option.param_type_name == "option" else ""
@@ -155,7 +155,7 @@ def absurd(random: np.random.Generator, option: click.Parameter) -> str:
 
 
 def line(random: np.random.Generator) -> list[str]:
-    """A command and its arguments: one or two are absurd, the others small and usual."""
+    """Return a command with one or two absurd arguments; the others are small and usual."""
     name, usual = USUAL[random.integers(len(USUAL))]
     given = dict(usual)
     options = [p for p in main.commands[name].params if p.name not in ("help", "reference")]
@@ -176,7 +176,7 @@ def line(random: np.random.Generator) -> list[str]:
 
 
 def _typed(option: click.Parameter) -> str:
-    """What is typed before the value; of an argument its name, which is not typed."""
+    """Return the option as it is typed, or the name of an argument."""
     return option.opts[0]
 
 
@@ -187,7 +187,7 @@ def _words(typed: str, value: str) -> list[str]:
 
 
 def study(random: np.random.Generator) -> str:
-    """A study file in which one value is absurd."""
+    """Return a study file in which one value is absurd."""
     lines = STUDY.splitlines()
     line = random.choice([k for k, line in enumerate(lines) if " = " in line])
     key, _, _ = lines[line].partition(" = ")
@@ -246,10 +246,10 @@ ATTACK = Attack(
     "lines",
     "absurd command lines",
     "lines",
-    "For each command but those that write the sources, one or two options with values that "
-    "nobody means, and study files with one such value: huge, tiny, negative, NaN, infinite, "
-    "empty, 60,000 letters, control characters, other scripts, halves of surrogates, paths that "
-    "cannot be. Exit status 0, 1, 2 or 70 and one line for an error; no traceback; 4 GB of address "
-    "space and 20 s at most. What asks for more work than that must end at Ctrl-C.",
+    "One or two options with absurd values, for each command except those that write the "
+    "sources, and study files with one such value: huge, tiny, negative, NaN, infinite, empty, "
+    "60,000 letters, control characters, other scripts, halves of surrogates, impossible paths. "
+    "The command must end with exit status 0, 1, 2 or 70, one line for an error, no traceback, "
+    "at most 4 GB of address space and 20 s. A command that needs more work must end at Ctrl-C.",
     prepare,
 )

@@ -19,7 +19,7 @@ Entry = Callable[[list[str]], object]
 """A command line: takes arguments, ends as a program does."""
 
 SECONDS = 20.0
-"""What a small command may take, on a machine that has other things to do; it is one usually."""
+"""Time limit of a small command on a busy machine, s; it usually takes one second."""
 
 MEMORY = 4 << 30
 """Bytes of address space; libraries and threads take one of the four."""
@@ -39,11 +39,11 @@ _CONTEXT.set_forkserver_preload(
         "hoopgen.cli",
         "hoopgen.judge",
         "hoopgen.plots",
-        "hoopgen.study.batch",
-        "hoopgen.study.compare",
-        "hoopgen.study.estimate",
-        "hoopgen.study.maps",
-        "hoopgen.study.optimum",
+        "hoopgen.study.questions.batch",
+        "hoopgen.study.questions.compare",
+        "hoopgen.study.questions.estimate",
+        "hoopgen.study.questions.map",
+        "hoopgen.study.questions.optimum",
         "hoopgen.studyfile",
         "matplotlib.pyplot",
         "scipy.optimize",
@@ -67,19 +67,19 @@ class Ended:
 
     @property
     def unforeseen(self) -> bool:
-        """Whether it ended with an error that no check foresaw, and said so."""
+        """True if it ended with an error that no check foresaw, and said so."""
         return self.status == _UNFORESEEN
 
 
 def hoopgen(arguments: list[str]) -> None:
-    """The command line."""
+    """Return the command line."""
     from hoopgen.cli import main
 
     main(arguments)
 
 
 def said(arguments: Sequence[str]) -> str:
-    """A command line as one types it, on one line."""
+    """Return a command line as one types it, on one line."""
     text = shlex.join(["hoopgen", *arguments])
     text = text if len(text) <= 400 else f"{text[:400]}..."
     return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
@@ -139,7 +139,7 @@ def _begin(entry: Entry, arguments: list[str], folder: Path) -> None:
 
 
 def wrong(ended: Ended, *, may_take_long: bool = False) -> str:
-    """Say what is wrong with how a command ended; nothing if it ended as it should."""
+    """Describe what is wrong with how a command ended, "" if nothing is."""
     words = ended.err.strip().splitlines()
     last = _short(words[-1]) if words else ""
     if ended.late and ended.status == -signal.SIGKILL:

@@ -1,4 +1,4 @@
-"""What attacks came to: a table for the terminal, and a page."""
+"""Reports of attacks: a table for the terminal, and a page."""
 
 from collections.abc import Sequence
 from itertools import groupby
@@ -9,23 +9,23 @@ from benchmarks.report import table
 from .cases import Finding, Tally
 
 NOT_TRIED = """\
-- **Windows** and macOS: the attacks need POSIX. Locks have code of their own on Windows
-  (`msvcrt.locking`), which nothing here has run.
-- **Network disks** (NFS, SMB, cluster file systems): locks and renames are those of a local disk.
-- **Loss of power**. Every file that is kept is written beside, synced, and moved, and its folder
-  synced; SIGKILL tries the order of these steps, not whether a disk obeys.
-- **Other machines**: 32-bit, big-endian, and any processor or libc but the one below.
-- **Full or failing disks, and memory that runs out** while others use it. Tests have a full disk
-  and a limit on the size of files; the attacks have a limit on the address space.
-- **A Dask cluster** under attack: `tests/test_cluster.py` kills a worker
-  now and then, no more.
-- **Files that change while they are read**, and inputs that are larger than a few kilobytes.
-- **Somebody who means it**: flips are random; nobody has built a file to fool a checksum or a
-  parser. A damaged cell in a table without checksums is another number, which nobody can see."""
+- **Windows** and macOS: the attacks need POSIX. Locks have their own code on Windows
+  (`msvcrt.locking`), which no run has tested.
+- **Network disks** (NFS, SMB, cluster file systems): locks and renames were tested on a local disk.
+- **Loss of power**. hoopgen writes every file beside its place, syncs it, moves it, and syncs the
+  folder. SIGKILL tests the order of these steps, not the disk.
+- **Other machines**: 32-bit, big-endian, and any processor or libc except the one below.
+- **Full or failing disks, and memory that runs out** while others use it. The tests have a full
+  disk and a limit on the size of files; the attacks have a limit on the address space.
+- **A Dask cluster** under attack: `tests/study/jobs/test_cluster.py` occasionally kills a worker.
+- **Files that change while they are read**, and inputs of more than a few kilobytes.
+- **A human attacker**: changed bytes are random, and nobody has built a file to deceive a
+  checksum or a parser. A damaged cell in a table without checksums is another number, which no
+  check can detect."""
 
 
 def summary(tallies: Sequence[Tally]) -> list[str]:
-    """The table: attacks, and what they came to."""
+    """Return a table of the attacks and their results."""
     head = ["attack", "tries", "held", "said in one line, unforeseen", "findings", "seconds"]
     rows = [
         [
@@ -42,7 +42,7 @@ def summary(tallies: Sequence[Tally]) -> list[str]:
 
 
 def _kind(finding: Finding) -> str:
-    """What findings of one cause share: their first words, without numbers."""
+    """Return the first words of a finding without numbers, which findings of one cause share."""
     words = finding.wrong.split()[:8]
     return " ".join(word for word in words if not any(letter.isdigit() for letter in word))
 
@@ -63,20 +63,20 @@ def _findings(tally: Tally) -> list[str]:
 
 
 def page(tallies: Sequence[Tally], minutes: float) -> str:
-    """The page."""
+    """Return the page."""
     seed = tallies[0].seed
     lines = [
         "# Reliability",
         "",
-        f"`make attack` tries to break hoopgen, here for {minutes:g} minutes with the seed {seed}; "
-        "continuous integration does so for one minute at each change. "
-        'This page is made by `make attack ARGS="--minutes '
-        f'{minutes:g} --seed {seed} --write docs/reliability.md"`. Cases hang on the seed and on '
-        "their number alone, so each can be made anew; how many there are hangs on the machine.",
+        f"`make attack` tries to break hoopgen, here for {minutes:g} minutes with the seed "
+        f"{seed}. Continuous integration runs it for one minute at each change. `make attack "
+        f'ARGS="--minutes {minutes:g} --seed {seed} --write docs/reliability.md"` writes this '
+        "page. Each case depends only on the seed and on its number and can be reproduced. The "
+        "number of cases depends on the machine.",
         "",
         *summary(tallies),
-        "*Said in one line, unforeseen*: errors that no check foresaw, with exit status 70; they "
-        "count as held, and each is a check that is missing.",
+        "*Said in one line, unforeseen* counts errors that no check foresaw, with exit status "
+        "70. They count as held, and each shows a missing check.",
         "",
         "## What is tried",
         "",

@@ -20,24 +20,22 @@ from numpy.typing import NDArray
 import hoopgen
 from benchmarks.families import FAMILIES
 from hoopgen.engine import native
-from hoopgen.engines import HOOP
+from hoopgen.simulation.hoop import HOOP
+from tests.helpers.compiled import COMPILER, SANITIZERS, same_bits, shared_library
 
 from .cases import Attack, Attempt, Result, random_of
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.append(str(ROOT / "tests"))  # tests/ is not installed
-
-from compiled import COMPILER, SANITIZERS, same_bits, shared_library  # noqa: E402
 
 Floats = NDArray[np.float64]
 
 EVERY = tuple(HOOP.layout.results)
 KEY = "rows"
 BATCHES = 2
-"""Of a case."""
+"""Batches of a case."""
 
 ROWS = 10_000
-"""In the largest batch."""
+"""Rows of the largest batch."""
 
 SECONDS = 300.0
 
@@ -71,7 +69,7 @@ def states(random: np.random.Generator, rows: int) -> Floats:
 
 
 def parameters(random: np.random.Generator, rows: int) -> Mapping[str, Any]:
-    """The article's, some of them by row, some of those garbage."""
+    """Return the article's parameters, some of them by row, some of those garbage."""
     given: dict[str, Any] = dict(hoopgen.PAPER)
     if random.integers(2):
         return given
@@ -85,7 +83,7 @@ def parameters(random: np.random.Generator, rows: int) -> Mapping[str, Any]:
 
 @contextmanager
 def _held(library: native.Library, width: int) -> Iterator[None]:
-    """The C engine is this library, with this width."""
+    """Use this library, at this width, as the C engine within a context."""
 
     class Held:
         def run(self, *arguments: Any, **options: Any) -> None:
@@ -218,9 +216,9 @@ ATTACK = Attack(
     "garbage rows",
     "rows",
     "Random bits, infinities, NaN, subnormal and huge numbers, in states and in parameters, and "
-    "shots of the hard families, flown by the C engine under AddressSanitizer and UBSan and by the "
-    "C engine as it is installed, with every width. No report of a sanitizer; every result and "
-    "every event the same bits as NumPy's (a NaN is any NaN).",
+    "shots of the hard families. The C engine simulates them under AddressSanitizer and UBSan, "
+    "and the installed C engine with every vector width. The attack fails on a report of a "
+    "sanitizer, and on a result or an event with other bits than NumPy's (all NaN are equal).",
     prepare,
 )
 

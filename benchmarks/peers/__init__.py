@@ -52,7 +52,7 @@ EVERYBODY = (
 def taking_part(
     peers: Sequence[Peer], find: Callable[[str], object] = find_spec
 ) -> tuple[tuple[Peer, ...], tuple[str, ...]]:
-    """Those whose packages are installed, and a line on each of the others."""
+    """Return the peers whose packages are installed, and a line on each of the others."""
     absent = [peer for peer in peers if peer.package and find(peer.package) is None]
     lines = (f"{peer.label}: left out, {peer.package} is not installed here" for peer in absent)
     return tuple(peer for peer in peers if peer not in absent), tuple(lines)

@@ -1,4 +1,4 @@
-"""What every peer returns."""
+"""Results of peers."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -28,7 +28,7 @@ class Event(NamedTuple):
 
 
 NextEvent = Callable[[Array, Scene, int | None], Event | None]
-"""From a state and the surface it has just left, to the next event, or None if nothing is ahead."""
+"""Function of a state and the surface just left to the next event, None if there is none."""
 
 
 def contact_radius(scene: Scene) -> float:
@@ -45,7 +45,7 @@ def flown(state: Array, gravity: float, t: float) -> Array:
 
 
 def inside_bounds(scene: Scene, surface: int, state: Array) -> bool:
-    """The inequality constraints of Table 2, and the sense of arrival that it leaves out."""
+    """Return whether Table 2's inequality constraints hold, and the sense of arrival."""
     x, y, z, vx, _, vz = map(float, state[:6])
     if surface == BACKBOARD:
         return (

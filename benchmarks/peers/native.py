@@ -3,6 +3,7 @@
 import ctypes
 import hashlib
 import os
+import shlex
 import subprocess
 from collections.abc import Mapping
 from functools import cache
@@ -12,15 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.peers.flown import Flown
-from hoopgen.engine.sources import FLAGS as OUR
+from hoopgen.engine.c_build import FLAGS as OUR
 
 OUR_FLAGS = tuple(OUR)
-"""How hoopgen's own library is compiled (setup.py)."""
+"""Compiler flags of hoopgen's own library (setup.py)."""
 
 FLAGS = (*OUR_FLAGS, "-march=native", "-mprefer-vector-width=512")
 """The machine's own vectors double the speed of the march, and slow none of the others."""
 
-COMPILER = os.environ.get("CC", "gcc")
+COMPILER = shlex.split(os.environ.get("CC", "gcc"))
 FOLDER = Path(__file__).parent
 
 SCENE = (
@@ -41,20 +42,20 @@ SCENE = (
 
 def compiler_version() -> str:
     """First line of the compiler's own account of itself."""
-    command = [COMPILER, "--version"]
+    command = [*COMPILER, "--version"]
     output = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     return output.splitlines()[0]
 
 
 def _native_options() -> str:
-    """What -march=native means here: a cache on a shared disk may serve several machines."""
-    command = [COMPILER, "-march=native", "-Q", "--help=target"]
+    """Return the meaning of -march=native here, since several machines may share a cache."""
+    command = [*COMPILER, "-march=native", "-Q", "--help=target"]
     return subprocess.run(command, check=False, capture_output=True, text=True).stdout
 
 
 @cache
 def library(name: str, flags: tuple[str, ...] = FLAGS) -> ctypes.CDLL:
-    """`name`.c compiled with `flags` and loaded."""
+    """Compile `name`.c with `flags` and load it."""
     sources = [FOLDER / f"{name}.c", *sorted(FOLDER.glob("*.h"))]
     digest = hashlib.sha256()
     for part in (compiler_version(), _native_options(), *flags):
@@ -67,7 +68,7 @@ def library(name: str, flags: tuple[str, ...] = FLAGS) -> ctypes.CDLL:
         home.mkdir(parents=True, exist_ok=True)
         # Written beside and moved: two processes may build at once.
         beside = target.with_suffix(f".{os.getpid()}")
-        command = [COMPILER, *flags, "-Wall", "-Wextra", "-Werror", "-shared", "-fPIC"]
+        command = [*COMPILER, *flags, "-Wall", "-Wextra", "-Werror", "-shared", "-fPIC"]
         subprocess.run([*command, "-o", str(beside), str(sources[0]), "-lm"], check=True)
         beside.replace(target)
     return ctypes.CDLL(str(target))

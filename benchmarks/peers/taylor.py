@@ -66,7 +66,7 @@ class _Lanes:
         self.flying[lane], self.left[lane] = 0.0, time_in_reach(state, self.log.scene)
 
     def _next_shot(self, lane: int) -> None:
-        """Of those that are waiting; an empty lane stands still."""
+        """Return the next waiting shot; an empty lane stands still."""
         self.shot[lane], state = next(self.waiting, (-1, None))
         self.left[lane] = 0.0
         if state is not None:

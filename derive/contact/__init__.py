@@ -1,1 +1,1 @@
-"""What a contact makes of the ball's motion: the contact frame, and the laws."""
+"""Contact laws: from the motion before a contact to the motion after it (Eqs. 7-17)."""

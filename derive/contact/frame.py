@@ -1,15 +1,15 @@
 """The contact frame (Eqs. 7-10).
 
 Eq. 7 of the article picks the axis along which the normal is *largest*; for the backboard and the
-bridge Eq. 8 is then 0/0. The axis of the smallest component is meant, and used here.
+bridge Eq. 8 is then 0/0. The article means the axis of the smallest component, which is used here.
 """
 
 from __future__ import annotations
 
 import sympy as sp
 
-from ..ground.choice import IfAtMost
-from ..ground.symbols import NORMAL
+from ..symbolic.conditionals import IfAtMost
+from ..symbolic.symbols import NORMAL
 
 
 def frame_from_axis(normal: sp.Matrix, axis: int) -> sp.Matrix:
@@ -23,7 +23,7 @@ def frame_from_axis(normal: sp.Matrix, axis: int) -> sp.Matrix:
 
 
 def contact_frame() -> sp.Matrix:
-    """Return R (Eq. 10) with the axis of the smallest component of the normal (Eq. 7, mended)."""
+    """Return R (Eq. 10) with the axis of the smallest component of the normal (see above)."""
     normal = sp.Matrix(NORMAL)
     size = [component**2 for component in NORMAL]
     frames = [frame_from_axis(normal, axis) for axis in range(3)]
@@ -35,7 +35,7 @@ def contact_frame() -> sp.Matrix:
 
 
 def _of_smallest(values: list[sp.Expr], sizes: list[sp.Expr]) -> sp.Expr:
-    """Return the value whose size is smallest, the first of equals."""
+    """Return the value with the smallest size, the first of equals."""
     y_or_z = IfAtMost(sizes[1], sizes[2], values[1], values[2])
     x_or_z = IfAtMost(sizes[0], sizes[2], values[0], y_or_z)
     return IfAtMost(sizes[0], sizes[1], x_or_z, y_or_z)

@@ -1,4 +1,4 @@
-"""What a contact law is: from the motion before a contact to the motion after it."""
+"""The interface of a contact law: from the motion before a contact to the motion after it."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from typing import ClassVar
 
 import sympy as sp
 
+from .ball import Ball
+
 
 @dataclass(frozen=True)
 class Law(ABC):
@@ -16,37 +18,37 @@ class Law(ABC):
     Attributes
     ----------
     name
-        Names its kernels; bodies that share a law share them.
-    source, called
-        The equations, or the laws, that it is made from, and what it is called beside its errors.
+        The name of its kernels; bodies with equal laws share them.
+    source, description
+        The equations or laws that it follows from, and its name in texts about its errors.
     """
 
     name: str
 
     source: ClassVar[str] = "Eqs. 11-17, the frame eliminated"
-    called: ClassVar[str] = "the frame-free Eq. 17"
+    description: ClassVar[str] = "the frame-free Eq. 17"
 
     @abstractmethod
     def restitution_at(self, speed: sp.Expr) -> sp.Expr:
-        """Return e of a contact that is arrived at with a normal speed, positive: v_n+ = -e v_n.
+        """Return e of a contact with a positive normal speed of approach: v_n+ = -e v_n.
 
-        What `after` does along the normal, said apart: the judge keeps it exact on planes. It may
-        fall with the speed.
+        It states separately what `after` does along the normal, since the judge keeps that exact on
+        planes. It may fall with the speed.
         """
 
     @property
-    def coefficient(self) -> sp.Expr:
+    def friction_coefficient(self) -> sp.Expr:
         """Coulomb's mu; infinite: every contact grips."""
         return sp.oo
 
     @abstractmethod
     def after(
-        self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball_radius: sp.Expr
+        self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball: Ball
     ) -> tuple[sp.Matrix, sp.Matrix]:
         """Return velocity and spin after a contact, frame-free."""
 
-    def doubt(
-        self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball_radius: sp.Expr
+    def undecided(
+        self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball: Ball
     ) -> sp.Basic | None:
-        """Return where a decision within the contact lies within its error; None if it has none."""
+        """Return the condition that a decision in the contact is undecided; None: no decision."""
         return None

@@ -1,1 +1,1 @@
-"""How far a computed state can be from the true one."""
+"""Error propagation: the derivative of a flight and a contact, and the growth that it bounds."""

@@ -1,7 +1,7 @@
-"""What a scene cannot be: formulas that are not what they are taken for, each with its reason.
+"""Checks of a scene: formulas that are not what the scene declares are refused, with the reason.
 
-What can be seen is looked at; what cannot, on random points where the ball touches the surface, in
-more digits than doubles have and with the parameters' usual values.
+Symbolic properties are checked symbolically; all others on random points where the ball touches the
+surface, with more digits than doubles have and with the parameters' default values.
 """
 
 from __future__ import annotations
@@ -13,32 +13,32 @@ from typing import TYPE_CHECKING, Any
 import mpmath
 import sympy as sp
 
-from ..ground.choice import release
-from ..ground.symbols import POSITION
 from ..surfaces import Surface
+from ..symbolic.conditionals import release
+from ..symbolic.symbols import POSITION
 
 if TYPE_CHECKING:
     from .scene import Scene
 
-DEGREE = 4
-"""The highest degree of a condition in x, y, z: twice that in time."""
+MAX_DEGREE = 4
+"""The highest degree of a condition in x, y, z; its degree in time is twice that."""
 
 _POINTS = 4
 _STEPS = 60
 _DIGITS = 30
 _NEAR = mpmath.mpf(10) ** -10
-"""Far above what is left of a formula that is zero, far below any mistake."""
+"""Far above the rounding of a formula that is zero, far below any mistake."""
 
 Function = Callable[..., list[Any]]
 
 
 def check(scene: Scene) -> None:
-    """Refuse surfaces, ends and laws whose formulas are not what they are taken for.
+    """Check that the formulas of surfaces, ends and laws are what the scene declares.
 
     Raises
     ------
     ValueError
-        Naming the scene, the surface or end, what is wrong with it, and what is expected.
+        Naming the scene, the surface or end, the fault, and what is expected.
     """
     known = {*POSITION, *scene.symbols}
     surfaces = [(f"surface {surface.name}", surface) for surface in scene.surfaces]
@@ -59,7 +59,7 @@ def check(scene: Scene) -> None:
 
 
 class _Refused(Exception):
-    """Why a surface is refused."""
+    """The reason why a surface is refused."""
 
 
 def _unknown(expressions: Sequence[sp.Basic], known: set[sp.Symbol]) -> list[str]:
@@ -71,7 +71,7 @@ def _known(known: set[sp.Symbol]) -> str:
 
 
 def _formulas(surface: Surface, known: set[sp.Symbol]) -> None:
-    """Refuse what can be seen: symbols, numbers that are not exact, no polynomial, its degree."""
+    """Check the symbols, the exactness of numbers, and the degree of the polynomial."""
     condition = release(surface.condition)
     for symbol in _unknown([condition, surface.distance, *surface.normal], known):
         raise _Refused(f"unknown symbol {symbol}; {_known(known)}")
@@ -85,21 +85,24 @@ def _formulas(surface: Surface, known: set[sp.Symbol]) -> None:
     if not condition.is_polynomial(*POSITION):
         raise _Refused(f"expected a condition polynomial in x, y and z, got {condition}")
     degree = sp.Poly(condition, *POSITION).total_degree()
-    if not 0 < degree <= DEGREE:
+    if not 0 < degree <= MAX_DEGREE:
         raise _Refused(
-            f"expected a condition of degree 1 to {DEGREE} in x, y and z, got one of {degree}"
+            f"expected a condition of degree 1 to {MAX_DEGREE} in x, y and z, got one of {degree}"
         )
 
 
 def _places(surface: Surface, scene: Scene) -> None:
-    """Refuse a normal, a distance or a bound that is not one, on random points."""
+    """Check normal, distance and bounds on random points."""
     finite = (p for p in scene.parameters if not p.infinite)  # a body is not infinite
     values = {p.symbol: sp.Rational(p.default) for p in finite}
     condition, distance = _function([surface.condition], values), surface.distance
     there = _function([distance, *surface.normal], values)
     bounds = [_function([bound], values) for bound in surface.bounds]
-    about = [mpmath.mpf(str(sp.N(c.xreplace(values), 20))) for c in map(sp.sympify, surface.about)]
-    halves = (sp.sympify(h).xreplace(values) for h in surface.halves if h is not None)
+    about = [
+        mpmath.mpf(str(sp.N(c.xreplace(values), 20)))
+        for c in map(sp.sympify, surface.reference_point)
+    ]
+    halves = (sp.sympify(h).xreplace(values) for h in surface.half_sizes if h is not None)
     reach = 2 * max((mpmath.mpf(str(sp.N(h, 20))) for h in halves), default=mpmath.mpf(1))
     chance = random.Random(surface.name)
     with mpmath.workdps(_DIGITS):
@@ -113,17 +116,17 @@ def _places(surface: Surface, scene: Scene) -> None:
 
 
 def _function(expressions: Sequence[sp.Expr], values: dict[sp.Symbol, sp.Expr]) -> Function:
-    """Return x, y, z to the expressions' values, with the parameters' values put in.
+    """Return the function from x, y, z to the expressions' values at the parameters' values.
 
-    Only our own symbols and numbers are left in what is made into a function.
+    The function is made of our own symbols and numbers alone.
     """
     choices = {
         "IfLess": lambda left, right, then, other: then if left < right else other,
         "IfAtMost": lambda left, right, then, other: then if left <= right else other,
     }
     bare = [release(sp.sympify(e)).xreplace(values) for e in expressions]
-    made: Function = sp.lambdify(POSITION, bare, modules=[choices, "mpmath"])
-    return made
+    function: Function = sp.lambdify(POSITION, bare, modules=[choices, "mpmath"])
+    return function
 
 
 def _slopes(function: Function, point: Sequence[Any]) -> list[list[Any]]:
@@ -145,7 +148,7 @@ def _norm(vector: Sequence[Any]) -> Any:
 
 
 def _touching(condition: Function, start: Sequence[Any]) -> list[Any] | None:
-    """Return a point where the condition is zero; None if Newton's steps find none."""
+    """Return a point where the condition is zero; None if Newton's method finds none."""
     point = list(start)
     steepest = mpmath.mpf(0)
     for _ in range(_STEPS):
@@ -160,7 +163,7 @@ def _touching(condition: Function, start: Sequence[Any]) -> list[Any] | None:
         if abs(away) < _NEAR and steep < _NEAR / 100 * steepest:
             break
         point = [c - away * s / steep for c, s in zip(point, slope, strict=True)]
-    # Steps that only halve what is left approach a point where the gradient is zero, too.
+    # Steps that only halve the remaining distance approach a point where the gradient is zero.
     if abs(away) < mpmath.mpf(10) ** -6 and steep < mpmath.mpf(10) ** -6 * steepest:
         raise _Refused("the gradient of its condition is zero where the ball touches it")
     return None
@@ -189,7 +192,7 @@ def _check_contact(condition: Function, there: Function, point: Sequence[Any]) -
 
 def _check_bound(place: int, surface: Surface, bound: Function, point: Sequence[Any]) -> None:
     if release(surface.bounds[place]).has(sp.Abs):
-        return  # made a length by whoever divided it by its gradient
+        return  # its author has divided it by its gradient
     steep = _norm(_slopes(bound, point)[0])
     if steep > 1 + 1e-6:
         raise _Refused(

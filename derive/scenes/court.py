@@ -1,4 +1,4 @@
-"""The hoop as it stands in a gym: board and bridge are plates, and each body has a law of its own.
+"""The hoop in a gym: board and bridge are plates, and each body has its own law.
 
 Bodies touch one another, as they do there: the bridge stands on the board's front, and its other
 end meets the ring's wire in a narrow lens. A ball cannot get between them.
@@ -11,9 +11,10 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ..contact.slipping import Slipping
-from ..ground.symbols import POSITION
+from ..contact.ball import MAX_INERTIA, MIN_INERTIA, THIN_SHELL
+from ..contact.friction import CoulombFriction
 from ..surfaces import Box, Plane, Ring, Surface, body
+from ..symbolic.symbols import POSITION
 from .ends import End
 from .hoop import HOOP
 from .passage import Passage
@@ -52,6 +53,15 @@ _SURFACES = (
         for name, short in zip(_BODIES, "RBP", strict=True)
     ),
     parameter(
+        "inertia",
+        "1",
+        "kappa, the ball's moment of inertia over m R_B²: 2/3 of a thin shell, 2/5 of a solid ball",
+        float(THIN_SHELL),
+        upper=float(MAX_INERTIA),
+        latex=r"\kappa",
+        lower=float(MIN_INERTIA),
+    ),
+    parameter(
         "tangential_restitution",
         "1",
         "e_t, of every contact that grips",
@@ -73,22 +83,22 @@ _SURFACES = (
 
 
 def _parameters() -> tuple[Parameter, ...]:
-    """Return those of HOOP, its one restitution replaced, in DESIGN's order."""
-    kept = {p.name: p for p in HOOP.parameters if p.name != "restitution"}
+    """Return the parameters of HOOP with a restitution for each body, in their public order."""
+    inherited = {p.name: p for p in HOOP.parameters if p.name != "restitution"}
     last = ("gravity", "end_depth")
-    first = (p for name, p in kept.items() if name not in (*last, "bridge_half_width"))
+    first = (p for name, p in inherited.items() if name not in (*last, "bridge_half_width"))
     return (
         *first,
         _SIZES[0],
-        kept["bridge_half_width"],
+        inherited["bridge_half_width"],
         _SIZES[1],
-        *(kept[name] for name in last),
+        *(inherited[name] for name in last),
         *_SURFACES,
     )
 
 
 def _court() -> Scene:
-    """Return the scene; everything is measured as in HOOP's, whose ring and bridge's top it has."""
+    """Return the scene; coordinates are as in HOOP, and so are the ring and the bridge's top."""
     parameters = _parameters()
     by_name = {p.name: p.symbol for p in parameters}
     x, y, _ = POSITION
@@ -119,7 +129,7 @@ def _court() -> Scene:
         bodies=tuple(
             body(
                 face,
-                Slipping(
+                CoulombFriction(
                     f"{face.name}_impact",
                     by_name[f"{face.name}_restitution"],
                     by_name[f"{face.name}_friction"],
@@ -140,6 +150,7 @@ def _court() -> Scene:
         ),
         ball_radius=ball_radius,
         gravity=by_name["gravity"],
+        inertia=by_name["inertia"],
         requirements=(
             ring_radius - ball_radius - wire_radius,
             by_name["board_distance"] - ring_radius - wire_radius,

@@ -1,36 +1,37 @@
-"""How a shot can end: at planes with names, and otherwise."""
+"""The ends of a shot: planes with names, and other outcomes."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ..surfaces import Gate, Plane
+from ..surfaces import EndPlane, Plane
 
-OTHERS = {
+OTHER_OUTCOMES = {
     "capped": "Had max_contacts contacts before it ended.",
     "short": "Can never reach an end.",
     "invalid": "Not finite, not allowed, a size out of range, or a start inside a surface.",
     "lodged": "At rest, or wedged between bodies.",
     "endless": "Still moving at the time limit.",
 }
-"""The outcomes of shots that reach no end, after the scene's ends, and what each says."""
+"""The outcomes of shots that reach no end, with their meanings; they follow the scene's ends."""
 
 
 @dataclass(frozen=True)
 class End:
-    """What ends a shot: a plane crossed against its normal, within its bounds.
+    """A plane that ends a shot if the ball crosses it against its normal, within its bounds.
 
     Attributes
     ----------
     name
-        Of the outcome.
+        The name of the outcome.
     plane
-        Of ends on one plane (equal in direction and offset) the first is reached whose bounds hold.
+        The plane; of ends on one plane (equal in direction and offset) the first is reached whose
+        bounds hold.
     meaning
-        What the outcome says, in one line; "": that the end was reached.
+        The meaning of the outcome, in one line; "": that the end was reached.
     passed
-        Whether it is one only for a ball that has fallen through the scene's `passage`.
+        True if only a ball that has fallen through the scene's `passage` can reach it.
     """
 
     name: str
@@ -41,22 +42,22 @@ class End:
 
 def outcomes(ends: Sequence[End]) -> dict[str, int]:
     """Return the number of each outcome: the ends in order, then the others."""
-    return {name: k for k, name in enumerate((*(end.name for end in ends), *OTHERS))}
+    return {name: k for k, name in enumerate((*(end.name for end in ends), *OTHER_OUTCOMES))}
 
 
 def meanings(ends: Sequence[End]) -> dict[str, str]:
-    """Return what each outcome says, in one line, in order."""
+    """Return the meaning of each outcome, in one line, in order."""
     own = {end.name: end.meaning or f"Reached the end {end.name}." for end in ends}
-    return own | OTHERS
+    return own | OTHER_OUTCOMES
 
 
-def gates(ends: Sequence[End]) -> tuple[Gate, ...]:
-    """Return the planes of the ends, each once; it has the name of its first end's."""
+def end_planes(ends: Sequence[End]) -> tuple[EndPlane, ...]:
+    """Return the planes of the ends, each once, with the name of its first end's plane."""
     planes: dict[tuple[object, ...], list[int]] = {}
     for k, end in enumerate(ends):
         planes.setdefault((end.plane.direction, end.plane.offset), []).append(k)
     return tuple(
-        Gate(
+        EndPlane(
             ends[own[0]].plane.name,
             ends[own[0]].plane.direction,
             ends[own[0]].plane.offset,
@@ -70,18 +71,18 @@ def gates(ends: Sequence[End]) -> tuple[Gate, ...]:
 
 
 def check_reached(scene: str, ends: Sequence[End]) -> None:
-    """Refuse an end that is never reached, for one before it takes the whole plane.
+    """Check that no end is behind another one that takes the whole plane.
 
     Raises
     ------
     ValueError
         Naming the scene and both ends.
     """
-    for gate in gates(ends):
-        parts = zip(gate.outcomes, gate.parts, gate.passed, strict=True)
+    for end_plane in end_planes(ends):
+        parts = zip(end_plane.outcomes, end_plane.parts, end_plane.passed, strict=True)
         whole = [k for k, part, passed in parts if not part and not passed]
-        if whole and whole[0] != gate.outcomes[-1]:
-            after = next(k for k in gate.outcomes if k > whole[0])
+        if whole and whole[0] != end_plane.outcomes[-1]:
+            after = next(k for k in end_plane.outcomes if k > whole[0])
             raise ValueError(
                 f"scene {scene}: end {ends[after].name!r}: comes after "
                 f"{ends[whole[0]].name!r}, which has no bounds and takes the whole plane"
@@ -89,7 +90,7 @@ def check_reached(scene: str, ends: Sequence[End]) -> None:
 
 
 def check_passed(scene: str, ends: Sequence[End], passage: bool) -> None:
-    """Refuse an end for balls that have passed what the scene does not have, or without bounds.
+    """Check that ends for balls that have passed the ring have bounds, and the scene a passage.
 
     Raises
     ------

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ..contact.rolling import Rolling
-from ..ground.symbols import POSITION
+from ..contact.no_slip import NoSlip
 from ..surfaces import Plane, Ring, body
+from ..symbolic.symbols import POSITION
 from .ends import End
 from .scene import Scene, parameter
 
@@ -32,7 +32,7 @@ _PARAMETERS = (
 def _hoop() -> Scene:
     """Return the scene of Table 2, with its gaps filled.
 
-    The bridge ends at the backboard (x >= -a_0). The wire's radius and the ball's make R.
+    The bridge ends at the backboard (x >= -a_0). R is the sum of the radii of ball and wire.
     """
     by_name = {p.name: p.symbol for p in _PARAMETERS}
     x, y, z = POSITION
@@ -42,7 +42,7 @@ def _hoop() -> Scene:
     rho = sp.sqrt(x**2 + y**2)
     half_width, half_bridge = by_name["board_half_width"], by_name["bridge_half_width"]
     bottom = Plane("end", direction=(0, 0, 1), offset=-by_name["end_depth"], reach=sp.Integer(0))
-    law = Rolling("impact", by_name["restitution"])
+    law = NoSlip("impact", by_name["restitution"])
     return Scene(
         name="hoop",
         parameters=_PARAMETERS,

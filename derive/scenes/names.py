@@ -1,7 +1,7 @@
-"""Names that a scene gives: its own, and those of parameters, bodies, surfaces and laws.
+"""The names in a scene: its own, and those of parameters, bodies, surfaces and laws.
 
-They reach generated code, files and results as they are, and so are checked here, once. Where they
-could meet a name of ours or of a language, generated code puts something before them.
+They reach generated code, files and results unchanged, and so are checked here, once. Where they
+could meet one of our names or of a language's, generated code adds a prefix.
 """
 
 from __future__ import annotations
@@ -10,22 +10,35 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
-from .ends import OTHERS
+from .ends import OTHER_OUTCOMES
 
 PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)
-"""What every public name matches as a whole."""
+"""Pattern of a public name."""
 
 LAW = re.compile(r"(?:[a-z][a-z0-9_]*_)?impact", re.ASCII)
-"""What the name of a law does: it is that of a kernel."""
+"""Pattern of a law's name, which is that of a kernel."""
 
 LATEX = re.compile(r"[A-Za-z0-9_^'{}\\ ]*", re.ASCII)
-"""What the LaTeX of a parameter matches as a whole: what ends no formula."""
+"""Pattern of a parameter's LaTeX: it cannot end a formula."""
 
 END = "end"
-"""What an end is called where bodies have their names."""
+"""Name of an end where bodies are named."""
 
-TAKEN = ("p", "float", "math", "stddef", "stdint", "string")
-"""Names that no scene has: that before its parameters, and headers beside its own."""
+RESERVED_NAMES = (
+    "p",
+    "environment",
+    "exact",
+    "fenv",
+    "float",
+    "lanes",
+    "math",
+    "stdatomic",
+    "stddef",
+    "stdint",
+    "string",
+    "xmmintrin",
+)
+"""Names that no scene can have: the prefix of parameters, and headers that its own include."""
 
 
 def check(
@@ -36,14 +49,14 @@ def check(
     ends: Sequence[str],
     laws: Sequence[str],
 ) -> None:
-    """Refuse names that are not public names, or that two things of one kind have.
+    """Check that names are public names, and that no two things of one kind share a name.
 
     Parameters
     ----------
     scene
         The scene's own name.
     parameters
-        Name and LaTeX of each.
+        Name and LaTeX of each parameter.
     bodies, surfaces, ends, laws
         Names; those of the planes of ends are among the surfaces'.
 
@@ -53,13 +66,13 @@ def check(
         Naming the scene, the name, and what is allowed.
     """
     _public(scene, "scene", [scene])
-    if scene in TAKEN:
-        raise ValueError(f"scene {scene!r}: not one of {', '.join(TAKEN)}")
+    if scene in RESERVED_NAMES:
+        raise ValueError(f"scene {scene!r}: not one of {', '.join(RESERVED_NAMES)}")
     given = {
         "parameter": [name for name, _ in parameters],
         "body": [*bodies, END],
         "surface": surfaces,
-        "end": [*ends, *OTHERS],
+        "end": [*ends, *OTHER_OUTCOMES],
     }
     for kind, names in given.items():
         _public(scene, kind, names)

@@ -1,8 +1,9 @@
-"""Whether a ball has fallen through a ring: a target counts for one that came from above.
+"""The passage of a ball through a ring: a target counts for a ball that came from above.
 
-The ball passes the ring's disc, z = 0 within the wire's centre circle, downwards or upwards. One
-that has come up through it has not fallen through it whatever it does then, unless it had fallen in
-before. In a flight it passes upwards once at most, then downwards: at the roots of z, a parabola.
+The ball passes the ring's disc, z = 0 within the wire's centre circle, downwards or upwards. A ball
+that has come up through it has not fallen through it, whatever it does then, unless it had fallen
+in before. In a flight it passes upwards at most once, then downwards: at the roots of z, a
+parabola.
 """
 
 from __future__ import annotations
@@ -12,49 +13,49 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..flight.parabola import Parabola
-from ..ground.choice import (
+from ..events.predicates import last, through
+from ..ir.kernel import Kernel, decision, kernel
+from ..motion.parabola import Parabola
+from ..symbolic.conditionals import (
+    And,
     AtMost,
-    Both,
+    Boolean,
     Choose,
     Equal,
     Less,
     Not,
-    Truth,
-    every,
-    hold,
-    largest,
-    size,
-    smallest,
-    some,
+    absolute,
+    all_of,
+    any_of,
+    barrier,
+    maximum,
+    minimum,
 )
-from ..ground.kernel import Kernel, decision, kernel
-from ..ground.rounding import SAFETY, position_error
-from ..ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
-from ..search.decisions import last, through
+from ..symbolic.rounding import ROUNDING_SLACK, position_error
+from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 
 x, y, z = POSITION
 vx, vy, vz = VELOCITY
 
 outcome, uncertain = sp.symbols("outcome uncertain", real=True)
-over = Truth("over")
+over = Boolean("over")
 
 FALLEN, NEITHER, RISEN = 1, 0, -1
-"""Values of `through`: the ball is down through the disc; it has not passed it, or is up again;
-it has come up through it without having fallen in."""
+"""Values of `through`: the ball is below the disc and came from above; it has not passed the
+disc, or is above it again; it has come up through it without having fallen in."""
 
 
 @dataclass(frozen=True)
 class Passage:
-    """The disc of a ring about the z axis, in the plane z = 0; free fall is down.
+    """The disc of a ring about the z axis, in the plane z = 0; gravity acts down.
 
     Attributes
     ----------
     radius
-        Of the disc.
+        The radius of the disc.
     depth
-        A flight that goes on from a record, within the disc's radius and no deeper below it than
-        this, is taken to have come from above.
+        A ball whose flight is resumed from a record within the disc's radius, no deeper below it
+        than this, counts as come from above.
     """
 
     radius: sp.Expr
@@ -62,28 +63,28 @@ class Passage:
 
     @property
     def sizes(self) -> tuple[sp.Expr, sp.Expr]:
-        """Both."""
+        """Radius and depth."""
         return self.radius, self.depth
 
 
-def passed(before: sp.Expr, rises: sp.Basic, falls: sp.Basic) -> sp.Expr:
-    """Return what `through` becomes where the ball rises through the disc, falls, or both."""
+def next_state(before: sp.Expr, rises: sp.Basic, falls: sp.Basic) -> sp.Expr:
+    """Return `through` after the ball has risen through the disc, fallen, or both."""
     up = Choose(rises, Choose(Equal(before, FALLEN), NEITHER, RISEN), before)
-    return Choose(Both(falls, Equal(up, NEITHER)), FALLEN, up)
+    return Choose(And(falls, Equal(up, NEITHER)), FALLEN, up)
 
 
 @dataclass(frozen=True)
-class _Flown:
-    """A flight of time t past the disc.
+class _DiscPassings:
+    """The passings of the disc in a flight of time t.
 
     Attributes
     ----------
     rises, falls
         Whether the ball passes the disc's plane upwards, and downwards.
     up, down
-        Distances from the axis then, squared; where it does not, at an end of the flight.
+        Squared distances from the axis then; without a passing, at an end of the flight.
     height, squared
-        z at its end, and D = vz² + 2 g z, of which both passings are the roots.
+        z at its end, and D = vz² + 2 g z, whose roots are both passings.
     """
 
     rises: sp.Basic
@@ -94,24 +95,25 @@ class _Flown:
     squared: sp.Expr
 
 
-def _flown(flight: Parabola) -> _Flown:
+def _disc_passings(flight: Parabola) -> _DiscPassings:
+    """Return the passings of the disc in a flight of time t."""
     if not flight.upright:
         raise ValueError("a ball passes a ring's disc where free fall is down, along -z")
     there, _ = flight.at()
-    height, gravity = hold(there[2]), flight.strength
-    squared = hold(vz**2 + 2 * gravity * z)
-    root, per_g = hold(sp.sqrt(largest(squared, 0))), hold(1 / gravity)
+    height, gravity = barrier(there[2]), flight.strength
+    squared = barrier(vz**2 + 2 * gravity * z)
+    root, per_g = barrier(sp.sqrt(maximum(squared, 0))), barrier(1 / gravity)
 
     def away(time: sp.Expr) -> sp.Expr:
-        met = hold(smallest(t, largest(0, hold(time * per_g))))
-        return hold(hold(x + vx * met) ** 2 + hold(y + vy * met) ** 2)
+        met = barrier(minimum(t, maximum(0, barrier(time * per_g))))
+        return barrier(barrier(x + vx * met) ** 2 + barrier(y + vy * met) ** 2)
 
-    # Below at both ends, the ball is above in between: its apex is in the flight, and above.
-    arch = every(Less(z, 0), Less(height, 0), Less(0, vz), Less(0, squared))
-    arch = Both(arch, Less(vz, hold(gravity * t)))
-    return _Flown(
-        some(arch, Both(Less(z, 0), AtMost(0, height))),
-        some(arch, Both(Less(height, 0), AtMost(0, z))),
+    # A ball that is below at both ends is above in between if its apex is, within the flight.
+    arch = all_of(Less(z, 0), Less(height, 0), Less(0, vz), Less(0, squared))
+    arch = And(arch, Less(vz, barrier(gravity * t)))
+    return _DiscPassings(
+        any_of(arch, And(Less(z, 0), AtMost(0, height))),
+        any_of(arch, And(Less(height, 0), AtMost(0, z))),
         away(vz - root),
         away(vz + root),
         height,
@@ -121,58 +123,62 @@ def _flown(flight: Parabola) -> _Flown:
 
 def _through(passage: Passage, flight: Parabola) -> dict[str, sp.Basic]:
     """Return `through` after a flight of time t."""
-    flown, limit = _flown(flight), hold(passage.radius**2)
-    rises = Both(flown.rises, Less(flown.up, limit))
-    return {"through": passed(through, rises, Both(flown.falls, Less(flown.down, limit)))}
+    passings, limit = _disc_passings(flight), barrier(passage.radius**2)
+    rises = And(passings.rises, Less(passings.up, limit))
+    return {"through": next_state(through, rises, And(passings.falls, Less(passings.down, limit)))}
 
 
 def _astray(passage: Passage, flight: Parabola) -> dict[str, sp.Basic]:
-    """Return where that is in doubt.
+    """Return the condition that the passings are undecided.
 
     With e a bound on the error of z throughout the flight, a true passing is where |z| <= e: within
     sqrt(8 e / g) of the computed one, the difference of the roots of D and of any D' within 2 g e.
-    Whether there is one is in doubt where the ball is so near the plane at an end of the flight, or
-    at an apex with |D| <= 4 g e; not if it surely is outside the disc then. What the time of a
-    contact is off by is part of the position's error at the start of the next flight.
+    Its existence is undecided if the ball is that near to the plane at an end of the flight, or at
+    an apex with |D| <= 4 g e, unless it is certainly outside the disc then. The error of a
+    contact's time is part of the position's error at the start of the next flight.
     """
-    flown, gravity = _flown(flight), flight.strength
+    passings, gravity = _disc_passings(flight), flight.strength
     there, moving = flight.rounding(t)
-    per_g = hold(1 / gravity)
-    # What z is off by, and what D is by its own roundings, as a height.
-    off = hold(SAFETY * there.error + 8 * UNIT_ROUNDOFF * hold(vz**2 * per_g))
-    late = hold(sp.sqrt(hold(8 * off * per_g)) + 8 * UNIT_ROUNDOFF * hold(size(vz) * per_g + t))
-    slack = hold(SAFETY * (there.error + moving.magnitude * late))
-    near = smallest(hold(sp.sqrt(flown.up)), hold(sp.sqrt(flown.down)))
-    starts = every(Less(0, position_error), AtMost(size(z), position_error))
-    stops = AtMost(size(flown.height), off)
-    turns = every(Less(z, 0), Less(flown.height, 0), Less(0, vz))
-    turns = Both(turns, AtMost(size(flown.squared), hold(4 * gravity * off)))
-    vague = Both(some(starts, stops, turns), AtMost(near, hold(passage.radius + slack)))
+    per_g = barrier(1 / gravity)
+    # The error of z, and that of D by its own roundings as a height.
+    off = barrier(ROUNDING_SLACK * there.error + 8 * UNIT_ROUNDOFF * barrier(vz**2 * per_g))
+    late = barrier(
+        sp.sqrt(barrier(8 * off * per_g)) + 8 * UNIT_ROUNDOFF * barrier(absolute(vz) * per_g + t)
+    )
+    slack = barrier(ROUNDING_SLACK * (there.error + moving.magnitude * late))
+    near = minimum(barrier(sp.sqrt(passings.up)), barrier(sp.sqrt(passings.down)))
+    starts = all_of(Less(0, position_error), AtMost(absolute(z), position_error))
+    stops = AtMost(absolute(passings.height), off)
+    turns = all_of(Less(z, 0), Less(passings.height, 0), Less(0, vz))
+    turns = And(turns, AtMost(absolute(passings.squared), barrier(4 * gravity * off)))
+    undecided = And(any_of(starts, stops, turns), AtMost(near, barrier(passage.radius + slack)))
 
     def edge(passes: sp.Basic, squared: sp.Expr) -> sp.Basic:
-        return Both(passes, AtMost(size(hold(hold(sp.sqrt(squared)) - passage.radius)), slack))
+        return And(
+            passes, AtMost(absolute(barrier(barrier(sp.sqrt(squared)) - passage.radius)), slack)
+        )
 
-    sides = some(edge(flown.rises, flown.up), edge(flown.falls, flown.down))
-    return {"unsure": some(vague, sides)}
+    sides = any_of(edge(passings.rises, passings.up), edge(passings.falls, passings.down))
+    return {"unsure": any_of(undecided, sides)}
 
 
 def _admitted(passage: Passage) -> dict[str, sp.Basic]:
     """Return `through` at the start; a release has passed nothing yet."""
-    squared, limit = hold(x**2 + y**2), hold(passage.radius**2)
-    below = every(AtMost(0, last), Less(z, 0), AtMost(-passage.depth, z))
-    near = AtMost(size(hold(squared - limit)), 8 * UNIT_ROUNDOFF * hold(squared + limit))
+    squared, limit = barrier(x**2 + y**2), barrier(passage.radius**2)
+    below = all_of(AtMost(0, last), Less(z, 0), AtMost(-passage.depth, z))
+    near = AtMost(absolute(barrier(squared - limit)), 8 * UNIT_ROUNDOFF * barrier(squared + limit))
     return {
-        "through": Choose(Both(below, Less(squared, limit)), FALLEN, NEITHER),
-        "uncertain": Choose(every(below, near, Less(outcome, 0)), 1, uncertain),
+        "through": Choose(And(below, Less(squared, limit)), FALLEN, NEITHER),
+        "uncertain": Choose(all_of(below, near, Less(outcome, 0)), 1, uncertain),
     }
 
 
 def _passed_in_contact(passage: Passage) -> dict[str, sp.Basic]:
     """Return `through` after a step in contact: a ball on the ring is far from the disc's edge."""
-    within = Less(hold(x**2 + y**2), hold(passage.radius**2))
-    rises = every(Not(over), AtMost(0, z), within)
-    falls = every(over, Less(z, 0), within)
-    return {"through": passed(through, rises, falls)}
+    within = Less(barrier(x**2 + y**2), barrier(passage.radius**2))
+    rises = all_of(Not(over), AtMost(0, z), within)
+    falls = all_of(over, Less(z, 0), within)
+    return {"through": next_state(through, rises, falls)}
 
 
 def passage_kernels(
@@ -180,37 +186,37 @@ def passage_kernels(
 ) -> dict[str, Kernel]:
     """Return the kernels of a scene with a passage."""
     symbols = (last, outcome, uncertain, through, *order)
-    made = (
+    kernels = (
         kernel(
             "passing_start",
             _admitted(passage),
             symbols,
-            "Whether a ball starts as one that has fallen through the ring.",
+            "Whether a ball counts as fallen through the ring at its start.",
             "Table 2, success",
         ),
         kernel(
             "passing",
             _through(passage, flight),
             symbols,
-            "1 for a ball that is down through the ring's disc, -1 for one that came up, else 0.",
+            "1 for a ball that fell through the ring's disc, -1 for one that came up, else 0.",
             "Eq. 3, its roots in the ring's plane",
         ),
         kernel(
             "passing_doubt",
             _astray(passage, flight),
             symbols,
-            "Where that lies within its error.",
+            "Whether the passing of the disc lies within its error.",
             "running error analysis",
         ),
         decision(
             "passing_from",
             {"over": AtMost(0, z)},
-            "Whether a ball in contact is over the ring's disc, or beside it.",
+            "Whether a ball in contact is not below the ring's disc.",
         ),
         decision(
             "passing_in_contact",
             _passed_in_contact(passage),
-            "The same for a ball in contact, after a step.",
+            "Passing of the ring's disc in a step in contact.",
         ),
     )
-    return {k.name: k for k in made}
+    return {k.name: k for k in kernels}

@@ -1,4 +1,4 @@
-"""A scene: parameters and an ordered list of surfaces. Scenes are data; the rest is general."""
+"""A scene: parameters, bodies and ends. Scenes are data; the other modules are general."""
 
 from __future__ import annotations
 
@@ -7,17 +7,18 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from ..contact.ball import THIN_SHELL, Ball
 from ..contact.law import Law
-from ..flight.parabola import Parabola
-from ..ground.choice import release
-from ..ground.symbols import ParameterSymbol
-from ..surfaces import Body, Gate, Surface
+from ..motion.parabola import Parabola
+from ..surfaces import Body, EndPlane, Surface
+from ..symbolic.conditionals import release
+from ..symbolic.symbols import ParameterSymbol
 from . import names
-from .ends import End, check_passed, check_reached, gates, outcomes
+from .ends import End, check_passed, check_reached, end_planes, outcomes
 from .passage import Passage
 
 AXES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
-"""Where free fall can go."""
+"""The directions of gravity that are allowed."""
 
 
 @dataclass(frozen=True)
@@ -31,19 +32,19 @@ class Parameter:
     unit
         Its unit, as text.
     summary
-        What it is, in a few words.
+        Its meaning, in a few words.
     default
         A usual value, in that unit.
     sign
-        Which values are allowed: "positive", "nonnegative" or "any".
+        The allowed sign: "positive", "nonnegative" or "any".
     upper
-        The largest value allowed, if there is one.
+        The largest allowed value, if there is one.
     latex
-        How formulas write it; "": its name in words.
+        Its LaTeX; "": its name in words.
     lower
-        The smallest value allowed, if it is not what the sign says.
+        The smallest allowed value, if the sign does not determine it.
     infinite
-        Whether it may be infinite, with the sign that it may have.
+        True if it may be infinite, with the allowed sign.
     """
 
     symbol: sp.Symbol
@@ -58,12 +59,12 @@ class Parameter:
 
     @property
     def name(self) -> str:
-        """Its public name."""
+        """The public name."""
         return str(self.symbol.name)
 
     @property
     def least(self) -> float:
-        """What it is never below."""
+        """The lower limit of its values."""
         if self.lower is not None:
             return self.lower
         return -math.inf if self.sign == "any" else 0.0
@@ -76,25 +77,27 @@ class Scene:
     Attributes
     ----------
     name
-        Names the generated files.
+        The name of the generated files.
     parameters
         In calling order.
     bodies
-        What the ball can touch, in the order of the results' columns.
+        The bodies that the ball can touch, in the order of the results' columns.
     ends
-        What ends a shot, in the order of the outcomes; there may be none, and then a time does.
+        The ends of a shot, in the order of the outcomes; without any, a time limit ends it.
     ball_radius, gravity
         The parameters that flight and contact use.
+    inertia
+        kappa = I / (m R_B²) of the ball: a parameter, or a number; by default a thin shell's.
     requirements
         Expressions of the parameters that must be positive.
     axes, remarks
-        For readers, in plain sentences: where origin and axes lie, and what else there is to say.
+        For readers, in plain sentences: the origin and the axes, and any other remarks.
     gravity_axis
-        The way free fall goes: along one axis, by default down.
+        The direction of gravity, along one axis; by default down.
     rolls
-        Whether a ball whose bounces accumulate rolls on; no surface then has bounds.
+        True if a ball whose bounces accumulate rolls on; then no surface has bounds.
     passage
-        The ring that a ball must have fallen through for the ends that say so.
+        The ring that a ball must have fallen through for the ends that require it.
     """
 
     name: str
@@ -103,6 +106,7 @@ class Scene:
     ends: tuple[End, ...]
     ball_radius: sp.Symbol
     gravity: sp.Symbol
+    inertia: sp.Expr = THIN_SHELL
     requirements: tuple[sp.Expr, ...] = field(default=())
     axes: str = ""
     remarks: str = ""
@@ -115,7 +119,7 @@ class Scene:
             self.name,
             [(parameter.name, parameter.latex) for parameter in self.parameters],
             [body.name for body in self.bodies],
-            [surface.name for surface in (*self.surfaces, *self.gates)],
+            [surface.name for surface in (*self.surfaces, *self.end_planes)],
             [end.name for end in self.ends],
             [law.name for law in self.laws],
         )
@@ -134,8 +138,13 @@ class Scene:
             )
 
     @property
+    def ball(self) -> Ball:
+        """The ball."""
+        return Ball(self.ball_radius, self.inertia)
+
+    @property
     def flight(self) -> Parabola:
-        """How the ball moves between contacts."""
+        """The motion of the ball between contacts."""
         ax, ay, az = (component * self.gravity for component in self.gravity_axis)
         return Parabola((ax, ay, az))
 
@@ -150,9 +159,9 @@ class Scene:
         return tuple(k for k, body in enumerate(self.bodies) for _ in body.faces)
 
     @property
-    def gates(self) -> tuple[Gate, ...]:
+    def end_planes(self) -> tuple[EndPlane, ...]:
         """The planes whose crossing ends a shot."""
-        return gates(self.ends)
+        return end_planes(self.ends)
 
     @property
     def outcomes(self) -> dict[str, int]:
@@ -171,11 +180,11 @@ class Scene:
 
     @property
     def lengths(self) -> tuple[sp.Expr, ...]:
-        """What roundings of positions are measured by besides them: parameters, and numbers."""
+        """The measure of roundings of positions: parameters, and numbers in formulas."""
         lengths = (p for p in self.parameters if p.unit == "m" and not p.infinite)
         given: tuple[sp.Expr, ...] = tuple(p.symbol for p in lengths)
-        said = (e for s in self.surfaces for e in (s.distance, *s.bounds, *s.inside))
-        sums = {part for e in said for part in release(e).atoms(sp.Add)}
+        formulas = (e for s in self.surfaces for e in (s.distance, *s.bounds, *s.inside))
+        sums = {part for e in formulas for part in release(e).atoms(sp.Add)}
         numbers = {abs(n) for part in sums for n in part.args if n.is_Rational}
         return (*given, sp.Add(*numbers)) if numbers else given
 
@@ -191,7 +200,7 @@ def parameter(
     lower: float | None = None,
     infinite: bool = False,
 ) -> Parameter:
-    """Return a parameter with a symbol of its name, assumed to be of the sign allowed."""
+    """Return a parameter with a symbol of its name, assumed to be of the allowed sign."""
     assumption = {"positive": "positive", "nonnegative": "nonnegative", "any": "real"}[sign]
     symbol = ParameterSymbol(name, **{assumption: True})
     return Parameter(symbol, unit, summary, default, sign, upper, latex, lower, infinite)

@@ -1,10 +1,10 @@
-"""What studies ask of flights: releases through a point, and what a flight measures."""
+"""Kernels of studies: releases through a point, and measures of a flight."""
 
 from __future__ import annotations
 
 import sympy as sp
 
-from ..ground.kernel import Kernel, kernel
+from ..ir.kernel import Kernel, kernel
 from ..scenes.scene import Scene
 from ..surfaces import Ring
 from . import aiming, measures
@@ -15,9 +15,9 @@ ARGUMENTS = (*aiming.ARGUMENTS, *measures.ARGUMENTS)
 
 
 def study_kernels(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
-    """Return what studies ask: releases that go through a point, and what a flight measures.
+    """Return the kernels of studies: releases through a point, and measures of a flight.
 
-    Nothing where free fall is not along -z: what they speak of are heights and a floor plan.
+    There are none unless gravity acts along -z: they speak of heights and a floor plan.
     """
     flight, gravity, source = scene.flight, scene.gravity, "Eq. 3 without its time"
     if not flight.upright:
@@ -56,28 +56,28 @@ def study_kernels(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             "slopes_of_speed",
             aiming.slopes_of_speed(gravity),
             order,
-            "The low and the high slope of release through a point at a speed.",
+            "Low and high slope of release through a point at a speed.",
             f"{source}, solved for the slope",
         ),
         kernel(
             "descent",
             measures.descent(flight),
             order,
-            "When the centre comes down to a height, and its upward velocity then.",
+            "Time at which the centre comes down to a height, and its upward velocity then.",
             "Eq. 3, solved",
         ),
         kernel(
             "apex",
             measures.apex(flight),
             order,
-            "When the centre is highest, and its height then.",
+            "Time and height of the highest point of the centre.",
             "Eq. 3, its derivative zero",
         ),
         kernel(
             "sighted",
             measures.sighted(),
             order,
-            "How far a point is past the origin and to the left, seen from a place.",
+            "Distances of a point past the origin and to the left, seen from a place.",
             "components along and across the line of sight",
         ),
         *(

@@ -5,14 +5,14 @@ ball has risen by
 
     h = L s - g L² (1 + s²) / (2 v²)
 
-when it has come the horizontal distance L. Solved for v, for s, and for the s of the least v.
+after the horizontal distance L. The kernels solve this for v, for s, and for the s of the least v.
 """
 
 from __future__ import annotations
 
 import sympy as sp
 
-from ..ground.choice import IfLess, hold
+from ..symbolic.conditionals import IfLess, barrier
 
 slope = sp.Symbol("slope", real=True)
 """s, tangent of the angle of release above the horizontal."""
@@ -36,10 +36,10 @@ def risen(gravity: sp.Expr) -> sp.Expr:
 def aimed_speed(gravity: sp.Expr) -> dict[str, sp.Expr]:
     """Return the speed through the point: v² = g L² (1 + s²) / (2 (L s - h)).
 
-    Not a number where the point lies above the line of release; infinite where it lies on it.
+    It is NaN if the point lies above the line of release, and infinite if it lies on it.
     """
-    over = hold(reach * slope - rise)
-    return {"speed": reach * sp.sqrt(hold(gravity * (1 + slope**2) / (2 * over)))}
+    over = barrier(reach * slope - rise)
+    return {"speed": reach * sp.sqrt(barrier(gravity * (1 + slope**2) / (2 * over)))}
 
 
 def entry_slope() -> dict[str, sp.Expr]:
@@ -48,19 +48,19 @@ def entry_slope() -> dict[str, sp.Expr]:
 
 
 def slope_of_entry() -> dict[str, sp.Expr]:
-    """Return the slope of release that has the slope `entry` at the point."""
+    """Return the slope of release with the slope `entry` at the point."""
     return {"slope": entry + 2 * rise / reach}
 
 
 def _least() -> tuple[sp.Expr, sp.Expr]:
     """Return h + sqrt(h² + L²), and that over L.
 
-    Where h is negative the sum cancels; it is L² / (sqrt(h² + L²) - h), too.
+    For a negative h the sum cancels; it equals L² / (sqrt(h² + L²) - h).
     """
-    distance = hold(sp.sqrt(hold(rise**2 + reach**2)))
-    above, below = hold(rise + distance), hold(distance - rise)
+    distance = barrier(sp.sqrt(barrier(rise**2 + reach**2)))
+    above, below = barrier(rise + distance), barrier(distance - rise)
     return (
-        hold(IfLess(rise, 0, reach**2 / below, above)),
+        barrier(IfLess(rise, 0, reach**2 / below, above)),
         IfLess(rise, 0, reach / below, above / reach),
     )
 
@@ -71,23 +71,23 @@ def least_speed(gravity: sp.Expr) -> dict[str, sp.Expr]:
     The angle is 45° + atan(h/L)/2, and v² = g (h + sqrt(h² + L²)).
     """
     height, slowest = _least()
-    return {"slope": slowest, "speed": sp.sqrt(hold(gravity * height))}
+    return {"slope": slowest, "speed": sp.sqrt(barrier(gravity * height))}
 
 
 def slopes_of_speed(gravity: sp.Expr) -> dict[str, sp.Expr]:
-    """Return the two slopes through the point at a speed; not numbers if it is too slow.
+    """Return the two slopes through the point at a speed; NaN if it is too slow.
 
     The roots of g L² s² - 2 L v² s + (g L² + 2 h v²) = 0: the sum of the high one does not cancel,
     and the low one follows from their product. A quarter of the discriminant over L² is
     v⁴ - 2 g h v² - g² L², factored into v² less either of g (h ± sqrt(h² + L²)).
     """
-    square = hold(release_speed**2)
+    square = barrier(release_speed**2)
     height, _ = _least()
-    spare = hold(square - hold(gravity * height))
-    other = hold(square + gravity * hold(sp.sqrt(hold(rise**2 + reach**2)) - rise))
-    steep = hold(square + sp.sqrt(hold(spare * other)))
-    fall = hold(gravity * reach)
+    spare = barrier(square - barrier(gravity * height))
+    other = barrier(square + gravity * barrier(sp.sqrt(barrier(rise**2 + reach**2)) - rise))
+    steep = barrier(square + sp.sqrt(barrier(spare * other)))
+    fall = barrier(gravity * reach)
     return {
-        "low": hold(fall * reach + 2 * rise * square) / hold(reach * steep),
+        "low": barrier(fall * reach + 2 * rise * square) / barrier(reach * steep),
         "high": steep / fall,
     }

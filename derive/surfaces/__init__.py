@@ -1,13 +1,13 @@
-"""What a ball can touch (Table 2): distance, condition, normal, bounds."""
+"""Surfaces and bodies that a ball can touch (Table 2): distance, condition, normal, bounds."""
 
 from __future__ import annotations
 
 from .body import Body, body
-from .bounds import length
+from .bounds import as_length
 from .box import Box
 from .cylinder import Cylinder
-from .free import Free
-from .gate import Gate
+from .end_plane import EndPlane
+from .implicit import ImplicitSurface
 from .plane import Plane
 from .ring import Ring
 from .sphere import Sphere
@@ -18,14 +18,14 @@ __all__ = [
     "Body",
     "Box",
     "Cylinder",
-    "Free",
-    "Gate",
+    "ImplicitSurface",
+    "EndPlane",
     "Plane",
     "Ring",
     "Sphere",
     "Surface",
     "Torus",
     "body",
-    "length",
+    "as_length",
     "torus",
 ]

@@ -1,4 +1,4 @@
-"""A body: what a ball touches as one, with one law of contact and one column of results."""
+"""A body: one or more faces with one contact law and one column of results."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ class Body:
     Attributes
     ----------
     name
-        Its column in results.
+        The name of its column in results.
     faces
         Its surfaces; one of them may have the body's own name.
     law
-        What a contact with any of them does to the ball.
+        The contact law of all its faces.
     """
 
     name: str
@@ -28,5 +28,5 @@ class Body:
 
 
 def body(face: Surface, law: Law) -> Body:
-    """Return a body that is one surface, and has its name."""
+    """Return a body with one surface and that surface's name."""
     return Body(face.name, (face,), law)

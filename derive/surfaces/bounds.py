@@ -1,20 +1,21 @@
-"""Bounds (Eq. 2) as lengths: what a decision about one allows for is an error in metres."""
+"""Bounds (Eq. 2) as lengths, so that decisions about them can allow for errors in metres."""
 
 from __future__ import annotations
 
 import sympy as sp
 
-from ..ground.choice import hold, release
-from ..ground.symbols import POSITION
+from ..symbolic.conditionals import absolute, barrier, release
+from ..symbolic.symbols import POSITION
 
 
-def length(bound: sp.Expr) -> sp.Expr:
-    """Return an expression of the bound's sign that, near zero, changes no faster than a length.
+def as_length(bound: sp.Expr) -> sp.Expr:
+    """Return an expression of the bound's sign whose gradient near zero is at most 1.
 
-    A sum of coordinates with a gradient of at most 1 is one, and so is, by who wrote it, what is
-    no polynomial. Any other polynomial g is divided by G, the sizes of all terms of its gradient
-    together: near g = 0 that is a distance, or less than one. Its roundings then are a few for
-    each term and factor, and are divided by as many as a decision does not allow for anyway.
+    A linear polynomial with a gradient of at most 1 is returned as it is, and so is an expression
+    that is not a polynomial: its author makes it a length. Any other polynomial g is divided by G,
+    the sum of the sizes of all terms of its gradient: near g = 0 that is a distance, or less. Its
+    roundings are a few for each term and factor. It is also divided by the number of those that
+    exceed what a decision allows for.
     """
     bare = release(sp.sympify(bound))
     if not bare.is_polynomial(*POSITION):
@@ -25,14 +26,19 @@ def length(bound: sp.Expr) -> sp.Expr:
     if degree <= 1 and (sum(c**2 for c in slopes) <= 1) == sp.true:
         return bound
     sizes = (
-        sp.Abs(polynomial.diff(place).coeff_monomial(powers)) * _size(powers)
+        _absolute(polynomial.diff(place).coeff_monomial(powers)) * _size(powers)
         for place in POSITION
         for powers in polynomial.diff(place).monoms()
     )
     roundings = sp.Integer(max(1, -(-(degree + len(terms)) // 4)))
-    steepest = hold(roundings * hold(sp.Add(*sizes)))
-    # Where the gradient vanishes, on an axis for one, the sign is all that counts.
-    return bound / sp.sqrt(hold(steepest**2 + sp.Abs(hold(bound))))
+    steepest = barrier(roundings * barrier(sp.Add(*sizes)))
+    # Where the gradient vanishes, for example on an axis, only the sign counts.
+    return bound / sp.sqrt(barrier(steepest**2 + sp.Abs(barrier(bound))))
+
+
+def _absolute(coefficient: sp.Expr) -> sp.Expr:
+    # SymPy would turn the signs of a sum by the names in it.
+    return absolute(coefficient) if coefficient.has(sp.Add) else sp.Abs(coefficient)
 
 
 def _size(powers: tuple[int, ...]) -> sp.Expr:

@@ -1,4 +1,4 @@
-"""A box: faces, edges and corners as one surface, on which the distance is smooth throughout."""
+"""A box: faces, edges and corners as one surface with a smooth distance."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.choice import Both, Choose, Either, Less, hold, largest
-from ..ground.symbols import POSITION, VELOCITY
+from ..symbolic.conditionals import And, Choose, Less, Or, barrier, maximum
+from ..symbolic.symbols import POSITION, VELOCITY
+from .rolling_surface import RollingSurface
 from .surface import Point, Surface, overlap
-from .tube import Tube
 
 
 @dataclass(frozen=True)
@@ -17,15 +17,15 @@ class Box(Surface):
     """A box along the axes, touched from outside.
 
     Seen from the ball's centre it is a box with round edges and corners. The squared distance from
-    the box less R_B² is a polynomial on each of 27 parts, by the coordinates that are beyond a
-    face; where they meet it and its gradient are continuous, so that no seam is ever in doubt.
+    the box less R_B² is a polynomial on each of 27 parts, which differ in the coordinates that are
+    beyond a face. At the seams it is continuous, and so is its gradient; no seam is ever undecided.
 
     Attributes
     ----------
     low, high
-        Its corners of least and largest coordinates.
+        Its corners with the smallest and the largest coordinates.
     radius
-        R_B, the ball's.
+        R_B.
     """
 
     low: Point
@@ -34,34 +34,40 @@ class Box(Surface):
 
     @property
     def polynomial(self) -> bool:
-        """No: one on each part."""
+        """False: each part has a polynomial of its own."""
         return False
 
     @property
     def excess(self) -> list[sp.Expr]:
-        """How far each coordinate is beyond a face, negative beyond the lower one."""
+        """Distance of each coordinate beyond a face, negative beyond the lower one."""
         faces = zip(POSITION, self.low, self.high, strict=True)
         return [
-            hold(hold(largest(hold(place - high), 0)) - hold(largest(hold(low - place), 0)))
+            barrier(
+                barrier(maximum(barrier(place - high), 0))
+                - barrier(maximum(barrier(low - place), 0))
+            )
             for place, low, high in faces
         ]
 
     @property
     def distance(self) -> sp.Expr:
-        """The distance from the box less R_B; no less than -R_B within it."""
-        return sp.sqrt(hold(sp.Add(*(e**2 for e in self.excess)))) - self.radius
+        """The distance from the box less R_B; at least -R_B within it."""
+        return sp.sqrt(barrier(sp.Add(*(e**2 for e in self.excess)))) - self.radius
 
     @property
-    def around(self) -> sp.Expr:
-        """From the box to the circle around the z axis on which the ball's centre is.
+    def azimuth_free_distance(self) -> sp.Expr:
+        """The distance from the box to the circle about the z axis through the ball's centre.
 
-        In the plan the box begins at some distance from the axis, and the circle ends at another.
+        In the plan view the box begins at some distance from the axis, and the circle ends at
+        another.
         """
         x, y, _ = POSITION
         sides = list(zip(self.low, self.high, strict=True))[:2]
-        begins = sp.sqrt(hold(sp.Add(*(hold(largest(0, low, -high)) ** 2 for low, high in sides))))
-        beyond = hold(largest(0, hold(begins) - hold(sp.sqrt(hold(x**2 + y**2)))))
-        return sp.sqrt(hold(beyond**2 + self.excess[2] ** 2)) - self.radius
+        begins = sp.sqrt(
+            barrier(sp.Add(*(barrier(maximum(0, low, -high)) ** 2 for low, high in sides)))
+        )
+        beyond = barrier(maximum(0, barrier(begins) - barrier(sp.sqrt(barrier(x**2 + y**2)))))
+        return sp.sqrt(barrier(beyond**2 + self.excess[2] ** 2)) - self.radius
 
     @property
     def condition(self) -> sp.Expr:
@@ -69,61 +75,61 @@ class Box(Surface):
         return sp.Add(*(e**2 for e in self.excess), -(self.radius**2))
 
     @property
-    def about(self) -> Point:
-        """Its middle."""
+    def reference_point(self) -> Point:
+        """The centre of the box."""
         x, y, z = ((low + high) / 2 for low, high in zip(self.low, self.high, strict=True))
         return (x, y, z)
 
     @property
-    def halves(self) -> tuple[sp.Expr | None, ...]:
-        """Half its sides, and R_B."""
+    def half_sizes(self) -> tuple[sp.Expr | None, ...]:
+        """Half its sides, plus R_B."""
         sides = zip(self.low, self.high, strict=True)
         return tuple((high - low) / 2 + self.radius for low, high in sides)
 
     @property
     def enclosed(self) -> bool:
-        """It is."""
+        """True: a box is bounded."""
         return True
 
     @property
     def normal(self) -> sp.Matrix:
-        """From the nearest point of the box, over R_B."""
-        per = hold(1 / self.radius)
+        """The direction from the nearest point of the box."""
+        per = barrier(1 / self.radius)
         return sp.Matrix([e * per for e in self.excess])
 
     @property
     def curvature(self) -> sp.Expr:
-        """1/R_B around edges and corners."""
+        """The curvature of edges and corners, 1/R_B."""
         return 1 / self.radius
 
     @property
-    def tube(self) -> Tube:
-        """A face, or the round about an edge or a corner, whichever the ball is on or comes onto.
+    def rolling_surface(self) -> RollingSurface:
+        """The face, edge or corner that the ball is on or moves onto.
 
-        At a seam, within a few roundings, it is the one that the velocity goes to.
+        At a seam, within a few roundings, the direction of the velocity decides.
         """
         bent = []
         seams = []
         for place, v, low, high in zip(POSITION, VELOCITY, self.low, self.high, strict=True):
-            near = hold(seam_width(high, low, self.radius))
-            above, below = hold(place - high), hold(low - place)
-            on = Either(_onto(above, v, near), _onto(below, -v, near))
+            near = barrier(seam_width(high, low, self.radius))
+            above, below = barrier(place - high), barrier(low - place)
+            on = Or(_onto(above, v, near), _onto(below, -v, near))
             bent.append(Choose(on, 1, 0))
             seams += [(place, low, near), (place, high, near)]
         x, y, z = bent
-        return Tube((x, y, z), 1 / self.radius, seams=tuple(seams))
+        return RollingSurface((x, y, z), 1 / self.radius, seams=tuple(seams))
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
-        """Nearer to the box than touching, or in it."""
+        """The distance itself."""
         return overlap(self.distance, (), None)
 
 
 def seam_width(*lengths: sp.Expr) -> sp.Expr:
-    """Return how near to a seam a coordinate may be on either side of it: some roundings."""
+    """Return half the width of a seam: a few roundings of the coordinates."""
     return sp.Rational(1, 2**46) * sp.Add(*map(sp.Abs, lengths))
 
 
 def _onto(beyond: sp.Expr, rate: sp.Expr, near: sp.Expr) -> sp.Basic:
-    """Return where a coordinate is beyond a seam, or at it and on its way there."""
-    return Either(Less(near, beyond), Both(Less(-near, beyond), Less(0, rate)))
+    """Return the condition that a coordinate is beyond a seam, or at it and moving there."""
+    return Or(Less(near, beyond), And(Less(-near, beyond), Less(0, rate)))

@@ -6,31 +6,31 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.symbols import POSITION, position
-from .bounds import length
-from .surface import Point, Surface, moved, overlap
-from .tube import Tube
+from ..symbolic.symbols import POSITION, position
+from .bounds import as_length
+from .rolling_surface import RollingSurface
+from .surface import Point, Surface, overlap, translated
 
 
 @dataclass(frozen=True)
 class Cylinder(Surface):
-    """The side of a cylinder; it ends where its bounds say.
+    """The side of a cylinder, which ends where its bounds do.
 
     Attributes
     ----------
     centre
-        Of the cylinder: any point of its axis.
+        Any point of its axis.
     direction
-        Of the axis: a unit vector of rational numbers.
+        The direction of the axis: a unit vector of rational numbers.
     radius
-        From the axis to the ball's centre at a contact: the cylinder's own radius and the ball's
-        together, or, from inside, the one less the other.
+        Distance from the axis to the ball's centre at a contact: the sum of the radii of cylinder
+        and ball, or, from inside, their difference.
     limits
         The bounds (Eq. 2).
     inward
-        Whether the ball touches it from inside.
+        True if the ball touches it from inside.
     reach
-        Of a thin shell: the ball's radius. Without, all beyond the surface is body.
+        The ball's radius, if the surface is a thin shell; None if all behind the surface is body.
     """
 
     centre: Point
@@ -45,8 +45,8 @@ class Cylinder(Surface):
 
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
-        """The bounds of the part."""
-        return tuple(map(length, self.limits))
+        """The bounds as lengths."""
+        return tuple(map(as_length, self.limits))
 
     @property
     def _side(self) -> int:
@@ -54,88 +54,88 @@ class Cylinder(Surface):
 
     @property
     def _across(self) -> sp.Matrix:
-        """What is left of x, y, z across the axis."""
-        return across(sp.Matrix(self.direction))
+        """The component of (x, y, z) across the axis."""
+        return perpendicular_part(sp.Matrix(self.direction))
 
     @property
     def _offset(self) -> sp.Matrix:
-        return self._across.applyfunc(lambda component: moved(component, self.centre))
+        return self._across.applyfunc(lambda component: translated(component, self.centre))
 
     @property
     def distance(self) -> sp.Expr:
-        """The distance from the axis less the radius, from inside the other way round."""
+        """The distance from the axis less the radius, or the negative of that from inside."""
         away = sp.sqrt(sum(component**2 for component in self._offset))
         return self._side * away - self._side * self.radius
 
     @property
-    def about(self) -> Point:
+    def reference_point(self) -> Point:
         """A point of its axis."""
         return self.centre
 
     @property
     def shape(self) -> sp.Expr:
-        """The squared distance from the axis less r², or the same with the other sign."""
+        """The squared distance from the axis less r², or the negative of that from inside."""
         return sp.Add(*(self._side * c**2 for c in self._across), -self._side * self.radius**2)
 
     @property
-    def halves(self) -> tuple[sp.Expr | None, ...]:
-        """The radius across the axis, if that is one of the coordinates'."""
+    def half_sizes(self) -> tuple[sp.Expr | None, ...]:
+        """The radius across the axis, if that is a coordinate axis."""
         known = 1 in map(abs, self.direction)
         return tuple(self.radius if known and not u else None for u in self.direction)
 
     @property
     def enclosed(self) -> bool:
-        """If the ball is outside."""
+        """True if the ball is outside."""
         return not self.inward
 
     @property
     def condition(self) -> sp.Expr:
-        """The shape about its place."""
-        return moved(self.shape, self.centre)
+        """The shape, seen from the origin."""
+        return translated(self.shape, self.centre)
 
     @property
     def normal(self) -> sp.Matrix:
-        """From the axis; the distance is r at a contact."""
+        """The direction from the axis; the distance from it is r at a contact."""
         return self._offset * (self._side / self.radius)
 
     @property
     def curvature(self) -> sp.Expr:
-        """1/r around the axis, none along it."""
+        """The curvature around the axis, 1/r; along it there is none."""
         return 1 / self.radius
 
     @property
-    def tube(self) -> Tube | None:
-        """About its axis, if that is along a coordinate's and it has no bounds."""
+    def rolling_surface(self) -> RollingSurface | None:
+        """The tube about its axis, if that is along a coordinate axis and there are no bounds."""
         if self.limits or 1 not in map(abs, self.direction):
             return None
         x, y, z = (sp.Integer(not u) for u in self.direction)
-        return Tube((x, y, z), self._side / self.radius)
+        return RollingSurface((x, y, z), self._side / self.radius)
 
     @property
-    def dent(self) -> sp.Expr:
-        """None outside; inside, 1/rho, for half of it or more."""
+    def max_concavity(self) -> sp.Expr:
+        """Zero outside; inside a bound on 1/rho down to half of rho."""
         if not self.inward:
             return sp.Integer(0)
         return 2 / sp.sqrt(sum(component**2 for component in self._offset))
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
-        """Nearer than touching, and within the bounds."""
+        """The distance, the thickness of a shell, and the bounds."""
         return overlap(self.distance, self.limits, self.reach)
 
 
-def across(direction: sp.Matrix) -> sp.Matrix:
-    """Return what is left of x, y, z across a unit vector."""
+def perpendicular_part(direction: sp.Matrix) -> sp.Matrix:
+    """Return the component of (x, y, z) across a unit vector."""
     return position - direction * sp.Add(*(u * c for u, c in zip(direction, POSITION, strict=True)))
 
 
 def check_direction(name: str, direction: tuple[sp.Rational | int, ...]) -> None:
-    """Refuse what is no unit vector of rational numbers.
+    """Check that a direction is a unit vector of rational numbers.
 
     Raises
     ------
     ValueError
-        Naming the surface.
+        If it is not; the message names the surface.
     """
     given = [sp.sympify(component) for component in direction]
     if len(given) != 3 or not all(u.is_Rational for u in given) or sum(u**2 for u in given) != 1:

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.choice import hold
-from ..ground.symbols import position
-from .bounds import length
+from ..symbolic.conditionals import barrier
+from ..symbolic.symbols import position
+from .bounds import as_length
+from .rolling_surface import RollingSurface
 from .surface import Surface, overlap
-from .tube import Tube
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,7 @@ class Plane(Surface):
     direction
         Unit normal, constant.
     offset
-        n·p of the ball's centre when it touches.
+        n·p of the ball's centre at a contact.
     reach
         Distance from the plane's body to the centre of a ball that touches it.
     limits
@@ -36,26 +36,26 @@ class Plane(Surface):
 
     @property
     def distance(self) -> sp.Expr:
-        """Distance of the centre from the contact plane.
+        """The distance of the centre from the contact plane.
 
         The offset is held: a ball put on the plane then has a distance of exactly zero.
         """
-        return self.normal.dot(position) - hold(self.offset)
+        return self.normal.dot(position) - barrier(self.offset)
 
     @property
     def condition(self) -> sp.Expr:
-        """The distance itself is polynomial."""
+        """The distance, which is polynomial."""
         return self.distance
 
     @property
-    def around(self) -> sp.Expr | None:
-        """The distance itself, of a level plane."""
+    def azimuth_free_distance(self) -> sp.Expr | None:
+        """The distance, if the plane is level."""
         return None if any(self.direction[:2]) else self.distance
 
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
-        """The bounds of the plate."""
-        return tuple(map(length, self.limits))
+        """The bounds of the plate as lengths."""
+        return tuple(map(as_length, self.limits))
 
     @property
     def normal(self) -> sp.Matrix:
@@ -63,12 +63,12 @@ class Plane(Surface):
         return sp.Matrix(self.direction)
 
     @property
-    def tube(self) -> Tube | None:
+    def rolling_surface(self) -> RollingSurface | None:
         """The plane itself, if it has no bounds."""
         zero = sp.Integer(0)
-        return None if self.limits else Tube((zero, zero, zero), zero)
+        return None if self.limits else RollingSurface((zero, zero, zero), zero)
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
-        """Within reach of the plate from either side, and within its bounds."""
+        """The distance from the plate, within reach from either side, and the bounds."""
         return overlap(self.distance, self.limits, self.reach)

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.choice import hold, largest, smallest
-from ..ground.symbols import POSITION
+from ..symbolic.conditionals import barrier, maximum, minimum
+from ..symbolic.symbols import POSITION
+from .rolling_surface import RollingSurface
 from .surface import Surface
-from .tube import Tube
 
 
 @dataclass(frozen=True)
@@ -21,10 +21,11 @@ class Ring(Surface):
     ring_radius
         R_H, radius of the wire's centre circle.
     reach
-        R, radii of ball and wire together; less than R_H.
+        R, the sum of the radii of ball and wire; less than R_H.
     below
-        Whether balls are expected below it that fall for ever: then their errors count only as long
-        as they can be near. The article's come from above, and its kernels stay as they are.
+        True if balls are expected below the ring that fall for ever: then their errors count only
+        while they can be near. In the article balls come from above, and its kernels stay as they
+        are.
     """
 
     ring_radius: sp.Expr
@@ -39,7 +40,7 @@ class Ring(Surface):
 
     @property
     def distance(self) -> sp.Expr:
-        """sqrt((rho - R_H)² + z²) - R: finite on the axis, where Table 2 is 0/0."""
+        """sqrt((rho - R_H)² + z²) - R, which is finite on the axis, where Table 2 is 0/0."""
         _, _, z = POSITION
         return sp.sqrt((self.rho - self.ring_radius) ** 2 + z**2) - self.reach
 
@@ -53,49 +54,55 @@ class Ring(Surface):
         ) ** 2 - 4 * self.ring_radius**2 * rho_squared
 
     @property
-    def halves(self) -> tuple[sp.Expr | None, ...]:
+    def half_sizes(self) -> tuple[sp.Expr | None, ...]:
         """R_H + R across the axis, R along it."""
         widest = self.ring_radius + self.reach
         return (widest, widest, self.reach)
 
     @property
     def enclosed(self) -> bool:
-        """It is."""
+        """True: a ring is bounded."""
         return True
 
     @property
     def normal(self) -> sp.Matrix:
-        """From the nearest point of the wire's centre circle, (x_C, y_C, 0), over R."""
+        """The direction from the nearest point of the wire's centre circle, (x_C, y_C, 0)."""
         x, y, z = POSITION
-        per_reach, rho = hold(1 / self.reach), hold(self.rho)
-        outward = hold(hold(rho - self.ring_radius) * per_reach * hold(1 / rho))
+        per_reach, rho = barrier(1 / self.reach), barrier(self.rho)
+        outward = barrier(barrier(rho - self.ring_radius) * per_reach * barrier(1 / rho))
         return sp.Matrix([x * outward, y * outward, z * per_reach])
 
     @property
     def curvature(self) -> sp.Expr:
-        """1/R around the wire; along it, |rho - R_H|/(rho R) is less than 1/(R_H - R)."""
-        return 1 / hold(smallest(self.reach, hold(self.ring_radius - self.reach)))
+        """The larger of 1/R around the wire, and 1/(R_H - R) as a bound along it.
+
+        Along the wire the curvature is |rho - R_H|/(rho R).
+        """
+        return 1 / barrier(minimum(self.reach, barrier(self.ring_radius - self.reach)))
 
     @property
-    def tube(self) -> Tube:
-        """About the wire's centre circle."""
+    def rolling_surface(self) -> RollingSurface:
+        """The tube about the wire's centre circle."""
         one = sp.Integer(1)
-        return Tube((one, one, one), 1 / self.reach, self.ring_radius)
+        return RollingSurface((one, one, one), 1 / self.reach, self.ring_radius)
 
     @property
-    def dent(self) -> sp.Expr:
-        """Along the wire, inside it: (R_H - rho)/(rho R), for half of this rho or more."""
-        wide = 2 * self.ring_radius / hold(self.rho)
-        return hold(largest(0, hold(wide - 1))) / self.reach
+    def max_concavity(self) -> sp.Expr:
+        """Bound on the curvature along the wire, inside it: (R_H - rho)/(rho R).
+
+        It holds down to half of this rho.
+        """
+        wide = 2 * self.ring_radius / barrier(self.rho)
+        return barrier(maximum(0, barrier(wide - 1))) / self.reach
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
-        """Nearer to the wire than touching, by the squares of both: one root less."""
+        """The squared distance from the centre circle less R², which needs one root less."""
         _, _, z = POSITION
-        depth = hold(self.rho - self.ring_radius)
-        return (hold(depth**2 + z**2) - hold(self.reach) ** 2,)
+        depth = barrier(self.rho - self.ring_radius)
+        return (barrier(depth**2 + z**2) - barrier(self.reach) ** 2,)
 
     @property
     def steepness(self) -> sp.Expr:
-        """The gradient of the squared distance is 2 R at a contact; as much again for rounding."""
+        """Twice the gradient of the squared distance at a contact, 2 R, with room for roundings."""
         return 4 * self.reach

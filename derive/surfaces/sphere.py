@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.symbols import POSITION, position
-from .bounds import length
-from .surface import Point, Surface, moved, overlap
-from .tube import Tube
+from ..symbolic.symbols import POSITION, position
+from .bounds import as_length
+from .rolling_surface import RollingSurface
+from .surface import Point, Surface, overlap, translated
 
 
 @dataclass(frozen=True)
@@ -19,16 +19,16 @@ class Sphere(Surface):
     Attributes
     ----------
     centre
-        Of the sphere.
+        The centre of the sphere.
     radius
-        From there to the ball's centre at a contact: the sphere's own radius and the ball's
-        together, or, from inside, the one less the other.
+        Distance from there to the ball's centre at a contact: the sum of the radii of sphere and
+        ball, or, from inside, their difference.
     limits
         The bounds (Eq. 2).
     inward
-        Whether the ball touches it from inside.
+        True if the ball touches it from inside.
     reach
-        Of a thin shell: the ball's radius. Without, all beyond the surface is body.
+        The ball's radius, if the surface is a thin shell; None if all behind the surface is body.
     """
 
     centre: Point
@@ -39,8 +39,8 @@ class Sphere(Surface):
 
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
-        """The bounds of the part."""
-        return tuple(map(length, self.limits))
+        """The bounds as lengths."""
+        return tuple(map(as_length, self.limits))
 
     @property
     def _side(self) -> int:
@@ -52,38 +52,38 @@ class Sphere(Surface):
 
     @property
     def distance(self) -> sp.Expr:
-        """|p - c| - r, from inside r - |p - c|."""
+        """|p - c| - r, or r - |p - c| from inside."""
         away = sp.sqrt(sum(component**2 for component in self._offset))
         return self._side * away - self._side * self.radius
 
     @property
-    def about(self) -> Point:
-        """Its centre."""
+    def reference_point(self) -> Point:
+        """The centre."""
         return self.centre
 
     @property
     def shape(self) -> sp.Expr:
-        """x² + y² + z² - r², from inside r² - x² - y² - z²."""
+        """x² + y² + z² - r², or the negative of that from inside."""
         return sp.Add(*(self._side * c**2 for c in POSITION), -self._side * self.radius**2)
 
     @property
-    def halves(self) -> tuple[sp.Expr | None, ...]:
-        """The radius."""
+    def half_sizes(self) -> tuple[sp.Expr | None, ...]:
+        """The radius along every axis."""
         return (self.radius,) * 3
 
     @property
     def enclosed(self) -> bool:
-        """If the ball is outside."""
+        """True if the ball is outside."""
         return not self.inward
 
     @property
     def condition(self) -> sp.Expr:
-        """|p - c|² - r², free of the root, or the same with the other sign."""
-        return moved(self.shape, self.centre)
+        """|p - c|² - r², free of the root, or the negative of that from inside."""
+        return translated(self.shape, self.centre)
 
     @property
     def normal(self) -> sp.Matrix:
-        """Radial; |p - c| = r at a contact."""
+        """The radial direction; |p - c| = r at a contact."""
         return self._offset * (self._side / self.radius)
 
     @property
@@ -92,19 +92,19 @@ class Sphere(Surface):
         return 1 / self.radius
 
     @property
-    def tube(self) -> Tube | None:
-        """About its centre, if it has no bounds."""
+    def rolling_surface(self) -> RollingSurface | None:
+        """The tube about its centre, if there are no bounds."""
         one = sp.Integer(1)
-        return None if self.limits else Tube((one, one, one), self._side / self.radius)
+        return None if self.limits else RollingSurface((one, one, one), self._side / self.radius)
 
     @property
-    def dent(self) -> sp.Expr:
-        """None outside; inside, 1/|p - c|, for half of it or more."""
+    def max_concavity(self) -> sp.Expr:
+        """Zero outside; inside a bound on 1/|p - c| down to half of it."""
         if not self.inward:
             return sp.Integer(0)
         return 2 / sp.sqrt(sum(component**2 for component in self._offset))
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
-        """Nearer than touching, and within the bounds."""
+        """The distance, the thickness of a shell, and the bounds."""
         return overlap(self.distance, self.limits, self.reach)

@@ -1,7 +1,8 @@
-"""Surfaces that the ball can touch (Table 2): distance, bounds, normal.
+"""The interface of a surface that the ball can touch (Table 2): distance, bounds, normal.
 
 A surface is given for the ball's *centre*: its distance is zero when the ball touches, positive
-outside. The same distance, made polynomial, becomes the event condition (`events.py`).
+outside. The same distance, made polynomial, becomes the constraint polynomial
+(`events/event_polynomials.py`).
 """
 
 from __future__ import annotations
@@ -12,18 +13,18 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.choice import hold, size
-from ..ground.symbols import POSITION
-from .bounds import length
-from .tube import Tube
+from ..symbolic.conditionals import absolute, barrier
+from ..symbolic.symbols import POSITION
+from .bounds import as_length
+from .rolling_surface import RollingSurface
 
 Point = tuple[sp.Expr, sp.Expr, sp.Expr]
 
 _ORIGIN = (sp.Integer(0), sp.Integer(0), sp.Integer(0))
 
 
-def moved(shape: sp.Expr, centre: Point) -> sp.Expr:
-    """Return a formula in x, y, z as one of the position from a centre."""
+def translated(shape: sp.Expr, centre: Point) -> sp.Expr:
+    """Return a formula in x, y, z as one of the position relative to a centre."""
     offsets = (place - own for place, own in zip(POSITION, centre, strict=True))
     return shape.xreplace(dict(zip(POSITION, offsets, strict=True)))
 
@@ -31,12 +32,12 @@ def moved(shape: sp.Expr, centre: Point) -> sp.Expr:
 def overlap(
     distance: sp.Expr, limits: Sequence[sp.Expr], reach: sp.Expr | None
 ) -> tuple[sp.Expr, ...]:
-    """Return what is negative where a ball overlaps a surface within its bounds.
+    """Return expressions that are all negative if a ball overlaps a surface within its bounds.
 
-    With a reach the surface is thin, and behind it is free space again; else all of it is body.
+    With a reach the surface is thin, and there is free space behind it; else all behind it is body.
     """
     behind = () if reach is None else (-distance - 2 * reach,)
-    return (distance, *behind, *map(length, limits))
+    return (distance, *behind, *map(as_length, limits))
 
 
 @dataclass(frozen=True)
@@ -63,48 +64,52 @@ class Surface(ABC):
 
     @property
     def polynomial(self) -> bool:
-        """Whether the condition is one polynomial; else it is one on each of several parts."""
+        """True if the condition is one polynomial; False if each of several parts has one."""
         return True
 
     @property
-    def about(self) -> Point:
-        """A point that the surface is about; by default the origin."""
+    def reference_point(self) -> Point:
+        """A point near which the coefficients of the shape are small; by default the origin."""
         return _ORIGIN
 
     @property
     def shape(self) -> sp.Expr:
-        """The condition in x, y, z as seen from that point."""
+        """The condition in x, y, z relative to the reference point."""
         return self.condition
 
     @property
-    def halves(self) -> tuple[sp.Expr | None, ...]:
-        """Half sizes of a box about that point that holds every contact; None: not known."""
+    def half_sizes(self) -> tuple[sp.Expr | None, ...]:
+        """Half sizes of a box about the reference point that holds every contact; None: unknown."""
         return (None, None, None)
 
     @property
     def enclosed(self) -> bool:
-        """Whether all of the body is in that box: out of it, `inside` has the distance from it.
+        """True if the box holds all of the body.
 
-        Or that distance as many times as `steepness` is, for half of the latter or more.
+        Then some expression of `inside` is at least the distance from the box, or half of
+        `steepness` times that distance.
         """
         return False
 
     def aside(self, axis: int) -> tuple[sp.Expr, ...]:
-        """Distances along an axis: where any is positive, the ball is that far from overlapping."""
-        place, half = POSITION[axis], self.halves[axis]
+        """Distances along an axis: if one is positive, the ball is that far from overlapping."""
+        place, half = POSITION[axis], self.half_sizes[axis]
         if self.enclosed and half is not None:
-            return (hold(size(hold(place - hold(self.about[axis])))) - hold(half),)
+            return (
+                barrier(absolute(barrier(place - barrier(self.reference_point[axis]))))
+                - barrier(half),
+            )
         alone = (d for d in self.inside if d.free_symbols & set(POSITION) == {place})
         return tuple(alone) if self.steepness == 1 else ()
 
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
-        """The g of Eq. 2: a contact counts only where every one is <= 0."""
+        """The g of Eq. 2: a contact counts only if none is positive."""
         return ()
 
     @property
     def patches(self) -> tuple[tuple[sp.Expr, ...], ...]:
-        """The bounds by part: a contact counts where all of any one part hold."""
+        """The bounds by part: a contact counts if all bounds of any one part hold."""
         return (self.bounds,)
 
     @property
@@ -118,18 +123,18 @@ class Surface(ABC):
         return sp.Integer(0)
 
     @property
-    def tube(self) -> Tube | None:
-        """What a ball that stays on it rolls on; None: no such motion is known."""
+    def rolling_surface(self) -> RollingSurface | None:
+        """The surface under a ball that stays in contact; None: rolling is not supported."""
         return None
 
     @property
-    def dent(self) -> sp.Expr:
-        """Bound on how fast the distance bends down, by the squared speed (1/m); 0 if convex."""
+    def max_concavity(self) -> sp.Expr:
+        """Bound on the downward curvature of the distance (1/m); 0 if the body is convex."""
         return sp.Integer(0)
 
     @property
-    def around(self) -> sp.Expr | None:
-        """Bound below the distance from every place at this height and distance from the z axis.
+    def azimuth_free_distance(self) -> sp.Expr | None:
+        """Bound below the distance from all points at this height and distance from the z axis.
 
         It is convex in these two; None: no such bound is known.
         """
@@ -138,9 +143,9 @@ class Surface(ABC):
     @property
     @abstractmethod
     def inside(self) -> tuple[sp.Expr, ...]:
-        """Expressions that are all negative exactly when the ball overlaps the body."""
+        """Expressions that are all negative exactly if the ball overlaps the body."""
 
     @property
     def steepness(self) -> sp.Expr:
-        """How much `inside` changes with a length, at most, near where it is zero."""
+        """Bound on the gradient of `inside` near its zeros."""
         return sp.Integer(1)

@@ -1,8 +1,9 @@
 """
-What backspin does
-==================
+The effect of backspin
+======================
 
-Every picture can be drawn on axes of yours: here two maps over one variable, side by side.
+The probability that a player makes the shot, over backspin and for two restitutions. The argument
+``ax`` draws a picture on axes of your own.
 """
 
 import numpy as np

@@ -1,9 +1,9 @@
 """
-Where to aim on the board
-=========================
+Aim points on the board
+=======================
 
-From each place the best bank shot and the best direct one; where the bank shot touches the board,
-and whether it is the better.
+The picture shows, for each place, where the best bank shot touches the board and whether it is
+better than the best direct shot.
 """
 
 import numpy as np

@@ -2,7 +2,7 @@
 Coordinates and angles
 ======================
 
-The axes, and what the arguments of `hoopgen.release` mean, drawn from a shot.
+The axes and the arguments of `hoopgen.release`, drawn for one shot.
 """
 
 import numpy as np
@@ -48,8 +48,8 @@ def angle(axes, corner, size, start, end, name, colour):
 # From the side
 # -------------
 #
-# Along the line of the shot: how high the release is, and at which angle it leaves. Heights of
-# releases are above the floor; z is counted from the ring.
+# This view of the shot from the side shows the height of the release and the angle of the velocity.
+# The height of a release is measured from the floor, z from the ring.
 
 
 def from_the_side(axes):
@@ -100,8 +100,8 @@ def from_the_side(axes):
 # From above
 # ----------
 #
-# Where the shooter stands, and in which direction the ball leaves: ``azimuth`` 0 is towards the
-# centre of the ring.
+# This view shows the place of the shooter and the direction of the shot. ``azimuth`` 0 points to
+# the centre of the ring.
 
 
 def from_above(axes):
@@ -131,8 +131,8 @@ def from_above(axes):
 
 
 # %%
-# Backspin turns the top of the ball towards the shooter; it is about the horizontal axis across
-# the flight. Sidespin is about the vertical.
+# Backspin moves the top of the ball towards the shooter; its axis is horizontal and across the
+# flight. The axis of sidespin is vertical.
 
 with style():
     picture = Figure(figsize=(8.6, 3.9), layout="constrained")

@@ -1,8 +1,8 @@
 """
-What a player's shots look like
-===============================
+Paths of a player's shots
+=========================
 
-Normal errors of speed, angle and direction about one free throw, and the paths that come of them.
+The paths of free throws with normal errors of speed, angle and direction.
 """
 
 import numpy as np

@@ -2,8 +2,8 @@
 A shot in motion
 ================
 
-A free throw as a GIF, four times slower than it is: `save_film` writes an .mp4 too, where
-there is ffmpeg.
+A free throw as a GIF, four times slower than in reality. `save_film` also writes .mp4 if ffmpeg is
+installed.
 """
 
 from pathlib import Path

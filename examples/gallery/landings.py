@@ -1,8 +1,8 @@
 """
-Where misses come down
-======================
+Landing places of misses
+========================
 
-How densely the missed free throws of a player reach the floor around the basket.
+The density of the places where the missed free throws of a player reach the floor.
 """
 
 import numpy as np

@@ -1,9 +1,9 @@
 """
-What becomes of every free throw
-================================
+Outcomes of all free throws
+===========================
 
-Without scatter a cell of a map is one shot: its colour says what the ball touched, and whether it
-went in.
+Without scatter each cell of a map is one shot. Its colour shows what the ball touched and whether
+it fell through the ring.
 """
 
 import numpy as np

@@ -1,8 +1,8 @@
 """
-Where to aim
-============
+Probabilities over aim and angle
+================================
 
-With scatter each cell is a probability: how often a player makes it who aims there.
+With scatter each cell is a probability: how often a player who aims there makes the shot.
 """
 
 import numpy as np

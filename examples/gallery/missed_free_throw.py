@@ -2,7 +2,7 @@
 One shot, to scale
 ==================
 
-The article's missed free throw: ring, backboard, and past the ring.
+The article's missed free throw touches the ring and the backboard and falls past the ring.
 """
 
 import numpy as np
@@ -17,12 +17,12 @@ path = shots.trajectory(0)
 path.plot(title="A missed free throw")
 
 # %%
-# What happened on the way is in the event log, one row a contact.
+# The event log has one row per contact, and one for the end.
 
 for event in path.events:
     print((*hoopgen.SURFACES, "end")[event["surface"]], f"at {event['time']:.4f} s")
 
 # %%
-# The same shot, in motion: turn it with the mouse.
+# This page shows the same shot in motion. Turn it with the mouse.
 
 hoopgen.view(shots, title="A missed free throw")

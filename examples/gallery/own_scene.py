@@ -1,9 +1,9 @@
 """
-A scene of one's own
-====================
+A scene of your own
+===================
 
-A netball off the top of its post and the ring, and a golf ball that hops into the hole. The scenes
-are files of a few lines: ``examples/scenes``.
+A netball bounces off the top of its post and off the ring, and a golf ball hops into the hole. The
+scenes are short files in ``examples/scenes``.
 """
 
 from pathlib import Path

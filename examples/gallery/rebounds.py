@@ -1,9 +1,9 @@
 """
-Where rebounds are caught
-=========================
+Rebounds at catching height
+===========================
 
-How densely the misses from a corner come down to the height of a rebounder's hands, and how many go
-in which direction. From here the most go beyond the ring, to the other side of the basket.
+The density of the places where misses from a corner come down to the height of a rebounder's hands,
+and the share of each direction. Most of these misses go to the other side of the basket.
 """
 
 import numpy as np

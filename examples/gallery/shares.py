@@ -1,9 +1,9 @@
 """
-How often it goes in
-====================
+An estimate as bars
+===================
 
-An estimate as bars: how shots end, what they touch on their way, and the intervals. Below
-it what the same player would lose without backspin, over the same random numbers.
+The first picture shows how shots end and what they touch, with intervals. The second shows the loss
+of the same player without backspin, from the same random numbers.
 """
 
 import numpy as np

@@ -2,12 +2,12 @@
 Around the rim
 ==============
 
-A layup that comes in too flat, from the side: the ball goes around the ring in many small bounces.
-Out of the plane of the hoop there is a view in space too.
+A layup comes in too flat from the side, and the ball moves around the ring in many small bounces.
+The path leaves the plane of symmetry, so the picture also has a view in space.
 """
 
 import hoopgen
-from hoopgen.paper import CASES
+from hoopgen.simulation.article import CASES
 
 layup = next(case for case in CASES if case.title == "Improper layup")
 shots = hoopgen.simulate(layup.state, record=True)

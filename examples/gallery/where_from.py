@@ -1,9 +1,9 @@
 """
-Where to shoot from
-===================
+Probabilities over places
+=========================
 
-Over x and y, places on the floor, a map is drawn on the court. This player releases at 52 degrees
-from everywhere and aims 5 cm past the ring's centre; from hatched places there is no such flight.
+A map over x and y is drawn on the court. This player releases at 52° from every place and aims 5 cm
+past the ring's centre. From hatched places there is no such flight.
 """
 
 import numpy as np

@@ -1,6 +1,6 @@
-"""Bumpers: a ball falls through four walls, past spheres and a bar, from bounce to bounce.
+"""Bumpers: a ball falls between four walls and bounces off spheres and a bar.
 
-A scene in Python is code: run only what you trust. A scene file is data.
+A scene in Python is code: run only code that you trust. A scene file is data.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ SCENE = Scene(
         Parameter("bumper", 0.17, summary="radius of each sphere"),
         Parameter("lively", 0.9, "1", "restitution of spheres and bar"),
         Parameter("dull", 0.6, "1", "restitution of the walls"),
-        Parameter("gravity", 9.81, "m/s²", "of free fall"),
+        Parameter("gravity", 9.81, "m/s²", "acceleration of free fall"),
     ],
     ball_radius="ball_radius",
     gravity="gravity",

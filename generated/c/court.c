@@ -1,6 +1,6 @@
 /* court: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene court, derivation 12a6213eeca56983,
+   Generated from templates/c/scene.c.j2, scene court, derivation e4dba81e284f3a89,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -21,8 +21,12 @@
 #include <stdatomic.h>
 #endif
 
+#include "environment.h"
+
+_Static_assert(sizeof(court_environment) == ENVIRONMENT_WORDS * sizeof(uint64_t), "words of an environment");
+
 /* Results are the same bits everywhere because every operation is done as it is written. Most of what
-   flags can do to that the compiler admits to here; what it does not, court_exact.h finds. */
+   flags can do to that the compiler admits to here; what it does not, exact.h finds. */
 #if FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD > 64
 #error "doubles must be evaluated in double precision (on 32-bit x86: -msse2 -mfpmath=sse)"
 #endif
@@ -61,9 +65,12 @@ _Static_assert(sizeof 0.1 == sizeof(double), "compile without -fsingle-precision
 #endif
 #endif
 
-/* Which widths are compiled; a build may ask for one alone, which takes least time. */
-#ifdef COURT_ONLY
+/* Which widths are compiled; a build may ask for one alone, which takes least time, or for that of
+   its own processor and one lane, with which the library runs on any other. */
+#if defined(COURT_ONLY)
 #define BUILT(width) (COURT_ONLY == (width))
+#elif defined(COURT_NATIVE)
+#define BUILT(width) (COURT_WIDEST >= (width) && ((width) == 1 || COURT_NATIVE == (width)))
 #else
 #define BUILT(width) (COURT_WIDEST >= (width))
 #endif
@@ -103,7 +110,9 @@ typedef struct {
 
 /* Shots in flight at once: what the stages read and write of them stays in the nearer caches, and
    what few shots need at a time fills lanes. */
-#define LANES_SHOTS 256
+#define LANES_SHOTS (LANES_WIDTH > 1 ? 512 : 256)
+/* Shots that are launched at most before anybody may stop the run. */
+#define LANES_LAUNCHED (8 * LANES_SHOTS)
 /* Behind them are the rows of those that stay in contact. */
 #define LANES_ROWS (2 * LANES_SHOTS)
 
@@ -136,7 +145,7 @@ static int exchanged(size_t *common, size_t *seen, size_t then)
    fewer, so that there are few seams, where threads write to the same pages, and all end together. */
 static size_t court_take(const court_job *job, size_t *end)
 {
-    const size_t least = LANES_SHOTS / 4;
+    const size_t least = 64;
     size_t start = 0, some;
     do {
         const size_t left = start < job->shots ? job->shots - start : 0, rows = left / job->parts / least * least;
@@ -171,7 +180,7 @@ static void streamed(void)
 
 #if BUILT(4)
 #define LANES_WIDTH 4
-#include "court_exact.h"
+#include "exact.h"
 #include "court_engine.h"
 #undef LANES_WIDTH
 #endif
@@ -184,7 +193,7 @@ static void streamed(void)
 #pragma GCC target("avx2")
 #endif
 #define LANES_WIDTH 8
-#include "court_exact.h"
+#include "exact.h"
 #include "court_engine.h"
 #undef LANES_WIDTH
 #ifdef __clang__
@@ -200,9 +209,12 @@ static void streamed(void)
 #else
 #pragma GCC push_options
 #pragma GCC target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")
+/* Divisions and roots take long: what does not need them is moved in between. It takes registers,
+   of which other vectors have half as many. */
+#pragma GCC optimize("schedule-insns", "sched-pressure", "rename-registers")
 #endif
 #define LANES_WIDTH 16
-#include "court_exact.h"
+#include "exact.h"
 #include "court_engine.h"
 #undef LANES_WIDTH
 #ifdef __clang__
@@ -214,7 +226,7 @@ static void streamed(void)
 
 #if BUILT(1)
 #define LANES_WIDTH 1
-#include "court_exact.h"
+#include "exact.h"
 #include "court_engine.h"
 #undef LANES_WIDTH
 #endif
@@ -284,7 +296,16 @@ static int court_error(const court_job *job)
     return 0;
 }
 
+void court_enter(court_environment *before) { environment_enter(before->words); }
+void court_leave(const court_environment *before) { environment_leave(before->words); }
+
 const char *court_sources(void) { return TEXT(COURT_SOURCES); }
+
+int court_missing_width(void)
+{
+    const int built = BUILT(16) ? 16 : BUILT(8) ? 8 : BUILT(4) ? 4 : 1;
+    return widest() == 1 && built > 1 ? built : 0;
+}
 
 int court_simulate(size_t shots, const double *states, const double *const *parameters,
                   const int64_t *strides, const int8_t *leaving, int32_t max_contacts,
@@ -296,27 +317,29 @@ int court_simulate(size_t shots, const double *states, const double *const *para
                       stop, results, &next, 1);
 }
 
-int court_share(size_t shots, const double *states, const double *const *parameters,
-               const int64_t *strides, const int8_t *leaving, int32_t max_contacts,
-               double time_limit, int width, const volatile int32_t *stop,
-               const court_results *results, size_t *next, size_t parts)
+/* Run a job in the default environment. No compiler knows of environments: were it inlined, operations
+   could move out of this one. */
+#if defined(_MSC_VER) && !defined(__clang__)
+__declspec(noinline)
+#elif defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int court_run(court_job *job, int width)
 {
-    court_job job = {shots, states, parameters, strides, leaving, 0, max_contacts, time_limit,
-                              stop, next, parts, results};
-    const int most = widest(), error = court_error(&job);
+    const int most = widest(), error = court_error(job);
     if (error)
         return error;
     for (int k = 0; k < COURT_PARAMETERS; k++)
-        job.varying |= strides[k] != 0;
+        job->varying |= job->strides[k] != 0;
     if (width == 0)
-        width = most;
+        width = job->shots == 1 && BUILT(1) ? 1 : most;
     if (width > most)
         return COURT_ERROR_WIDTH;
 #define RUN(width) \
     case width: \
-        if (!court_exact_w##width()) \
+        if (!exact_w##width()) \
             return COURT_ERROR_ARITHMETIC; \
-        if (!court_run_w##width(&job)) \
+        if (!court_run_w##width(job)) \
             return COURT_ERROR_MEMORY; \
         streamed(); \
         return width;
@@ -336,4 +359,18 @@ int court_share(size_t shots, const double *states, const double *const *paramet
     default:
         return COURT_ERROR_WIDTH;
     }
+}
+
+int court_share(size_t shots, const double *states, const double *const *parameters,
+               const int64_t *strides, const int8_t *leaving, int32_t max_contacts,
+               double time_limit, int width, const volatile int32_t *stop,
+               const court_results *results, size_t *next, size_t parts)
+{
+    court_job job = {shots, states, parameters, strides, leaving, 0, max_contacts, time_limit,
+                              stop, next, parts, results};
+    court_environment before;
+    court_enter(&before);
+    const int used = court_run(&job, width);
+    court_leave(&before);
+    return used;
 }

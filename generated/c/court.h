@@ -1,12 +1,13 @@
 /* court: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene court, derivation 12a6213eeca56983,
+   Generated from templates/c/scene.h.j2, scene court, derivation e4dba81e284f3a89,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile court.c, next to which this and the other files
    stand, with contraction of a*b + c off (-ffp-contract=off) and without fast-math: results are
-   then the same bits for every width, compiler and target. Where flags, or the process's rounding
-   mode, stand against that, it does not compile, or nothing runs. SI units, radians. */
+   then the same bits for every width, compiler and target, whatever floating-point environment the
+   caller's thread has: a call sets the default one, and puts back what was there. Where flags stand
+   against that, it does not compile, or nothing runs. SI units, radians. */
 
 #ifndef HOOPGEN_COURT_H
 #define HOOPGEN_COURT_H
@@ -68,9 +69,10 @@ enum {
     COURT_P_RING_FRICTION = 15, /* 1: mu of the ring; infinite: every contact grips */
     COURT_P_BACKBOARD_FRICTION = 16, /* 1: mu of the backboard; infinite: every contact grips */
     COURT_P_BRIDGE_FRICTION = 17, /* 1: mu of the bridge; infinite: every contact grips */
-    COURT_P_TANGENTIAL_RESTITUTION = 18, /* 1: e_t, of every contact that grips */
-    COURT_P_RESTITUTION_SPEED = 19, /* m/s: v0, at which e is half of e0; infinite: it does not fall */
-    COURT_PARAMETERS = 20
+    COURT_P_INERTIA = 18, /* 1: kappa, the ball's moment of inertia over m R_B²: 2/3 of a thin shell, 2/5 of a solid ball */
+    COURT_P_TANGENTIAL_RESTITUTION = 19, /* 1: e_t, of every contact that grips */
+    COURT_P_RESTITUTION_SPEED = 20, /* m/s: v0, at which e is half of e0; infinite: it does not fall */
+    COURT_PARAMETERS = 21
 };
 
 enum {
@@ -115,9 +117,8 @@ typedef struct {
 /* Why nothing was run: what a call returns instead of the width. */
 enum {
     COURT_ERROR_WIDTH = -1,         /* this processor or build has not that width */
-    COURT_ERROR_ARITHMETIC = -2,    /* doubles are not computed as IEEE 754 says: flags of the
-                                   compiler (-ffp-contract=fast, parts of fast-math), or this thread
-                                   rounds otherwise than to nearest or makes subnormals zero */
+    COURT_ERROR_ARITHMETIC = -2,    /* doubles are not computed as IEEE 754 says: by flags of the
+                                   compiler (-ffp-contract=fast, parts of fast-math) */
     COURT_ERROR_MEMORY = -3,        /* there is no memory for the shots in flight */
     COURT_ERROR_SHOTS = -4,         /* more shots than an array can hold: a negative number, say */
     COURT_ERROR_STATES = -5,        /* NULL, with shots */
@@ -141,7 +142,8 @@ enum {
    leaving      NULL, or by shot the surface that the ball touches at the start and leaves, -1: none
    max_contacts at least 1
    time_limit   s since the release at which a shot ends, more than 0; INFINITY: none
-   width        vector lanes: 1, 4, 8 or 16; 0 for the widest that this processor has
+   width        vector lanes: 1, 4, 8 or 16; 0 for the widest that this processor has, or for one
+                lane if there is one shot
    stop         NULL, or a flag: when it becomes nonzero, the run ends, its results unfinished,
                 event_counts too. Another thread that sets it does so by an atomic store
    results      where they go; itself it must not be NULL
@@ -166,6 +168,19 @@ HOOPGEN_API int court_share(size_t shots, const double *states,
                            const int8_t *leaving, int32_t max_contacts, double time_limit,
                            int width, const volatile int32_t *stop,
                            const court_results *results, size_t *next, size_t parts);
+
+/* What a thread has of the processor's floating-point environment: its modes and its flags. */
+typedef struct {
+    uint64_t words[8];
+} court_environment;
+
+/* Set the default environment of this thread, and put back the one that it had before. Calls of
+   court_simulate and court_share do so themselves. */
+HOOPGEN_API void court_enter(court_environment *before);
+HOOPGEN_API void court_leave(const court_environment *before);
+
+/* The width that the build is for, if this processor has not that one and one lane serves; else 0. */
+HOOPGEN_API int court_missing_width(void);
 
 /* The word for its sources that the build gave as COURT_SOURCES, else "unknown". */
 HOOPGEN_API const char *court_sources(void);

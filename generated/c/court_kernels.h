@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 12a6213eeca56983,
+   Generated from templates/c/kernels.h.j2, scene court, derivation e4dba81e284f3a89,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -13,41 +13,34 @@
 /* Position and velocity at time t of a flight.
    Eq. 3. 10 operations: 3 additions, 2 subtractions, 5 multiplications. */
 typedef struct {
-    V x;
-    V y;
-    V z;
-    V vx;
-    V vy;
-    V vz;
+    V x, y, z, vx, vy, vz;
 } LANES(court_flight_out);
 
 LANES_INLINE LANES(court_flight_out)
 LANES(court_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1)
 {
-    return (LANES(court_flight_out)){ lanes_add(x, lanes_mul(t, vx)), lanes_add(y, lanes_mul(t, vy)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(_c1, t)))), vx, vy, lanes_sub(vz, lanes_mul(_c0, t)) };
+    return (LANES(court_flight_out)){ lanes_add(x, lanes_mul(vx, t)), lanes_add(y, lanes_mul(vy, t)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(_c1, t)))), vx, vy, lanes_sub(vz, lanes_mul(_c0, t)) };
 }
 
-/* Positive clearance if a crossing is certain, and the bound on its delay.
-   Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections. */
+/* Clearance, positive if a crossing is certain, and a bound on its delay.
+   Taylor's theorem with the margins of the gap and its rate. 10 operations: 1 addition, 1 subtraction, 3 multiplications, 1 division, 1 negation, 1 comparison, 2 selections. */
 typedef struct {
-    V clearance;
-    V delay;
+    V clearance, delay;
 } LANES(court_crossing_out);
 
 LANES_INLINE LANES(court_crossing_out)
 LANES(court_crossing)(V margin, V rate_margin, V rate, V ceiling)
 {
     const V _s0 = lanes_neg(lanes_add(rate, rate_margin));
-    const M _s1 = lanes_less(K(0.0), _s0);
-    return (LANES(court_crossing_out)){ lanes_select(_s1, lanes_sub(lanes_mul(_s0, _s0), lanes_mul(lanes_mul(K(6.0), ceiling), margin)), _s0), lanes_select(_s1, lanes_div(lanes_mul(K(6.0), margin), _s0), K(INFINITY)) };
+    const V _s1 = lanes_mul(K(6.0), margin);
+    const M _s2 = lanes_less(K(0.0), _s0);
+    return (LANES(court_crossing_out)){ lanes_select(_s2, lanes_sub(lanes_mul(_s0, _s0), lanes_mul(_s1, ceiling)), _s0), lanes_select(_s2, lanes_div(_s1, _s0), K(INFINITY)) };
 }
 
-/* Errors of a state that a search allows for, and by how much the errors exceed them.
+/* Errors of the state that a search allows for, and by how much the errors exceed them.
    a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection. */
 typedef struct {
-    V position_level;
-    V velocity_level;
-    V excess;
+    V position_level, velocity_level, excess;
 } LANES(court_allowance_out);
 
 LANES_INLINE LANES(court_allowance_out)
@@ -61,11 +54,10 @@ LANES(court_allowance)(V share, V horizon, V extent, V speed, V position_error, 
     return (LANES(court_allowance_out)){ _s1, _s2, lanes_max(_s3, _s4) };
 }
 
-/* A time after which no event is wanted, and how long that is after t.
+/* Time after which no event is wanted, and how long that is after t.
    the earliest arrival, with room for its delay. 4 operations: 2 additions, 2 multiplications. */
 typedef struct {
-    V horizon;
-    V pad;
+    V horizon, pad;
 } LANES(court_horizon_out);
 
 LANES_INLINE LANES(court_horizon_out)
@@ -75,12 +67,10 @@ LANES(court_horizon)(V t, V speed, V _c0)
     return (LANES(court_horizon_out)){ lanes_add(t, _s0), _s0 };
 }
 
-/* Sums of the sizes of place and velocity; by how much a flight exceeds the largest.
-   what rounding errors are measured by. 17 operations: 4 additions, 1 subtraction, 2 multiplications, 6 absolute values, 2 comparisons, 2 selections. */
+/* Sums of the sizes of position and velocity, and the excess of the flight's size.
+   the measure of rounding errors. 17 operations: 4 additions, 1 subtraction, 2 multiplications, 6 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
-    V extent;
-    V speed;
-    V excess;
+    V extent, speed, excess;
 } LANES(court_scale_out);
 
 LANES_INLINE LANES(court_scale_out)
@@ -107,22 +97,14 @@ LANES(court_displacement)(V delay, V horizon, V extent, V speed, V position_erro
     return (LANES(court_displacement_out)){ lanes_add(lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, _c1))), lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
 }
 
-/* Errors of a state at the end of a flight to a surface, from those at its start.
+/* Errors of the state at the end of a flight to a surface, from those at its start.
    derivative of Eq. 3 and of the contact time, with roundings. 165 operations: 36 additions, 2 subtractions, 43 multiplications, 2 divisions, 10 negations, 17 absolute values, 23 comparisons, 32 selections. */
 typedef struct {
-    V dx;
-    V dy;
-    V dz;
-    V lifting;
-    V dvx;
-    V dvy;
-    V dvz;
-    V delay;
-    V shift;
+    V dx, dy, dz, lifting, dvx, dvy, dvz, delay, shift;
 } LANES(court_carry_flight_out);
 
 LANES_INLINE LANES(court_carry_flight_out)
-LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V left_nx, V left_ny, V left_nz, V curving, V _c0)
+LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V earliest_delay, V dx, V dy, V dz, V dvx, V dvy, V dvz, V left_nx, V left_ny, V left_nz, V curving, V _c0)
 {
     const V _s0 = lanes_abs(vx);
     const V _s1 = lanes_abs(vy);
@@ -182,27 +164,21 @@ LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz
     const V _s55 = lanes_abs(_s54);
     const V _s56 = lanes_max(_s55, _s48);
     const V _s57 = lanes_abs(_s30);
-    const V _s58 = lanes_mul(K(0.0625), late);
-    return (LANES(court_carry_flight_out)){ lanes_select(_s50, _s31, lanes_select(lanes_less(_s31, K(0.0)), lanes_neg(_s49), _s49)), lanes_select(_s50, _s51, lanes_select(lanes_less(_s51, K(0.0)), lanes_neg(_s53), _s53)), lanes_select(_s50, _s54, lanes_select(lanes_less(_s54, K(0.0)), lanes_neg(_s56), _s56)), lanes_select(_s50, K(0.125), _s47), dvx, dvy, lanes_sub(dvz, lanes_mul(_c0, _s30)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s57, _s58)), lanes_select(_s50, _s45, _s46) };
+    const V _s58 = lanes_mul(K(0.0625), earliest_delay);
+    return (LANES(court_carry_flight_out)){ lanes_select(_s50, _s31, lanes_select(lanes_less(_s31, K(0.0)), lanes_neg(_s49), _s49)), lanes_select(_s50, _s51, lanes_select(lanes_less(_s51, K(0.0)), lanes_neg(_s53), _s53)), lanes_select(_s50, _s54, lanes_select(lanes_less(_s54, K(0.0)), lanes_neg(_s56), _s56)), lanes_select(_s50, K(0.125), _s47), dvx, dvy, lanes_sub(dvz, lanes_mul(_c0, _s30)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(t, clock)), lanes_max(_s57, _s58)), lanes_select(_s50, _s45, _s46) };
 }
 
-/* Errors of a state at the time limit, from those at the start of the flight.
+/* Errors of the state at the time limit, from those at the start of the flight.
    derivative of Eq. 3, with roundings. 64 operations: 20 additions, 18 multiplications, 1 negation, 13 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    V dx;
-    V dy;
-    V dz;
-    V dvx;
-    V dvy;
-    V dvz;
-    V clock_error;
+    V dx, dy, dz, dvx, dvy, dvz, clock_error;
 } LANES(court_carry_time_out);
 
 LANES_INLINE LANES(court_carry_time_out)
 LANES(court_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V _c0, V _c1)
 {
     const V _s0 = lanes_abs(vx);
-    const V _s1 = lanes_add(clock_error, lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)));
+    const V _s1 = lanes_add(clock_error, lanes_mul(K(4.440892098500626e-16), lanes_add(t, clock)));
     const V _s2 = lanes_abs(dvx);
     const V _s3 = lanes_abs(dvy);
     const V _s4 = lanes_max(_s2, _s3);
@@ -219,16 +195,13 @@ LANES(court_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_e
     const V _s15 = lanes_max(_s13, _s14);
     const V _s16 = lanes_abs(dz);
     const V _s17 = lanes_add(lanes_add(lanes_mul(t, lanes_max(_s4, _s5)), lanes_max(_s10, _s12)), lanes_max(_s15, _s16));
-    return (LANES(court_carry_time_out)){ lanes_add(lanes_mul(_s0, _s1), _s17), lanes_add(lanes_mul(_s8, _s1), _s17), lanes_add(lanes_mul(_s11, _s1), _s17), lanes_add(lanes_add(_c1, _s2), lanes_mul(K(2.220446049250313e-16), _s0)), lanes_add(lanes_add(_c1, _s3), lanes_mul(K(2.220446049250313e-16), _s8)), lanes_add(lanes_add(_s5, lanes_mul(K(2.220446049250313e-16), _s11)), lanes_abs(lanes_neg(lanes_mul(_c0, _s1)))), K(0.0) };
+    return (LANES(court_carry_time_out)){ lanes_add(lanes_mul(_s0, _s1), _s17), lanes_add(lanes_mul(_s8, _s1), _s17), lanes_add(lanes_mul(_s11, _s1), _s17), lanes_add(lanes_add(_c1, lanes_mul(K(2.220446049250313e-16), _s0)), _s2), lanes_add(lanes_add(_c1, lanes_mul(K(2.220446049250313e-16), _s8)), _s3), lanes_add(lanes_add(lanes_mul(K(2.220446049250313e-16), _s11), _s5), lanes_abs(lanes_neg(lanes_mul(_c0, _s1)))), K(0.0) };
 }
 
-/* Bounds on the errors of a state and its time that decisions allow for.
-   the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+/* Bounds on the errors of state and time that decisions allow for.
+   the carried errors times a factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    V position_error;
-    V velocity_error;
-    V spin_error;
-    V time_error;
+    V position_error, velocity_error, spin_error, time_error;
 } LANES(court_error_bounds_out);
 
 LANES_INLINE LANES(court_error_bounds_out)
@@ -249,13 +222,10 @@ LANES(court_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, 
     return (LANES(court_error_bounds_out)){ lanes_mul(K(16.0), lanes_max(_s2, _s3)), lanes_mul(K(16.0), lanes_max(_s6, _s7)), lanes_mul(K(16.0), lanes_max(_s10, _s11)), lanes_mul(K(16.0), clock_error) };
 }
 
-/* Bounds on the errors of a state and its time that a shot claims.
-   the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+/* Bounds on the errors of state and time that are reported.
+   the carried errors times a larger factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    V position_error;
-    V velocity_error;
-    V spin_error;
-    V time_error;
+    V position_error, velocity_error, spin_error, time_error;
 } LANES(court_claimed_errors_out);
 
 LANES_INLINE LANES(court_claimed_errors_out)
@@ -276,47 +246,84 @@ LANES(court_claimed_errors)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz
     return (LANES(court_claimed_errors_out)){ lanes_mul(K(64.0), lanes_max(_s2, _s3)), lanes_mul(K(64.0), lanes_max(_s6, _s7)), lanes_mul(K(64.0), lanes_max(_s10, _s11)), lanes_mul(K(64.0), clock_error) };
 }
 
-/* 1 where finite parameters are allowed.
-   the scene's requirements. 58 operations: 6 subtractions, 26 comparisons, 26 selections. */
+/* 1 if finite parameters are allowed.
+   the scene's requirements. 64 operations: 6 subtractions, 29 comparisons, 29 selections. */
 typedef struct {
     V allowed;
 } LANES(court_allowed_out);
 
 LANES_INLINE LANES(court_allowed_out)
-LANES(court_allowed)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_gravity, V p_end_depth, V p_ring_restitution, V p_backboard_restitution, V p_bridge_restitution, V p_ring_friction, V p_backboard_friction, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed)
+LANES(court_allowed)(const LANES(column) *p, size_t row)
 {
-    const V _s0 = lanes_select(lanes_less(K(0.0), lanes_sub(p_board_top, p_board_bottom)), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(p_board_distance, p_ring_radius), p_wire_radius)), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
-    const V _s1 = lanes_select(lanes_less(K(0.0), p_wire_radius), lanes_select(lanes_less(K(0.0), p_ring_radius), lanes_select(lanes_less(K(0.0), p_ball_radius), lanes_select(lanes_less(K(0.0), lanes_sub(p_board_half_width, p_bridge_half_width)), _s0, K(0.0)), K(0.0)), K(0.0)), K(0.0));
-    const V _s2 = lanes_select(lanes_less(K(0.0), p_bridge_depth), lanes_select(lanes_less(K(0.0), p_bridge_half_width), lanes_select(lanes_less(K(0.0), p_board_thickness), lanes_select(lanes_less(K(0.0), p_board_half_width), lanes_select(lanes_less(K(0.0), p_board_distance), _s1, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
-    const V _s3 = lanes_select(lanes_at_most(K(0.0), p_backboard_restitution), lanes_select(lanes_at_most(p_ring_restitution, K(1.0)), lanes_select(lanes_at_most(K(0.0), p_ring_restitution), lanes_select(lanes_less(K(0.0), p_end_depth), lanes_select(lanes_less(K(0.0), p_gravity), _s2, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
-    const V _s4 = lanes_select(lanes_at_most(K(0.0), p_backboard_friction), lanes_select(lanes_at_most(K(0.0), p_ring_friction), lanes_select(lanes_at_most(p_bridge_restitution, K(1.0)), lanes_select(lanes_at_most(K(0.0), p_bridge_restitution), lanes_select(lanes_at_most(p_backboard_restitution, K(1.0)), _s3, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
-    return (LANES(court_allowed_out)){ lanes_select(lanes_less(K(0.0), p_restitution_speed), lanes_select(lanes_at_most(p_tangential_restitution, K(1.0)), lanes_select(lanes_at_most(K(-1.0), p_tangential_restitution), lanes_select(lanes_at_most(K(0.0), p_bridge_friction), _s4, K(0.0)), K(0.0)), K(0.0)), K(0.0)) };
+    const V _s0 = lanes_select(lanes_less(K(0.0), lanes_sub(lanes_load(p[6] + row), lanes_load(p[5] + row))), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(lanes_load(p[3] + row), lanes_load(p[1] + row)), lanes_load(p[2] + row))), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(lanes_load(p[1] + row), lanes_load(p[0] + row)), lanes_load(p[2] + row))), K(1.0), K(0.0)), K(0.0)), K(0.0));
+    V _v1 = lanes_select(lanes_less(K(0.0), lanes_sub(lanes_load(p[4] + row), lanes_load(p[8] + row))), _s0, K(0.0));
+    static const int _t1[][1] = {
+        {0},
+        {1},
+        {2},
+        {3},
+        {4},
+        {7},
+        {8},
+        {9},
+        {10},
+        {11},
+    };
+    for (size_t _k1 = 0; _k1 < 10; _k1++) {
+        _v1 = lanes_select(lanes_less(K(0.0), lanes_load(p[_t1[_k1][0]] + row)), _v1, K(0.0));
+    }
+    V _v4 = _v1;
+    static const int _t4[][2] = {
+        {12, 12},
+        {13, 13},
+        {14, 14},
+    };
+    for (size_t _k4 = 0; _k4 < 3; _k4++) {
+        _v4 = lanes_select(lanes_at_most(K(0.0), lanes_load(p[_t4[_k4][0]] + row)), _v4, K(0.0));
+        _v4 = lanes_select(lanes_at_most(lanes_load(p[_t4[_k4][1]] + row), K(1.0)), _v4, K(0.0));
+    }
+    const V _s7 = lanes_select(lanes_at_most(K(0.0), lanes_load(p[16] + row)), lanes_select(lanes_at_most(K(0.0), lanes_load(p[15] + row)), _v4, K(0.0)), K(0.0));
+    const V _s8 = lanes_select(lanes_at_most(K(-1.0), lanes_load(p[19] + row)), lanes_select(lanes_at_most(lanes_load(p[18] + row), K(1.0)), lanes_select(lanes_at_most(K(0.015625), lanes_load(p[18] + row)), lanes_select(lanes_less(K(0.0), lanes_load(p[18] + row)), lanes_select(lanes_at_most(K(0.0), lanes_load(p[17] + row)), _s7, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    return (LANES(court_allowed_out)){ lanes_select(lanes_less(K(0.0), lanes_load(p[20] + row)), lanes_select(lanes_at_most(lanes_load(p[19] + row), K(1.0)), _s8, K(0.0)), K(0.0)) };
 }
 
-/* Where the parameters are allowed, and no arithmetic with them over- or underflows.
-   the range of numbers. 65 operations: 20 absolute values, 23 comparisons, 22 conjunctions. */
+/* Whether the parameters are allowed, and no arithmetic with them over- or underflows.
+   the range of numbers. 68 operations: 21 absolute values, 24 comparisons, 23 conjunctions. */
 typedef struct {
     M permitted;
 } LANES(court_parameters_in_range_out);
 
 LANES_INLINE LANES(court_parameters_in_range_out)
-LANES(court_parameters_in_range)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_gravity, V p_end_depth, V p_ring_restitution, V p_backboard_restitution, V p_bridge_restitution, V p_ring_friction, V p_backboard_friction, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed, V allowed)
+LANES(court_parameters_in_range)(const LANES(column) *p, size_t row, V allowed)
 {
-    const V _s0 = lanes_abs(p_ball_radius);
-    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), allowed), lanes_at_most(_s0, K(1073741824.0))), lanes_at_most(K(9.313225746154785e-10), _s0)), lanes_at_most(lanes_abs(p_ring_radius), K(1073741824.0))), lanes_at_most(lanes_abs(p_wire_radius), K(1073741824.0))), lanes_at_most(lanes_abs(p_board_distance), K(1073741824.0)));
-    const M _s2 = lanes_both(lanes_both(lanes_both(lanes_both(_s1, lanes_at_most(lanes_abs(p_board_half_width), K(1073741824.0))), lanes_at_most(lanes_abs(p_board_bottom), K(1073741824.0))), lanes_at_most(lanes_abs(p_board_top), K(1073741824.0))), lanes_at_most(lanes_abs(p_board_thickness), K(1073741824.0)));
-    const V _s3 = lanes_abs(p_gravity);
-    const M _s4 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_at_most(lanes_abs(p_bridge_half_width), K(1073741824.0))), lanes_at_most(lanes_abs(p_bridge_depth), K(1073741824.0))), lanes_at_most(_s3, K(1073741824.0))), lanes_at_most(K(9.313225746154785e-10), _s3));
-    const M _s5 = lanes_both(lanes_both(lanes_both(lanes_both(_s4, lanes_at_most(lanes_abs(p_end_depth), K(1073741824.0))), lanes_at_most(lanes_abs(p_ring_restitution), K(1.2676506002282294e+30))), lanes_at_most(lanes_abs(p_backboard_restitution), K(1.2676506002282294e+30))), lanes_at_most(lanes_abs(p_bridge_restitution), K(1.2676506002282294e+30)));
-    const M _s6 = lanes_both(lanes_both(lanes_both(lanes_both(_s5, lanes_at_most(lanes_abs(p_ring_friction), K(INFINITY))), lanes_at_most(lanes_abs(p_backboard_friction), K(INFINITY))), lanes_at_most(lanes_abs(p_bridge_friction), K(INFINITY))), lanes_at_most(lanes_abs(p_tangential_restitution), K(1.2676506002282294e+30)));
-    return (LANES(court_parameters_in_range_out)){ lanes_both(_s6, lanes_at_most(lanes_abs(p_restitution_speed), K(INFINITY))) };
+    const V _s0 = lanes_abs(lanes_load(p[0] + row));
+    const V _s1 = lanes_abs(lanes_load(p[10] + row));
+    M _v2 = lanes_both(lanes_both(lanes_less(K(0.0), allowed), lanes_at_most(_s0, K(1073741824.0))), lanes_at_most(K(9.313225746154785e-10), _s0));
+    static const int _t2[][1] = {
+        {1},
+        {2},
+        {3},
+        {4},
+        {5},
+        {6},
+        {7},
+        {8},
+        {9},
+        {10},
+    };
+    for (size_t _k2 = 0; _k2 < 10; _k2++) {
+        _v2 = lanes_both(_v2, lanes_at_most(lanes_abs(lanes_load(p[_t2[_k2][0]] + row)), K(1073741824.0)));
+    }
+    const M _s5 = lanes_both(_v2, lanes_at_most(K(9.313225746154785e-10), _s1));
+    const M _s6 = lanes_both(lanes_both(lanes_both(lanes_both(_s5, lanes_at_most(lanes_abs(lanes_load(p[11] + row)), K(1073741824.0))), lanes_at_most(lanes_abs(lanes_load(p[12] + row)), K(1.2676506002282294e+30))), lanes_at_most(lanes_abs(lanes_load(p[13] + row)), K(1.2676506002282294e+30))), lanes_at_most(lanes_abs(lanes_load(p[14] + row)), K(1.2676506002282294e+30)));
+    const M _s7 = lanes_both(lanes_both(lanes_both(lanes_both(_s6, lanes_at_most(lanes_abs(lanes_load(p[15] + row)), K(INFINITY))), lanes_at_most(lanes_abs(lanes_load(p[16] + row)), K(INFINITY))), lanes_at_most(lanes_abs(lanes_load(p[17] + row)), K(INFINITY))), lanes_at_most(lanes_abs(lanes_load(p[18] + row)), K(1.2676506002282294e+30)));
+    return (LANES(court_parameters_in_range_out)){ lanes_both(lanes_both(_s7, lanes_at_most(lanes_abs(lanes_load(p[19] + row)), K(1.2676506002282294e+30))), lanes_at_most(lanes_abs(lanes_load(p[20] + row)), K(INFINITY))) };
 }
 
-/* 1 where no surface is overlapped; 1 where that is in doubt.
+/* 1 if the ball overlaps no surface; 1 if that is undecided.
    Table 2. 105 operations: 14 additions, 18 subtractions, 12 multiplications, 3 square roots, 4 negations, 9 absolute values, 21 comparisons, 24 selections. */
 typedef struct {
-    V valid;
-    V doubt;
+    V valid, doubt;
 } LANES(court_valid_out);
 
 LANES_INLINE LANES(court_valid_out)
@@ -341,11 +348,11 @@ LANES(court_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _
     const V _s16 = lanes_add(_c1, x);
     const V _s17 = lanes_neg(_s7);
     const V _s18 = lanes_sub(lanes_max(_s16, K(0.0)), lanes_max(_s17, K(0.0)));
-    const V _s19 = lanes_sub(y, _c7);
-    const V _s20 = lanes_neg(lanes_add(_c7, y));
+    const V _s19 = lanes_sub(z, _c2);
+    const V _s20 = lanes_sub(_c10, z);
     const V _s21 = lanes_sub(lanes_max(_s19, K(0.0)), lanes_max(_s20, K(0.0)));
-    const V _s22 = lanes_sub(z, _c2);
-    const V _s23 = lanes_sub(_c10, z);
+    const V _s22 = lanes_sub(y, _c7);
+    const V _s23 = lanes_neg(lanes_add(_c7, y));
     const V _s24 = lanes_sub(lanes_max(_s22, K(0.0)), lanes_max(_s23, K(0.0)));
     const V _s25 = lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s18, _s18), lanes_mul(_s21, _s21)), lanes_mul(_s24, _s24))), _c0);
     const M _s26 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
@@ -355,12 +362,11 @@ LANES(court_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _
     return (LANES(court_valid_out)){ lanes_select(_s26, _s15, lanes_select(lanes_at_most(K(0.0), _s25), _s15, K(0.0))), lanes_select(_s26, _s29, lanes_select(lanes_at_most(lanes_abs(_s25), _s27), K(1.0), _s29)) };
 }
 
-/* Where a start may overlap a surface, or be in doubt; and what is said elsewhere.
+/* Whether the ball starts near a surface; otherwise its start is valid and decided.
    Table 2. 21 operations: 3 additions, 5 subtractions, 2 multiplications, 5 absolute values, 3 comparisons, 2 conjunctions, 1 complement. */
 typedef struct {
     M close;
-    V valid;
-    V doubt;
+    V valid, doubt;
 } LANES(court_aside_out);
 
 LANES_INLINE LANES(court_aside_out)
@@ -372,11 +378,10 @@ LANES(court_aside)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
     return (LANES(court_aside_out)){ lanes_not(_s2), K(1.0), K(0.0) };
 }
 
-/* Whether a ball starts as one that has fallen through the ring.
+/* Whether a ball counts as fallen through the ring at its start.
    Table 2, success. 20 operations: 2 additions, 1 subtraction, 3 multiplications, 1 absolute value, 6 comparisons, 5 conjunctions, 2 selections. */
 typedef struct {
-    V through;
-    V uncertain;
+    V through, uncertain;
 } LANES(court_passing_start_out);
 
 LANES_INLINE LANES(court_passing_start_out)
@@ -388,7 +393,7 @@ LANES(court_passing_start)(V last, V outcome, V uncertain, V x, V y, V z, V _c0,
     return (LANES(court_passing_start_out)){ lanes_select(lanes_both(_s0, lanes_less(_s1, _c1)), K(1.0), K(0.0)), _s2 };
 }
 
-/* 1 for a ball that is down through the ring's disc, -1 for one that came up, else 0.
+/* 1 for a ball that fell through the ring's disc, -1 for one that came up, else 0.
    Eq. 3, its roots in the ring's plane. 62 operations: 9 additions, 2 subtractions, 15 multiplications, 1 square root, 16 comparisons, 9 conjunctions, 2 disjunctions, 8 selections. */
 typedef struct {
     V through;
@@ -418,7 +423,7 @@ LANES(court_passing)(V through, V t, V x, V y, V z, V vx, V vy, V vz, V _c0, V _
     return (LANES(court_passing_out)){ _s17 };
 }
 
-/* Where that lies within its error.
+/* Whether the passing of the disc lies within its error.
    running error analysis. 102 operations: 18 additions, 4 subtractions, 27 multiplications, 4 square roots, 6 absolute values, 20 comparisons, 11 conjunctions, 6 disjunctions, 6 selections. */
 typedef struct {
     M unsure;
@@ -458,7 +463,7 @@ LANES(court_passing_doubt)(V t, V x, V y, V z, V vx, V vy, V vz, V extent, V spe
     return (LANES(court_passing_doubt_out)){ _s27 };
 }
 
-/* Whether a ball in contact is over the ring's disc, or beside it.
+/* Whether a ball in contact is not below the ring's disc.
    Table 1. 1 operation: 1 comparison. */
 typedef struct {
     M over;
@@ -470,45 +475,34 @@ LANES(court_passing_from)(V z)
     return (LANES(court_passing_from_out)){ lanes_at_most(K(0.0), z) };
 }
 
-/* The same for a ball in contact, after a step.
+/* Passing of the ring's disc in a step in contact.
    Table 1. 17 operations: 1 addition, 2 multiplications, 5 comparisons, 5 conjunctions, 1 complement, 3 selections. */
 typedef struct {
     V through;
 } LANES(court_passing_in_contact_out);
 
 LANES_INLINE LANES(court_passing_in_contact_out)
-LANES(court_passing_in_contact)(M over, V through, V x, V y, V z, V _c0)
+LANES(court_passing_in_contact)(V x, V y, V z, V through, M over, V _c0)
 {
     const M _s0 = lanes_less(lanes_add(lanes_mul(x, x), lanes_mul(y, y)), _c0);
     const V _s1 = lanes_select(lanes_both(lanes_both(lanes_not(over), lanes_at_most(K(0.0), z)), _s0), lanes_select(lanes_equal(through, K(1.0)), K(0.0), K(-1.0)), through);
     return (LANES(court_passing_in_contact_out)){ lanes_select(lanes_both(lanes_both(lanes_both(over, lanes_less(z, K(0.0))), _s0), lanes_equal(_s1, K(0.0))), K(1.0), _s1) };
 }
 
-/* The same of its first and its second half.
+/* Boxes of the first and the second half of the flight until the horizon.
    Eq. 3, the chords of both and what it is off them. 59 operations: 21 additions, 5 subtractions, 25 multiplications, 1 negation, 5 absolute values, 1 comparison, 1 selection. */
 typedef struct {
-    V middle_x;
-    V reach_x;
-    V later_middle_x;
-    V later_reach_x;
-    V middle_y;
-    V reach_y;
-    V later_middle_y;
-    V later_reach_y;
-    V middle_z;
-    V reach_z;
-    V later_middle_z;
-    V later_reach_z;
+    V middle_x, reach_x, later_middle_x, later_reach_x, middle_y, reach_y, later_middle_y, later_reach_y, middle_z, reach_z, later_middle_z, later_reach_z;
 } LANES(court_halved_out);
 
 LANES_INLINE LANES(court_halved_out)
-LANES(court_halved)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V late, V pad, V _c0, V _c1, V _c2, V _c3)
+LANES(court_halved)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V earliest_delay, V pad, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_mul(K(0.5), horizon);
     const V _s1 = lanes_mul(vx, _s0);
     const V _s2 = lanes_mul(K(0.5), _s1);
     const V _s3 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(9.313225746154785e-10), lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c0, horizon))))));
-    const V _s4 = lanes_select(lanes_less(pad, late), K(INFINITY), _s3);
+    const V _s4 = lanes_select(lanes_less(pad, earliest_delay), K(INFINITY), _s3);
     const V _s5 = lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_c1, lanes_mul(K(0.5), lanes_abs(_s1))), _s4));
     const V _s6 = lanes_mul(vy, _s0);
     const V _s7 = lanes_mul(K(0.5), _s6);
@@ -521,19 +515,19 @@ LANES(court_halved)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V spee
     return (LANES(court_halved_out)){ lanes_add(x, _s2), _s5, lanes_add(_s2, lanes_add(x, _s1)), _s5, lanes_add(y, _s7), _s8, lanes_add(_s7, lanes_add(y, _s6)), _s8, lanes_sub(lanes_add(z, lanes_mul(K(0.5), _s10)), _s11), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s12, lanes_mul(K(0.5), lanes_abs(_s10))), _s4)), lanes_sub(lanes_add(lanes_mul(K(0.5), _s13), lanes_add(z, _s10)), _s11), lanes_mul(K(1.0000000009313226), lanes_add(lanes_add(_s12, lanes_mul(K(0.5), lanes_abs(_s13))), _s4)) };
 }
 
-/* An event that is on no surface of a kind yet.
+/* Start value: no surface of this kind.
    Table 1. No operations. */
 typedef struct {
-    M mine;
+    M of_this_kind;
 } LANES(court_untaken_out);
 
 LANES_INLINE LANES(court_untaken_out)
 LANES(court_untaken)(void)
 {
-    return (LANES(court_untaken_out)){ lanes_nowhere() };
+    return (LANES(court_untaken_out)){ mask_none() };
 }
 
-/* 1 where the ball leaves a surface.
+/* 1 if the flight starts on this surface.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
     V leaving;
@@ -545,157 +539,151 @@ LANES(court_left)(V index, V last)
     return (LANES(court_left_out)){ lanes_select(lanes_equal(last, index), K(1.0), K(0.0)) };
 }
 
-/* Whether a plane's only arrival is one, the bend's size; when the ball is nearest.
+/* Whether a plane's only root is an arrival, the size of F'', and the nearest time.
    Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection. */
 typedef struct {
     M arrives;
-    V ceiling;
-    V nearest;
+    V ceiling, nearest;
 } LANES(court_meeting_plane_out);
 
 LANES_INLINE LANES(court_meeting_plane_out)
-LANES(court_meeting_plane)(V apex, V bend, V rate, V time)
+LANES(court_meeting_plane)(V rate, V bend, V apex, V time)
 {
     const M _s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
     return (LANES(court_meeting_plane_out)){ _s0, lanes_abs(bend), lanes_select(_s0, time, apex) };
 }
 
-/* Whether an arrival may be the earliest, as far as their delays are bounded.
+/* Whether an arrival may be the earliest within the delays.
    Table 1. 5 operations: 1 addition, 1 subtraction, 1 comparison, 1 conjunction, 1 complement. */
 typedef struct {
     M possible;
-} LANES(court_timely_out);
+} LANES(court_within_time_out);
 
-LANES_INLINE LANES(court_timely_out)
-LANES(court_timely)(M arrives, V delay, V late, V time, V when)
+LANES_INLINE LANES(court_within_time_out)
+LANES(court_within_time)(V time, V when, V delay, V earliest_delay, M arrives)
 {
-    return (LANES(court_timely_out)){ lanes_both(arrives, lanes_not(lanes_less(lanes_add(delay, late), lanes_sub(time, when)))) };
+    return (LANES(court_within_time_out)){ lanes_both(arrives, lanes_not(lanes_less(lanes_add(delay, earliest_delay), lanes_sub(time, when)))) };
 }
 
-/* A doubt where the gap's apex is zero within its error.
+/* Earliest undecided time, with that of an apex whose gap is zero within its error.
    Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
 typedef struct {
     V doubt;
 } LANES(court_grazed_out);
 
 LANES_INLINE LANES(court_grazed_out)
-LANES(court_grazed)(V apex, V doubt, V height, V margin)
+LANES(court_grazed)(V margin, V apex, V height, V doubt)
 {
     return (LANES(court_grazed_out)){ lanes_select(lanes_both(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), lanes_less(apex, doubt)), apex, doubt) };
 }
 
-/* A doubt about a decision at a time.
+/* Earliest undecided time, with that of an undecided predicate.
    Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection. */
 typedef struct {
     V doubt;
 } LANES(court_questioned_out);
 
 LANES_INLINE LANES(court_questioned_out)
-LANES(court_questioned)(V doubt, V time, M unsure)
+LANES(court_questioned)(V time, V doubt, M unsure)
 {
     return (LANES(court_questioned_out)){ lanes_select(lanes_both(unsure, lanes_less(time, doubt)), time, doubt) };
 }
 
-/* A doubt about an arrival whose crossing is not certain.
+/* Earliest undecided time, with that of an arrival whose crossing is not certain.
    Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
 typedef struct {
     V doubt;
 } LANES(court_crossed_out);
 
 LANES_INLINE LANES(court_crossed_out)
-LANES(court_crossed)(M arrives, V clearance, V doubt, V time)
+LANES(court_crossed)(V clearance, V time, V doubt, M arrives)
 {
     return (LANES(court_crossed_out)){ lanes_select(lanes_both(lanes_both(arrives, lanes_not(lanes_less(K(0.0), clearance))), lanes_less(time, doubt)), time, doubt) };
 }
 
-/* A doubt about two arrivals within their delays; the delay of the earlier one.
+/* Earliest undecided time, with that of a tie within the delays; the earlier's delay.
    Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
 typedef struct {
-    V doubt;
-    V late;
+    V doubt, earliest_delay;
 } LANES(court_tied_out);
 
 LANES_INLINE LANES(court_tied_out)
-LANES(court_tied)(M arrives, V delay, V doubt, V late, V time, V when)
+LANES(court_tied)(V time, V when, V delay, V earliest_delay, V doubt, M arrives)
 {
     const M _s0 = lanes_less(time, when);
     const V _s1 = lanes_select(_s0, time, when);
-    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, late))), lanes_less(_s1, doubt)), _s1, doubt);
-    return (LANES(court_tied_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, late) };
+    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, earliest_delay))), lanes_less(_s1, doubt)), _s1, doubt);
+    return (LANES(court_tied_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, earliest_delay) };
 }
 
-/* The earlier of the earliest arrival so far and this one.
+/* Time and surface of the earliest arrival, with this one.
    Table 1. 4 operations: 1 comparison, 1 conjunction, 2 selections. */
 typedef struct {
-    V when;
-    V which;
-} LANES(court_sooner_out);
+    V when, which;
+} LANES(court_earliest_out);
 
-LANES_INLINE LANES(court_sooner_out)
-LANES(court_sooner)(M arrives, V index, V time, V when, V which)
+LANES_INLINE LANES(court_earliest_out)
+LANES(court_earliest)(V index, V time, V when, V which, M arrives)
 {
     const M _s0 = lanes_both(arrives, lanes_less(time, when));
-    return (LANES(court_sooner_out)){ lanes_select(_s0, time, when), lanes_select(_s0, index, which) };
+    return (LANES(court_earliest_out)){ lanes_select(_s0, time, when), lanes_select(_s0, index, which) };
 }
 
-/* How a search begins: with the errors that it allows for, and nothing found.
+/* Start values of a search: its error budget, and no arrival.
    Table 1. No operations. */
 typedef struct {
-    V share;
-    V arrival;
+    V share, arrival;
     M certain;
 } LANES(court_beginning_out);
 
 LANES_INLINE LANES(court_beginning_out)
 LANES(court_beginning)(void)
 {
-    return (LANES(court_beginning_out)){ K(2.9802322387695312e-08), K(INFINITY), lanes_nowhere() };
+    return (LANES(court_beginning_out)){ K(2.9802322387695312e-08), K(INFINITY), mask_none() };
 }
 
-/* Nothing is certain where the errors exceed what the search allows for.
+/* Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
    Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
 typedef struct {
     V doubt;
-} LANES(court_beyond_out);
+} LANES(court_out_of_budget_out);
 
-LANES_INLINE LANES(court_beyond_out)
-LANES(court_beyond)(V doubt, V excess, V late, V lost, V pad)
+LANES_INLINE LANES(court_out_of_budget_out)
+LANES(court_out_of_budget)(V pad, V budget_exceeded, V earliest_delay, V doubt, V excess)
 {
-    return (LANES(court_beyond_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), lost)), lanes_less(pad, late)), K(0.0), doubt) };
+    return (LANES(court_out_of_budget_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), budget_exceeded)), lanes_less(pad, earliest_delay)), K(0.0), doubt) };
 }
 
-/* The same where a search has windows: with none its errors do not matter.
+/* Undecided time 0 if errors exceed the budget of an open window, or its bounds fail.
    Table 1. 7 operations: 3 comparisons, 1 conjunction, 2 disjunctions, 1 selection. */
 typedef struct {
     V doubt;
-} LANES(court_beyond_windows_out);
+} LANES(court_out_of_budget_in_windows_out);
 
-LANES_INLINE LANES(court_beyond_windows_out)
-LANES(court_beyond_windows)(V doubt, V excess, V late, V lost, V pad, M searching)
+LANES_INLINE LANES(court_out_of_budget_in_windows_out)
+LANES(court_out_of_budget_in_windows)(V pad, V budget_exceeded, V earliest_delay, V doubt, V excess, M searching)
 {
-    return (LANES(court_beyond_windows_out)){ lanes_select(lanes_either(lanes_both(searching, lanes_either(lanes_less(K(0.0), excess), lanes_less(pad, late))), lanes_less(K(0.0), lost)), K(0.0), doubt) };
+    return (LANES(court_out_of_budget_in_windows_out)){ lanes_select(lanes_either(lanes_both(searching, lanes_either(lanes_less(K(0.0), excess), lanes_less(pad, earliest_delay))), lanes_less(K(0.0), budget_exceeded)), K(0.0), doubt) };
 }
 
-/* 1 near the surface that the ball left, where F/t is known better than F; the margin.
+/* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
    Table 1. 6 operations: 1 multiplication, 2 comparisons, 1 conjunction, 2 selections. */
 typedef struct {
-    V leaving;
-    V margin;
+    V leaving, margin;
 } LANES(court_nearby_out);
 
 LANES_INLINE LANES(court_nearby_out)
-LANES(court_nearby)(V flat, V index, V last, V t, V tilt)
+LANES(court_nearby)(V t, V flat, V tilt, V index, V last)
 {
     const V _s0 = lanes_mul(t, tilt);
     const M _s1 = lanes_both(lanes_equal(last, index), lanes_less(_s0, flat));
     return (LANES(court_nearby_out)){ lanes_select(_s1, K(1.0), K(0.0)), lanes_select(_s1, _s0, flat) };
 }
 
-/* When the first window opens, in single precision, and when the last one ends.
+/* Begin of the first window and end of the last one, from single precision.
    Table 1. No operations. */
 typedef struct {
-    V time;
-    V latest;
+    V time, latest;
 } LANES(court_opened_out);
 
 LANES_INLINE LANES(court_opened_out)
@@ -704,50 +692,42 @@ LANES(court_opened)(V horizon, V time)
     return (LANES(court_opened_out)){ time, horizon };
 }
 
-/* Whether a search begins in single precision, and what it is known by.
+/* Whether a search begins in single precision; its ceiling, margins and error budget.
    Table 1. 6 operations: 3 conjunctions, 1 disjunction, 1 complement, 1 selection. */
 typedef struct {
-    M leaping;
-    M searching;
-    M served;
-    V ceiling;
-    V flat;
-    V tilt;
-    V allowing;
+    M stepping, searching, single_precision;
+    V ceiling, flat, tilt, allowing;
 } LANES(court_coarse_out);
 
 LANES_INLINE LANES(court_coarse_out)
-LANES(court_coarse)(V ceiling, M fits, V flat, V rate_margin, M searching, V share, M sound)
+LANES(court_coarse)(V rate_margin, V flat, V ceiling, V share, M searching, M representable, M fits)
 {
-    const M _s0 = lanes_both(lanes_both(searching, sound), fits);
-    return (LANES(court_coarse_out)){ _s0, lanes_either(searching, lanes_not(sound)), _s0, ceiling, flat, rate_margin, lanes_select(lanes_both(sound, fits), share, K(2.9802322387695312e-08)) };
+    const M _s0 = lanes_both(lanes_both(searching, representable), fits);
+    return (LANES(court_coarse_out)){ _s0, lanes_either(searching, lanes_not(representable)), _s0, ceiling, flat, rate_margin, lanes_select(lanes_both(representable, fits), share, K(2.9802322387695312e-08)) };
 }
 
-/* What a search in single precision found, and whether it goes on, and from when.
+/* Root from the search in single precision; whether and where the search goes on.
    Table 1. 7 operations: 1 addition, 1 comparison, 2 conjunctions, 1 complement, 2 selections. */
 typedef struct {
-    V arrival;
-    V t;
+    V arrival, t;
     M searching;
-} LANES(court_leapt_out);
+} LANES(court_stepped_out);
 
-LANES_INLINE LANES(court_leapt_out)
-LANES(court_leapt)(V arrival, M certain, V lasting, M searching, M served, V since)
+LANES_INLINE LANES(court_stepped_out)
+LANES(court_stepped)(V arrival, V lasting, M searching, V since, M single_precision, M certain)
 {
     const V _s0 = lanes_add(lasting, since);
-    return (LANES(court_leapt_out)){ lanes_select(certain, _s0, arrival), lanes_select(served, _s0, K(0.0)), lanes_both(lanes_both(searching, lanes_not(certain)), lanes_less(lasting, K(INFINITY))) };
+    return (LANES(court_stepped_out)){ lanes_select(certain, _s0, arrival), lanes_select(single_precision, _s0, K(0.0)), lanes_both(lanes_both(searching, lanes_not(certain)), lanes_less(lasting, K(INFINITY))) };
 }
 
-/* Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
+/* Whether the gap closes, certainly closes, or needs a smaller error budget.
    Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements. */
 typedef struct {
-    M hit;
-    M sure;
-    M vague;
+    M hit, sure, needs_refinement;
 } LANES(court_struck_out);
 
 LANES_INLINE LANES(court_struck_out)
-LANES(court_struck)(V bend, V clearance, V gap, V margin, V rate, V rate_margin, V share)
+LANES(court_struck)(V gap, V rate, V bend, V margin, V rate_margin, V clearance, V share)
 {
     const M _s0 = lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_at_most(rate, rate_margin), lanes_less(bend, K(0.0))));
     const M _s1 = lanes_less(K(0.0), clearance);
@@ -757,16 +737,14 @@ LANES(court_struck)(V bend, V clearance, V gap, V margin, V rate, V rate_margin,
     return (LANES(court_struck_out)){ lanes_both(_s2, lanes_not(_s4)), _s3, _s4 };
 }
 
-/* The same; or that it is, as no step is possible with errors as large as these.
+/* Whether the gap closes; a step that moves nothing needs a smaller budget, too.
    Table 1. 25 operations: 1 subtraction, 8 comparisons, 9 conjunctions, 3 disjunctions, 4 complements. */
 typedef struct {
-    M hit;
-    M sure;
-    M vague;
+    M hit, sure, needs_refinement;
 } LANES(court_struck_or_still_out);
 
 LANES_INLINE LANES(court_struck_or_still_out)
-LANES(court_struck_or_still)(V bend, V clearance, V end, V gap, V margin, V next, V rate, V rate_margin, V share, V t)
+LANES(court_struck_or_still)(V t, V end, V gap, V rate, V bend, V margin, V rate_margin, V next, V clearance, V share)
 {
     const M _s0 = lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_at_most(rate, rate_margin), lanes_less(bend, K(0.0))));
     const M _s1 = lanes_less(K(0.0), clearance);
@@ -778,7 +756,7 @@ LANES(court_struck_or_still)(V bend, V clearance, V end, V gap, V margin, V next
     return (LANES(court_struck_or_still_out)){ lanes_both(_s2, lanes_not(_s5)), _s3, _s6 };
 }
 
-/* The next smaller errors that a search allows for.
+/* Next smaller error budget.
    Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
 typedef struct {
     V share;
@@ -790,41 +768,38 @@ LANES(court_finer)(V share)
     return (LANES(court_finer_out)){ lanes_select(lanes_less(K(2.842170943040401e-14), share), lanes_mul(K(0.03125), share), K(0.0)) };
 }
 
-/* A doubt where the errors exceed what is allowed for.
+/* Earliest undecided time, with the present one if the errors exceed the budget.
    Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
 typedef struct {
     V doubt;
 } LANES(court_exceeded_out);
 
 LANES_INLINE LANES(court_exceeded_out)
-LANES(court_exceeded)(V doubt, V excess, V t)
+LANES(court_exceeded)(V t, V doubt, V excess)
 {
     return (LANES(court_exceeded_out)){ lanes_select(lanes_both(lanes_less(K(0.0), excess), lanes_less(t, doubt)), t, doubt) };
 }
 
-/* The search after a step: what it found, whether its window is exhausted, where it is.
+/* Root, time and state of a search after a step, and whether its window is exhausted.
    Table 1. 14 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 3 selections. */
 typedef struct {
     V arrival;
-    M certain;
-    M exhausted;
-    M searching;
+    M certain, exhausted, searching;
     V t;
 } LANES(court_advanced_out);
 
 LANES_INLINE LANES(court_advanced_out)
-LANES(court_advanced)(V arrival, M certain, V end, M hit, V next, V step, M sure, V t, M vague)
+LANES(court_advanced)(V t, V end, V step, V next, V arrival, M hit, M sure, M needs_refinement, M certain)
 {
     const M _s0 = lanes_not(hit);
-    const M _s1 = lanes_both(lanes_both(_s0, lanes_not(vague)), lanes_at_most(lanes_sub(end, t), step));
-    return (LANES(court_advanced_out)){ lanes_select(hit, lanes_select(sure, next, t), arrival), lanes_either(certain, lanes_both(hit, sure)), _s1, lanes_both(_s0, lanes_not(_s1)), lanes_select(lanes_either(hit, vague), t, next) };
+    const M _s1 = lanes_both(lanes_both(_s0, lanes_not(needs_refinement)), lanes_at_most(lanes_sub(end, t), step));
+    return (LANES(court_advanced_out)){ lanes_select(hit, lanes_select(sure, next, t), arrival), lanes_either(certain, lanes_both(hit, sure)), _s1, lanes_both(_s0, lanes_not(_s1)), lanes_select(lanes_either(hit, needs_refinement), t, next) };
 }
 
 /* Whether a search found an arrival.
    Table 1. 1 operation: 1 comparison. */
 typedef struct {
-    M arrives;
-    M refining;
+    M arrives, refining;
     V rate;
 } LANES(court_found_out);
 
@@ -835,7 +810,7 @@ LANES(court_found)(V arrival)
     return (LANES(court_found_out)){ _s0, _s0, K(0.0) };
 }
 
-/* A root that is certain, refined, and whether h is above 2^-24: then it is again.
+/* A certain root, refined, and whether h is above 2^-24, so that it is refined again.
    Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection. */
 typedef struct {
     V arrival;
@@ -843,24 +818,24 @@ typedef struct {
 } LANES(court_polished_out);
 
 LANES_INLINE LANES(court_polished_out)
-LANES(court_polished)(V arrival, V ceiling, M certain, V gap, V rate, V refined)
+LANES(court_polished)(V gap, V rate, V ceiling, V arrival, V refined, M certain)
 {
     return (LANES(court_polished_out)){ lanes_select(certain, refined, arrival), lanes_both(certain, lanes_less(lanes_mul(K(5.960464477539063e-08), lanes_mul(rate, rate)), lanes_mul(ceiling, lanes_abs(gap)))) };
 }
 
-/* The margin of the form that an arrival was found with.
+/* Margin of the form, F or F/t, in which an arrival was found.
    Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
 typedef struct {
     V margin;
 } LANES(court_own_margin_out);
 
 LANES_INLINE LANES(court_own_margin_out)
-LANES(court_own_margin)(V arrival, V flat, V leaving, V tilt)
+LANES(court_own_margin)(V leaving, V flat, V tilt, V arrival)
 {
-    return (LANES(court_own_margin_out)){ lanes_select(lanes_less(K(0.0), leaving), lanes_mul(arrival, tilt), flat) };
+    return (LANES(court_own_margin_out)){ lanes_select(lanes_less(K(0.0), leaving), lanes_mul(tilt, arrival), flat) };
 }
 
-/* The time of an arrival, not before the flight.
+/* Time of an arrival, not before the flight.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
     V time;
@@ -872,21 +847,20 @@ LANES(court_landed)(V arrival)
     return (LANES(court_landed_out)){ lanes_select(lanes_less(arrival, K(0.0)), K(0.0), arrival) };
 }
 
-/* The delay of an arrival that is certain, a doubt about another one.
+/* Delay of a certain arrival; the earliest undecided time, with that of any other one.
    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
 typedef struct {
-    V delay;
-    V doubt;
+    V delay, doubt;
 } LANES(court_landed_surely_out);
 
 LANES_INLINE LANES(court_landed_surely_out)
-LANES(court_landed_surely)(M arrives, M certain, V clearance, V delay, V doubt, V time)
+LANES(court_landed_surely)(V clearance, V time, V delay, V doubt, M arrives, M certain)
 {
     const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
     return (LANES(court_landed_surely_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, doubt)), time, doubt) };
 }
 
-/* A search that begins outside the surface.
+/* Start value: the ball is outside the surface.
    Table 1. No operations. */
 typedef struct {
     V side;
@@ -898,27 +872,24 @@ LANES(court_outside)(void)
     return (LANES(court_outside_out)){ K(1.0) };
 }
 
-/* Where no number of a release is so large that arithmetic with it could overflow.
+/* Whether all numbers of a release are small enough not to overflow.
    Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions. */
 typedef struct {
     M in_range;
 } LANES(court_state_in_range_out);
 
 LANES_INLINE LANES(court_state_in_range_out)
-LANES(court_state_in_range)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
+LANES(court_state_in_range)(V x, V y, V z, V vx, V vy, V vz, V wx, V wy, V wz)
 {
     const M _s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(lanes_abs(x), K(1073741824.0)), lanes_at_most(lanes_abs(y), K(1073741824.0))), lanes_at_most(lanes_abs(z), K(1073741824.0))), lanes_at_most(lanes_abs(vx), K(1073741824.0))), lanes_at_most(lanes_abs(vy), K(1073741824.0)));
     const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, lanes_at_most(lanes_abs(vz), K(1073741824.0))), lanes_at_most(lanes_abs(wx), K(1073741824.0))), lanes_at_most(lanes_abs(wy), K(1073741824.0))), lanes_at_most(lanes_abs(wz), K(1073741824.0)));
     return (LANES(court_state_in_range_out)){ _s1 };
 }
 
-/* No arrival yet; nothing is certain where the errors are not bounded.
+/* Start values: no arrival; an uncertain shot if its errors are not bounded.
    Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
 typedef struct {
-    V when;
-    V which;
-    V late;
-    V doubt;
+    V when, which, earliest_delay, doubt;
 } LANES(court_opening_out);
 
 LANES_INLINE LANES(court_opening_out)
@@ -939,19 +910,19 @@ LANES(court_limited)(V time_limit)
     return (LANES(court_limited_out)){ lanes_less(time_limit, K(INFINITY)) };
 }
 
-/* The time of the event.
+/* Time of the event.
    Table 1. 1 operation: 1 addition. */
 typedef struct {
     V clock;
-} LANES(court_ticked_out);
+} LANES(court_event_clock_out);
 
-LANES_INLINE LANES(court_ticked_out)
-LANES(court_ticked)(V clock, V when)
+LANES_INLINE LANES(court_event_clock_out)
+LANES(court_event_clock)(V when, V clock)
 {
-    return (LANES(court_ticked_out)){ lanes_add(clock, when) };
+    return (LANES(court_event_clock_out)){ lanes_add(when, clock) };
 }
 
-/* Where an event changes the ball, or its errors are asked for.
+/* Whether an event changes the motion, or its errors are wanted.
    Table 1. 3 operations: 1 comparison, 1 conjunction, 1 disjunction. */
 typedef struct {
     M meeting;
@@ -987,7 +958,7 @@ LANES(court_counted)(V count)
     return (LANES(court_counted_out)){ lanes_add(K(1.0), count) };
 }
 
-/* A ball that meets another surface.
+/* Start value: another surface.
    Table 1. No operations. */
 typedef struct {
     V curving;
@@ -999,7 +970,7 @@ LANES(court_elsewhere)(void)
     return (LANES(court_elsewhere_out)){ K(INFINITY) };
 }
 
-/* Whether the ball meets the surface that it touched last.
+/* Whether the ball meets the same surface again.
    Table 1. 3 operations: 2 comparisons, 1 conjunction. */
 typedef struct {
     M again;
@@ -1011,32 +982,31 @@ LANES(court_again)(V index, V last, V which)
     return (LANES(court_again_out)){ lanes_both(lanes_equal(which, index), lanes_equal(last, which)) };
 }
 
-/* The surfaces that were touched first and last.
+/* Body touched first and surface touched last.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
-    V first;
-    V last;
+    V first, last;
 } LANES(court_touched_out);
 
 LANES_INLINE LANES(court_touched_out)
-LANES(court_touched)(V body, V first, V which)
+LANES(court_touched)(V which, V body, V first)
 {
     return (LANES(court_touched_out)){ lanes_select(lanes_less(first, K(0.0)), body, first), which };
 }
 
-/* Where a shot has ended at the time limit whose errors are asked for.
+/* Whether a shot has ended at the time limit and its errors are wanted.
    Table 1. 3 operations: 2 comparisons, 1 conjunction. */
 typedef struct {
     M timed;
 } LANES(court_timed_out);
 
 LANES_INLINE LANES(court_timed_out)
-LANES(court_timed)(V claims, V index, V which)
+LANES(court_timed)(V index, V which, V claims)
 {
     return (LANES(court_timed_out)){ lanes_both(lanes_equal(which, index), lanes_less(K(0.0), claims)) };
 }
 
-/* 1 where a decision within a contact lies within its error.
+/* 1 if a decision within a contact lies within its error.
    Table 1. 1 operation: 1 selection. */
 typedef struct {
     V uncertain;
@@ -1048,7 +1018,7 @@ LANES(court_undecided)(V uncertain, M unsure)
     return (LANES(court_undecided_out)){ lanes_select(unsure, K(1.0), uncertain) };
 }
 
-/* The body that the event is on.
+/* Body that the event is on.
    Table 1. No operations. */
 typedef struct {
     V body;
@@ -1060,43 +1030,38 @@ LANES(court_body_of)(V which)
     return (LANES(court_body_of_out)){ which };
 }
 
-/* Whether a shot can start, and whether that is in doubt.
+/* Outcome of a shot at its start, and whether that is uncertain.
    Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections. */
 typedef struct {
-    V outcome;
-    V uncertain;
+    V outcome, uncertain;
 } LANES(court_admitted_out);
 
 LANES_INLINE LANES(court_admitted_out)
-LANES(court_admitted)(V doubt, M in_range, M permitted, V valid)
+LANES(court_admitted)(V doubt, V valid, M permitted, M in_range)
 {
     const M _s0 = lanes_both(permitted, in_range);
     return (LANES(court_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), doubt)), K(1.0), K(0.0)) };
 }
 
-/* The time limit, taken for an arrival.
+/* The time limit as an arrival.
    Table 1. 12 operations: 2 additions, 1 subtraction, 1 multiplication, 4 comparisons, 1 conjunction, 1 complement, 2 selections. */
 typedef struct {
-    V time;
-    V delay;
+    V time, delay;
     M arrives;
     V doubt;
 } LANES(court_expiry_out);
 
 LANES_INLINE LANES(court_expiry_out)
-LANES(court_expiry)(V clock, V doubt, V late, V time_error, V time_limit, V when, V which)
+LANES(court_expiry)(V when, V which, V earliest_delay, V doubt, V time_error, V clock, V time_limit)
 {
     const V _s0 = lanes_sub(time_limit, clock);
-    return (LANES(court_expiry_out)){ lanes_max(K(0.0), _s0), lanes_add(time_error, lanes_mul(K(4.440892098500626e-16), time_limit)), lanes_at_most(K(0.0), which), lanes_select(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), K(0.0), doubt) };
+    return (LANES(court_expiry_out)){ lanes_max(K(0.0), _s0), lanes_add(time_error, lanes_mul(K(4.440892098500626e-16), time_limit)), lanes_at_most(K(0.0), which), lanes_select(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), doubt)), lanes_less(doubt, K(INFINITY))), K(0.0), doubt) };
 }
 
-/* Whether there is no event, an end, or a contact.
+/* Whether there is no event, an end, or a contact, and the outcome without one.
    Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 complement. */
 typedef struct {
-    M stays;
-    M moves;
-    M ends;
-    M touches;
+    M stays, moves, ends, touches;
     V reached;
     M edge;
 } LANES(court_departed_out);
@@ -1106,30 +1071,27 @@ LANES(court_departed)(V index, V which)
 {
     const M _s0 = lanes_less(which, K(0.0));
     const M _s1 = lanes_not(_s0);
-    return (LANES(court_departed_out)){ _s0, _s1, lanes_at_most(index, which), lanes_both(_s1, lanes_less(which, index)), K(3.0), lanes_nowhere() };
+    return (LANES(court_departed_out)){ _s0, _s1, lanes_at_most(index, which), lanes_both(_s1, lanes_less(which, index)), K(3.0), mask_none() };
 }
 
-/* What a shot ends with that the time limit ends.
+/* Time, body and outcome of a shot that the time limit ends.
    Table 1. 6 operations: 1 comparison, 1 conjunction, 1 complement, 3 selections. */
 typedef struct {
-    V clock;
-    V body;
-    V reached;
+    V clock, body, reached;
     M ends;
 } LANES(court_expired_out);
 
 LANES_INLINE LANES(court_expired_out)
-LANES(court_expired)(V body, V clock, M ends, V index, V reached, V time_limit, V which)
+LANES(court_expired)(V index, V which, V body, V clock, V reached, V time_limit, M ends)
 {
     const M _s0 = lanes_equal(which, index);
     return (LANES(court_expired_out)){ lanes_select(_s0, time_limit, clock), lanes_select(_s0, K(3.0), body), lanes_select(_s0, K(6.0), reached), lanes_both(ends, lanes_not(_s0)) };
 }
 
-/* How many contacts there were, and whether the shot ends and how.
+/* Number of contacts, and the outcome if the shot ends.
    Table 1. 5 operations: 1 addition, 1 comparison, 3 selections. */
 typedef struct {
-    V contacts;
-    V outcome;
+    V contacts, outcome;
 } LANES(court_accounted_out);
 
 LANES_INLINE LANES(court_accounted_out)
@@ -1139,40 +1101,35 @@ LANES(court_accounted)(V contacts, V most_contacts, V reached, M touches)
     return (LANES(court_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), reached) };
 }
 
-/* The error of the event's time.
+/* Sum of the errors of the contacts' times.
    Table 1. 1 operation: 1 addition. */
 typedef struct {
     V clock_error;
 } LANES(court_delayed_out);
 
 LANES_INLINE LANES(court_delayed_out)
-LANES(court_delayed)(V clock_error, V delay)
+LANES(court_delayed)(V delay, V clock_error)
 {
-    return (LANES(court_delayed_out)){ lanes_add(clock_error, delay) };
+    return (LANES(court_delayed_out)){ lanes_add(delay, clock_error) };
 }
 
-/* Where a shot has ended whose errors are asked for; no other one claims any.
+/* Whether a shot has ended and its errors are wanted; start values of their bounds.
    Table 1. 3 operations: 2 comparisons, 1 conjunction. */
 typedef struct {
     M closed;
-    V position_claim;
-    V velocity_claim;
-    V spin_claim;
-    V time_claim;
+    V position_claim, velocity_claim, spin_claim, time_claim;
 } LANES(court_closing_out);
 
 LANES_INLINE LANES(court_closing_out)
-LANES(court_closing)(V claims, V outcome)
+LANES(court_closing)(V outcome, V claims)
 {
     return (LANES(court_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)), K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
-/* Errors of the position at the end, not below what one flight can make.
+/* Errors of the position at the end, not below the largest that one flight can cause.
    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
 typedef struct {
-    V dx;
-    V dy;
-    V dz;
+    V dx, dy, dz;
 } LANES(court_floored_out);
 
 LANES_INLINE LANES(court_floored_out)
@@ -1181,13 +1138,10 @@ LANES(court_floored)(V dx, V dy, V dz, V shift)
     return (LANES(court_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
 }
 
-/* A normal without error.
+/* Start values: a normal without error.
    Table 1. No operations. */
 typedef struct {
-    V dnx;
-    V dny;
-    V dnz;
-    V turn;
+    V dnx, dny, dnz, turn;
 } LANES(court_unturned_out);
 
 LANES_INLINE LANES(court_unturned_out)
@@ -1196,198 +1150,156 @@ LANES(court_unturned)(void)
     return (LANES(court_unturned_out)){ K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
-/* Which of the balls in contact are on the ring.
+/* Whether a ball in contact rolls on the ring.
    Table 1. 4 operations: 1 comparison, 2 conjunctions, 1 complement. */
 typedef struct {
-    M circling;
-    M rolling;
+    M circling, rolling;
 } LANES(court_circles_out);
 
 LANES_INLINE LANES(court_circles_out)
-LANES(court_circles)(V held, V index, M rolling)
+LANES(court_circles)(V index, V held, M rolling)
 {
     const M _s0 = lanes_equal(held, index);
     return (LANES(court_circles_out)){ lanes_both(rolling, _s0), lanes_both(rolling, lanes_not(_s0)) };
 }
 
-/* From where half a step is looked over.
+/* Half a step, from the start and from the end.
    Table 1. 2 operations: 1 multiplication, 1 negation. */
 typedef struct {
-    V forth;
-    V back;
-} LANES(court_leaps_out);
+    V forth, back;
+} LANES(court_half_steps_out);
 
-LANES_INLINE LANES(court_leaps_out)
-LANES(court_leaps)(V stride)
+LANES_INLINE LANES(court_half_steps_out)
+LANES(court_half_steps)(V stride)
 {
     const V _s0 = lanes_mul(K(0.5), stride);
-    return (LANES(court_leaps_out)){ _s0, lanes_neg(_s0) };
+    return (LANES(court_half_steps_out)){ _s0, lanes_neg(_s0) };
 }
 
-/* What is nearest.
+/* Distance from the nearest other surface, at any azimuth.
    tangents. 6 operations: 1 addition, 1 multiplication, 2 comparisons, 2 selections. */
 typedef struct {
-    V berth;
+    V azimuth_clearance;
 } LANES(court_cleared_out);
 
 LANES_INLINE LANES(court_cleared_out)
-LANES(court_cleared)(V berth, V gap, V leap, V nearing)
+LANES(court_cleared)(V gap, V nearing, V half_step, V azimuth_clearance)
 {
-    const V _s0 = lanes_mul(leap, nearing);
+    const V _s0 = lanes_mul(nearing, half_step);
     const V _s1 = lanes_add(gap, lanes_min(_s0, K(0.0)));
-    return (LANES(court_cleared_out)){ lanes_min(_s1, berth) };
+    return (LANES(court_cleared_out)){ lanes_min(_s1, azimuth_clearance) };
 }
 
-/* That a ball rolls for ever ends its shot.
+/* Event: the ball certainly rolls for ever.
    Table 1. 1 operation: 1 selection. */
 typedef struct {
     V which;
 } LANES(court_for_ever_out);
 
 LANES_INLINE LANES(court_for_ever_out)
-LANES(court_for_ever)(M endless, V which)
+LANES(court_for_ever)(V which, M endless)
 {
     return (LANES(court_for_ever_out)){ lanes_select(endless, K(8.0), which) };
 }
 
-/* All that go on.
+/* Whether a ball goes on in contact, on whichever surface.
    Table 1. 1 operation: 1 disjunction. */
 typedef struct {
     M rolling;
 } LANES(court_rejoined_out);
 
 LANES_INLINE LANES(court_rejoined_out)
-LANES(court_rejoined)(M circling, M rolling)
+LANES(court_rejoined)(M rolling, M circling)
 {
     return (LANES(court_rejoined_out)){ lanes_either(rolling, circling) };
 }
 
-/* The terms of order 1 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 41 operations: 7 additions, 5 subtractions, 28 multiplications, 1 negation. */
+/* Coefficients of order 1 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 42 operations: 7 additions, 5 subtractions, 29 multiplications, 1 negation. */
 typedef struct {
-    V lift_0;
-    V tx_0;
-    V ty_0;
-    V tz_0;
-    V vx_1;
-    V vy_1;
-    V vz_1;
-    V nx_1;
-    V ny_1;
-    V nz_1;
-    V turn_rate_1;
+    V lift_0, tx_0, ty_0, tz_0, vx_1, vy_1, vz_1, nx_1, ny_1, nz_1, turn_rate_1;
 } LANES(court_roll_0_out);
 
 LANES_INLINE LANES(court_roll_0_out)
-LANES(court_roll_0)(V bent_x, V bent_y, V bent_z, V nx_0, V ny_0, V nz_0, V per_reach, V turn_rate_0, V vx_0, V vy_0, V vz_0, V _c0)
+LANES(court_roll_0)(V nx_0, V ny_0, V nz_0, V vx_0, V vy_0, V vz_0, V bent_x, V bent_y, V bent_z, V per_reach, V turn_rate_0, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_mul(lanes_mul(bent_x, per_reach), vx_0);
-    const V _s1 = lanes_mul(lanes_mul(bent_y, per_reach), vy_0);
-    const V _s2 = lanes_mul(lanes_mul(bent_z, per_reach), vz_0);
-    const V _s3 = lanes_sub(lanes_mul(_c0, nz_0), lanes_add(lanes_add(lanes_mul(vx_0, _s0), lanes_mul(vy_0, _s1)), lanes_mul(vz_0, _s2)));
+    const V _s0 = lanes_mul(lanes_mul(vx_0, bent_x), per_reach);
+    const V _s1 = lanes_mul(lanes_mul(vy_0, bent_y), per_reach);
+    const V _s2 = lanes_mul(lanes_mul(vz_0, bent_z), per_reach);
+    const V _s3 = lanes_sub(lanes_mul(lanes_mul(_c0, nz_0), _c1), lanes_add(lanes_add(lanes_mul(vx_0, _s0), lanes_mul(vy_0, _s1)), lanes_mul(vz_0, _s2)));
     const V _s4 = lanes_sub(lanes_mul(ny_0, _s2), lanes_mul(nz_0, _s1));
     const V _s5 = lanes_sub(lanes_mul(nz_0, _s0), lanes_mul(nx_0, _s2));
     const V _s6 = lanes_sub(lanes_mul(nx_0, _s1), lanes_mul(ny_0, _s0));
-    return (LANES(court_roll_0_out)){ _s3, _s4, _s5, _s6, lanes_add(lanes_mul(nx_0, _s3), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s4))), lanes_add(lanes_mul(ny_0, _s3), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s5))), lanes_sub(lanes_add(lanes_mul(nz_0, _s3), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s6))), _c0), _s0, _s1, _s2, lanes_neg(lanes_add(lanes_add(lanes_mul(vx_0, _s4), lanes_mul(vy_0, _s5)), lanes_mul(vz_0, _s6))) };
+    return (LANES(court_roll_0_out)){ _s3, _s4, _s5, _s6, lanes_add(lanes_mul(_c2, lanes_mul(turn_rate_0, _s4)), lanes_mul(nx_0, _s3)), lanes_add(lanes_mul(_c2, lanes_mul(turn_rate_0, _s5)), lanes_mul(ny_0, _s3)), lanes_sub(lanes_add(lanes_mul(_c2, lanes_mul(turn_rate_0, _s6)), lanes_mul(nz_0, _s3)), _c3), _s0, _s1, _s2, lanes_neg(lanes_add(lanes_add(lanes_mul(vx_0, _s4), lanes_mul(vy_0, _s5)), lanes_mul(vz_0, _s6))) };
 }
 
-/* The terms of order 2 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 80 operations: 25 additions, 4 subtractions, 50 multiplications, 1 negation. */
+/* Coefficients of order 2 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 81 operations: 25 additions, 4 subtractions, 51 multiplications, 1 negation. */
 typedef struct {
-    V lift_1;
-    V tx_1;
-    V ty_1;
-    V tz_1;
-    V vx_2;
-    V vy_2;
-    V vz_2;
-    V nx_2;
-    V ny_2;
-    V nz_2;
-    V turn_rate_2;
+    V lift_1, tx_1, ty_1, tz_1, vx_2, vy_2, vz_2, nx_2, ny_2, nz_2, turn_rate_2;
 } LANES(court_roll_1_out);
 
 LANES_INLINE LANES(court_roll_1_out)
-LANES(court_roll_1)(V bent_x, V bent_y, V bent_z, V lift_0, V nx_0, V nx_1, V ny_0, V ny_1, V nz_0, V nz_1, V per_reach, V turn_rate_0, V turn_rate_1, V tx_0, V ty_0, V tz_0, V vx_0, V vx_1, V vy_0, V vy_1, V vz_0, V vz_1, V _c0)
+LANES(court_roll_1)(V nx_0, V nx_1, V ny_0, V ny_1, V nz_0, V nz_1, V vx_0, V vx_1, V vy_0, V vy_1, V vz_0, V vz_1, V bent_x, V bent_y, V bent_z, V per_reach, V turn_rate_0, V turn_rate_1, V lift_0, V tx_0, V ty_0, V tz_0, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_mul(lanes_mul(bent_x, per_reach), vx_1);
-    const V _s1 = lanes_mul(lanes_mul(bent_y, per_reach), vy_1);
-    const V _s2 = lanes_mul(lanes_mul(bent_z, per_reach), vz_1);
-    const V _s3 = lanes_sub(lanes_mul(_c0, nz_1), lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_1), lanes_mul(vx_0, _s0)), lanes_add(lanes_mul(ny_1, vy_1), lanes_mul(vy_0, _s1))), lanes_add(lanes_mul(nz_1, vz_1), lanes_mul(vz_0, _s2))));
+    const V _s0 = lanes_mul(lanes_mul(vx_1, bent_x), per_reach);
+    const V _s1 = lanes_mul(lanes_mul(vy_1, bent_y), per_reach);
+    const V _s2 = lanes_mul(lanes_mul(vz_1, bent_z), per_reach);
+    const V _s3 = lanes_sub(lanes_mul(lanes_mul(_c0, nz_1), _c1), lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_1), lanes_mul(vx_0, _s0)), lanes_add(lanes_mul(ny_1, vy_1), lanes_mul(vy_0, _s1))), lanes_add(lanes_mul(nz_1, vz_1), lanes_mul(vz_0, _s2))));
     const V _s4 = lanes_mul(ny_1, nz_1);
     const V _s5 = lanes_sub(lanes_add(lanes_mul(ny_0, _s2), _s4), lanes_add(_s4, lanes_mul(nz_0, _s1)));
     const V _s6 = lanes_mul(nx_1, nz_1);
     const V _s7 = lanes_sub(lanes_add(_s6, lanes_mul(nz_0, _s0)), lanes_add(lanes_mul(nx_0, _s2), _s6));
     const V _s8 = lanes_mul(nx_1, ny_1);
     const V _s9 = lanes_sub(lanes_add(lanes_mul(nx_0, _s1), _s8), lanes_add(_s8, lanes_mul(ny_0, _s0)));
-    const V _s10 = lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_1), lanes_mul(vx_0, _s5)), lanes_add(lanes_mul(ty_0, vy_1), lanes_mul(vy_0, _s7))), lanes_add(lanes_mul(tz_0, vz_1), lanes_mul(vz_0, _s9)))));
-    return (LANES(court_roll_1_out)){ _s3, _s5, _s7, _s9, lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lift_0, nx_1), lanes_mul(nx_0, _s3)), lanes_mul(K(0.4), lanes_add(lanes_mul(turn_rate_0, _s5), lanes_mul(turn_rate_1, tx_0))))), lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lift_0, ny_1), lanes_mul(ny_0, _s3)), lanes_mul(K(0.4), lanes_add(lanes_mul(turn_rate_0, _s7), lanes_mul(turn_rate_1, ty_0))))), lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lift_0, nz_1), lanes_mul(nz_0, _s3)), lanes_mul(K(0.4), lanes_add(lanes_mul(turn_rate_0, _s9), lanes_mul(turn_rate_1, tz_0))))), lanes_mul(K(0.5), _s0), lanes_mul(K(0.5), _s1), lanes_mul(K(0.5), _s2), _s10 };
+    const V _s10 = lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_add(lanes_mul(vx_0, _s5), lanes_mul(vx_1, tx_0)), lanes_add(lanes_mul(vy_0, _s7), lanes_mul(vy_1, ty_0))), lanes_add(lanes_mul(vz_0, _s9), lanes_mul(vz_1, tz_0)))));
+    return (LANES(court_roll_1_out)){ _s3, _s5, _s7, _s9, lanes_mul(K(0.5), lanes_add(lanes_mul(_c2, lanes_add(lanes_mul(turn_rate_0, _s5), lanes_mul(turn_rate_1, tx_0))), lanes_add(lanes_mul(nx_0, _s3), lanes_mul(nx_1, lift_0)))), lanes_mul(K(0.5), lanes_add(lanes_mul(_c2, lanes_add(lanes_mul(turn_rate_0, _s7), lanes_mul(turn_rate_1, ty_0))), lanes_add(lanes_mul(ny_0, _s3), lanes_mul(ny_1, lift_0)))), lanes_mul(K(0.5), lanes_add(lanes_mul(_c2, lanes_add(lanes_mul(turn_rate_0, _s9), lanes_mul(turn_rate_1, tz_0))), lanes_add(lanes_mul(nz_0, _s3), lanes_mul(nz_1, lift_0)))), lanes_mul(K(0.5), _s0), lanes_mul(K(0.5), _s1), lanes_mul(K(0.5), _s2), _s10 };
 }
 
-/* The terms of order 3 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 124 operations: 43 additions, 4 subtractions, 76 multiplications, 1 negation. */
+/* Coefficients of order 3 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 125 operations: 43 additions, 4 subtractions, 77 multiplications, 1 negation. */
 typedef struct {
-    V lift_2;
-    V tx_2;
-    V ty_2;
-    V tz_2;
-    V vx_3;
-    V vy_3;
-    V vz_3;
-    V nx_3;
-    V ny_3;
-    V nz_3;
-    V turn_rate_3;
+    V lift_2, tx_2, ty_2, tz_2, vx_3, vy_3, vz_3, nx_3, ny_3, nz_3, turn_rate_3;
 } LANES(court_roll_2_out);
 
 LANES_INLINE LANES(court_roll_2_out)
-LANES(court_roll_2)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V nx_0, V nx_1, V nx_2, V ny_0, V ny_1, V ny_2, V nz_0, V nz_1, V nz_2, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V tx_0, V tx_1, V ty_0, V ty_1, V tz_0, V tz_1, V vx_0, V vx_1, V vx_2, V vy_0, V vy_1, V vy_2, V vz_0, V vz_1, V vz_2, V _c0)
+LANES(court_roll_2)(V nx_0, V nx_1, V nx_2, V ny_0, V ny_1, V ny_2, V nz_0, V nz_1, V nz_2, V vx_0, V vx_1, V vx_2, V vy_0, V vy_1, V vy_2, V vz_0, V vz_1, V vz_2, V bent_x, V bent_y, V bent_z, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V lift_0, V lift_1, V tx_0, V tx_1, V ty_0, V ty_1, V tz_0, V tz_1, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_mul(K(2.0), nx_2);
-    const V _s1 = lanes_mul(lanes_mul(bent_x, per_reach), vx_2);
+    const V _s1 = lanes_mul(lanes_mul(vx_2, bent_x), per_reach);
     const V _s2 = lanes_mul(K(2.0), ny_2);
-    const V _s3 = lanes_mul(lanes_mul(bent_y, per_reach), vy_2);
-    const V _s4 = lanes_mul(lanes_mul(bent_z, per_reach), vz_2);
-    const V _s5 = lanes_sub(lanes_mul(_c0, nz_2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_2), lanes_mul(_s0, vx_1)), lanes_mul(vx_0, _s1)), lanes_add(lanes_add(lanes_mul(ny_1, vy_2), lanes_mul(_s2, vy_1)), lanes_mul(vy_0, _s3))), lanes_add(lanes_add(lanes_mul(nz_1, vz_2), lanes_mul(lanes_mul(K(2.0), nz_2), vz_1)), lanes_mul(vz_0, _s4))));
+    const V _s3 = lanes_mul(lanes_mul(vy_2, bent_y), per_reach);
+    const V _s4 = lanes_mul(lanes_mul(vz_2, bent_z), per_reach);
+    const V _s5 = lanes_sub(lanes_mul(lanes_mul(_c0, nz_2), _c1), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_2), lanes_mul(_s0, vx_1)), lanes_mul(vx_0, _s1)), lanes_add(lanes_add(lanes_mul(ny_1, vy_2), lanes_mul(_s2, vy_1)), lanes_mul(vy_0, _s3))), lanes_add(lanes_add(lanes_mul(nz_1, vz_2), lanes_mul(lanes_mul(K(2.0), nz_2), vz_1)), lanes_mul(vz_0, _s4))));
     const V _s6 = lanes_sub(lanes_add(lanes_add(lanes_mul(ny_0, _s4), lanes_mul(lanes_mul(K(2.0), ny_1), nz_2)), lanes_mul(ny_2, nz_1)), lanes_add(lanes_add(lanes_mul(ny_1, nz_2), lanes_mul(_s2, nz_1)), lanes_mul(nz_0, _s3)));
     const V _s7 = lanes_mul(K(2.0), nx_1);
     const V _s8 = lanes_sub(lanes_add(lanes_add(lanes_mul(nx_1, nz_2), lanes_mul(_s0, nz_1)), lanes_mul(nz_0, _s1)), lanes_add(lanes_add(lanes_mul(nx_0, _s4), lanes_mul(_s7, nz_2)), lanes_mul(nx_2, nz_1)));
     const V _s9 = lanes_sub(lanes_add(lanes_add(lanes_mul(nx_0, _s3), lanes_mul(_s7, ny_2)), lanes_mul(nx_2, ny_1)), lanes_add(lanes_add(lanes_mul(nx_1, ny_2), lanes_mul(_s0, ny_1)), lanes_mul(ny_0, _s1)));
-    const V _s10 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_2), lanes_mul(lift_1, nx_1)), lanes_mul(nx_0, _s5)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(turn_rate_0, _s6), lanes_mul(turn_rate_1, tx_1)), lanes_mul(turn_rate_2, tx_0)))));
-    const V _s11 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_2), lanes_mul(lift_1, ny_1)), lanes_mul(ny_0, _s5)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(turn_rate_0, _s8), lanes_mul(turn_rate_1, ty_1)), lanes_mul(turn_rate_2, ty_0)))));
-    const V _s12 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_2), lanes_mul(lift_1, nz_1)), lanes_mul(nz_0, _s5)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(turn_rate_0, _s9), lanes_mul(turn_rate_1, tz_1)), lanes_mul(turn_rate_2, tz_0)))));
-    const V _s13 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_2), lanes_mul(tx_1, vx_1)), lanes_mul(vx_0, _s6)), lanes_add(lanes_add(lanes_mul(ty_0, vy_2), lanes_mul(ty_1, vy_1)), lanes_mul(vy_0, _s8))), lanes_add(lanes_add(lanes_mul(tz_0, vz_2), lanes_mul(tz_1, vz_1)), lanes_mul(vz_0, _s9))));
+    const V _s10 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_mul(_c2, lanes_add(lanes_add(lanes_mul(turn_rate_0, _s6), lanes_mul(turn_rate_1, tx_1)), lanes_mul(turn_rate_2, tx_0))), lanes_add(lanes_add(lanes_mul(nx_0, _s5), lanes_mul(nx_1, lift_1)), lanes_mul(nx_2, lift_0))));
+    const V _s11 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_mul(_c2, lanes_add(lanes_add(lanes_mul(turn_rate_0, _s8), lanes_mul(turn_rate_1, ty_1)), lanes_mul(turn_rate_2, ty_0))), lanes_add(lanes_add(lanes_mul(ny_0, _s5), lanes_mul(ny_1, lift_1)), lanes_mul(ny_2, lift_0))));
+    const V _s12 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_mul(_c2, lanes_add(lanes_add(lanes_mul(turn_rate_0, _s9), lanes_mul(turn_rate_1, tz_1)), lanes_mul(turn_rate_2, tz_0))), lanes_add(lanes_add(lanes_mul(nz_0, _s5), lanes_mul(nz_1, lift_1)), lanes_mul(nz_2, lift_0))));
+    const V _s13 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vx_0, _s6), lanes_mul(vx_1, tx_1)), lanes_mul(vx_2, tx_0)), lanes_add(lanes_add(lanes_mul(vy_0, _s8), lanes_mul(vy_1, ty_1)), lanes_mul(vy_2, ty_0))), lanes_add(lanes_add(lanes_mul(vz_0, _s9), lanes_mul(vz_1, tz_1)), lanes_mul(vz_2, tz_0))));
     return (LANES(court_roll_2_out)){ _s5, _s6, _s8, _s9, _s10, _s11, _s12, lanes_mul(K(0.3333333333333333), _s1), lanes_mul(K(0.3333333333333333), _s3), lanes_mul(K(0.3333333333333333), _s4), lanes_neg(_s13) };
 }
 
-/* The terms of order 4 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 160 operations: 61 additions, 4 subtractions, 94 multiplications, 1 negation. */
+/* Coefficients of order 4 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 161 operations: 61 additions, 4 subtractions, 95 multiplications, 1 negation. */
 typedef struct {
-    V lift_3;
-    V tx_3;
-    V ty_3;
-    V tz_3;
-    V vx_4;
-    V vy_4;
-    V vz_4;
-    V nx_4;
-    V ny_4;
-    V nz_4;
-    V turn_rate_4;
+    V lift_3, tx_3, ty_3, tz_3, vx_4, vy_4, vz_4, nx_4, ny_4, nz_4, turn_rate_4;
 } LANES(court_roll_3_out);
 
 LANES_INLINE LANES(court_roll_3_out)
-LANES(court_roll_3)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, V nx_0, V nx_1, V nx_2, V nx_3, V ny_0, V ny_1, V ny_2, V ny_3, V nz_0, V nz_1, V nz_2, V nz_3, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V tx_0, V tx_1, V tx_2, V ty_0, V ty_1, V ty_2, V tz_0, V tz_1, V tz_2, V vx_0, V vx_1, V vx_2, V vx_3, V vy_0, V vy_1, V vy_2, V vy_3, V vz_0, V vz_1, V vz_2, V vz_3, V _c0)
+LANES(court_roll_3)(V nx_0, V nx_1, V nx_2, V nx_3, V ny_0, V ny_1, V ny_2, V ny_3, V nz_0, V nz_1, V nz_2, V nz_3, V vx_0, V vx_1, V vx_2, V vx_3, V vy_0, V vy_1, V vy_2, V vy_3, V vz_0, V vz_1, V vz_2, V vz_3, V bent_x, V bent_y, V bent_z, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V lift_0, V lift_1, V lift_2, V tx_0, V tx_1, V tx_2, V ty_0, V ty_1, V ty_2, V tz_0, V tz_1, V tz_2, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_mul(K(2.0), nx_2);
     const V _s1 = lanes_mul(K(3.0), nx_3);
-    const V _s2 = lanes_mul(lanes_mul(bent_x, per_reach), vx_3);
+    const V _s2 = lanes_mul(lanes_mul(vx_3, bent_x), per_reach);
     const V _s3 = lanes_mul(K(2.0), ny_2);
     const V _s4 = lanes_mul(K(3.0), ny_3);
-    const V _s5 = lanes_mul(lanes_mul(bent_y, per_reach), vy_3);
-    const V _s6 = lanes_mul(lanes_mul(bent_z, per_reach), vz_3);
+    const V _s5 = lanes_mul(lanes_mul(vy_3, bent_y), per_reach);
+    const V _s6 = lanes_mul(lanes_mul(vz_3, bent_z), per_reach);
     const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_3), lanes_mul(_s0, vx_2)), lanes_mul(_s1, vx_1)), lanes_mul(vx_0, _s2)), lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_3), lanes_mul(_s3, vy_2)), lanes_mul(_s4, vy_1)), lanes_mul(vy_0, _s5))), lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_3), lanes_mul(lanes_mul(K(2.0), nz_2), vz_2)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_1)), lanes_mul(vz_0, _s6)));
-    const V _s8 = lanes_sub(lanes_mul(_c0, nz_3), _s7);
+    const V _s8 = lanes_sub(lanes_mul(lanes_mul(_c0, nz_3), _c1), _s7);
     const V _s9 = lanes_mul(_s3, nz_2);
     const V _s10 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s6), lanes_mul(lanes_mul(K(3.0), ny_1), nz_3)), _s9), lanes_mul(ny_3, nz_1)), lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_3), _s9), lanes_mul(_s4, nz_1)), lanes_mul(nz_0, _s5)));
     const V _s11 = lanes_mul(_s0, nz_2);
@@ -1395,44 +1307,34 @@ LANES(court_roll_3)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, 
     const V _s13 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_3), _s11), lanes_mul(_s1, nz_1)), lanes_mul(nz_0, _s2)), lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s6), lanes_mul(_s12, nz_3)), _s11), lanes_mul(nx_3, nz_1)));
     const V _s14 = lanes_mul(_s0, ny_2);
     const V _s15 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s5), lanes_mul(_s12, ny_3)), _s14), lanes_mul(nx_3, ny_1)), lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_3), _s14), lanes_mul(_s1, ny_1)), lanes_mul(ny_0, _s2)));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_3), lanes_mul(lift_1, nx_2)), lanes_mul(lift_2, nx_1)), lanes_mul(nx_0, _s8)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s10), lanes_mul(turn_rate_1, tx_2)), lanes_mul(turn_rate_2, tx_1)), lanes_mul(turn_rate_3, tx_0))));
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_3), lanes_mul(lift_1, ny_2)), lanes_mul(lift_2, ny_1)), lanes_mul(ny_0, _s8)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s13), lanes_mul(turn_rate_1, ty_2)), lanes_mul(turn_rate_2, ty_1)), lanes_mul(turn_rate_3, ty_0))));
-    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_3), lanes_mul(lift_1, nz_2)), lanes_mul(lift_2, nz_1)), lanes_mul(nz_0, _s8)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s15), lanes_mul(turn_rate_1, tz_2)), lanes_mul(turn_rate_2, tz_1)), lanes_mul(turn_rate_3, tz_0))));
-    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_3), lanes_mul(tx_1, vx_2)), lanes_mul(tx_2, vx_1)), lanes_mul(vx_0, _s10)), lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_3), lanes_mul(ty_1, vy_2)), lanes_mul(ty_2, vy_1)), lanes_mul(vy_0, _s13))), lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_3), lanes_mul(tz_1, vz_2)), lanes_mul(tz_2, vz_1)), lanes_mul(vz_0, _s15)));
+    const V _s16 = lanes_add(lanes_mul(_c2, lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s10), lanes_mul(turn_rate_1, tx_2)), lanes_mul(turn_rate_2, tx_1)), lanes_mul(turn_rate_3, tx_0))), lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s8), lanes_mul(nx_1, lift_2)), lanes_mul(nx_2, lift_1)), lanes_mul(nx_3, lift_0)));
+    const V _s17 = lanes_add(lanes_mul(_c2, lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s13), lanes_mul(turn_rate_1, ty_2)), lanes_mul(turn_rate_2, ty_1)), lanes_mul(turn_rate_3, ty_0))), lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s8), lanes_mul(ny_1, lift_2)), lanes_mul(ny_2, lift_1)), lanes_mul(ny_3, lift_0)));
+    const V _s18 = lanes_add(lanes_mul(_c2, lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s15), lanes_mul(turn_rate_1, tz_2)), lanes_mul(turn_rate_2, tz_1)), lanes_mul(turn_rate_3, tz_0))), lanes_add(lanes_add(lanes_add(lanes_mul(nz_0, _s8), lanes_mul(nz_1, lift_2)), lanes_mul(nz_2, lift_1)), lanes_mul(nz_3, lift_0)));
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vx_0, _s10), lanes_mul(vx_1, tx_2)), lanes_mul(vx_2, tx_1)), lanes_mul(vx_3, tx_0)), lanes_add(lanes_add(lanes_add(lanes_mul(vy_0, _s13), lanes_mul(vy_1, ty_2)), lanes_mul(vy_2, ty_1)), lanes_mul(vy_3, ty_0))), lanes_add(lanes_add(lanes_add(lanes_mul(vz_0, _s15), lanes_mul(vz_1, tz_2)), lanes_mul(vz_2, tz_1)), lanes_mul(vz_3, tz_0)));
     return (LANES(court_roll_3_out)){ _s8, _s10, _s13, _s15, lanes_mul(K(0.25), _s16), lanes_mul(K(0.25), _s17), lanes_mul(K(0.25), _s18), lanes_mul(K(0.25), _s2), lanes_mul(K(0.25), _s5), lanes_mul(K(0.25), _s6), lanes_neg(lanes_mul(K(0.25), _s19)) };
 }
 
-/* The terms of order 5 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 206 operations: 79 additions, 4 subtractions, 122 multiplications, 1 negation. */
+/* Coefficients of order 5 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 207 operations: 79 additions, 4 subtractions, 123 multiplications, 1 negation. */
 typedef struct {
-    V lift_4;
-    V tx_4;
-    V ty_4;
-    V tz_4;
-    V vx_5;
-    V vy_5;
-    V vz_5;
-    V nx_5;
-    V ny_5;
-    V nz_5;
-    V turn_rate_5;
+    V lift_4, tx_4, ty_4, tz_4, vx_5, vy_5, vz_5, nx_5, ny_5, nz_5, turn_rate_5;
 } LANES(court_roll_4_out);
 
 LANES_INLINE LANES(court_roll_4_out)
-LANES(court_roll_4)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, V lift_3, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V tx_0, V tx_1, V tx_2, V tx_3, V ty_0, V ty_1, V ty_2, V ty_3, V tz_0, V tz_1, V tz_2, V tz_3, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V _c0)
+LANES(court_roll_4)(V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V bent_x, V bent_y, V bent_z, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V lift_0, V lift_1, V lift_2, V lift_3, V tx_0, V tx_1, V tx_2, V tx_3, V ty_0, V ty_1, V ty_2, V ty_3, V tz_0, V tz_1, V tz_2, V tz_3, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_mul(K(2.0), nx_2);
     const V _s1 = lanes_mul(K(3.0), nx_3);
     const V _s2 = lanes_mul(K(4.0), nx_4);
-    const V _s3 = lanes_mul(lanes_mul(bent_x, per_reach), vx_4);
+    const V _s3 = lanes_mul(lanes_mul(vx_4, bent_x), per_reach);
     const V _s4 = lanes_mul(K(2.0), ny_2);
     const V _s5 = lanes_mul(K(3.0), ny_3);
     const V _s6 = lanes_mul(K(4.0), ny_4);
-    const V _s7 = lanes_mul(lanes_mul(bent_y, per_reach), vy_4);
+    const V _s7 = lanes_mul(lanes_mul(vy_4, bent_y), per_reach);
     const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_4), lanes_mul(_s0, vx_3)), lanes_mul(_s1, vx_2)), lanes_mul(_s2, vx_1)), lanes_mul(vx_0, _s3)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_4), lanes_mul(_s4, vy_3)), lanes_mul(_s5, vy_2)), lanes_mul(_s6, vy_1)), lanes_mul(vy_0, _s7)));
-    const V _s9 = lanes_mul(lanes_mul(bent_z, per_reach), vz_4);
+    const V _s9 = lanes_mul(lanes_mul(vz_4, bent_z), per_reach);
     const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_4), lanes_mul(lanes_mul(K(2.0), nz_2), vz_3)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_2)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_1)), lanes_mul(vz_0, _s9));
-    const V _s11 = lanes_sub(lanes_mul(_c0, nz_4), lanes_add(_s8, _s10));
+    const V _s11 = lanes_sub(lanes_mul(lanes_mul(_c0, nz_4), _c1), lanes_add(_s8, _s10));
     const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s9), lanes_mul(lanes_mul(K(4.0), ny_1), nz_4)), lanes_mul(lanes_mul(K(3.0), ny_2), nz_3)), lanes_mul(lanes_mul(K(2.0), ny_3), nz_2)), lanes_mul(ny_4, nz_1));
     const V _s13 = lanes_sub(_s12, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_4), lanes_mul(_s4, nz_3)), lanes_mul(_s5, nz_2)), lanes_mul(_s6, nz_1)), lanes_mul(nz_0, _s7)));
     const V _s14 = lanes_mul(K(4.0), nx_1);
@@ -1440,51 +1342,41 @@ LANES(court_roll_4)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, 
     const V _s16 = lanes_mul(K(2.0), nx_3);
     const V _s17 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_4), lanes_mul(_s0, nz_3)), lanes_mul(_s1, nz_2)), lanes_mul(_s2, nz_1)), lanes_mul(nz_0, _s3)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s9), lanes_mul(_s14, nz_4)), lanes_mul(_s15, nz_3)), lanes_mul(_s16, nz_2)), lanes_mul(nx_4, nz_1)));
     const V _s18 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s7), lanes_mul(_s14, ny_4)), lanes_mul(_s15, ny_3)), lanes_mul(_s16, ny_2)), lanes_mul(nx_4, ny_1)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_4), lanes_mul(_s0, ny_3)), lanes_mul(_s1, ny_2)), lanes_mul(_s2, ny_1)), lanes_mul(ny_0, _s3)));
-    const V _s19 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s13), lanes_mul(turn_rate_1, tx_3)), lanes_mul(turn_rate_2, tx_2)), lanes_mul(turn_rate_3, tx_1)), lanes_mul(turn_rate_4, tx_0)));
-    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_4), lanes_mul(lift_1, nx_3)), lanes_mul(lift_2, nx_2)), lanes_mul(lift_3, nx_1)), lanes_mul(nx_0, _s11)), _s19);
-    const V _s21 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s17), lanes_mul(turn_rate_1, ty_3)), lanes_mul(turn_rate_2, ty_2)), lanes_mul(turn_rate_3, ty_1)), lanes_mul(turn_rate_4, ty_0)));
-    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_4), lanes_mul(lift_1, ny_3)), lanes_mul(lift_2, ny_2)), lanes_mul(lift_3, ny_1)), lanes_mul(ny_0, _s11)), _s21);
-    const V _s23 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s18), lanes_mul(turn_rate_1, tz_3)), lanes_mul(turn_rate_2, tz_2)), lanes_mul(turn_rate_3, tz_1)), lanes_mul(turn_rate_4, tz_0)));
-    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_4), lanes_mul(lift_1, nz_3)), lanes_mul(lift_2, nz_2)), lanes_mul(lift_3, nz_1)), lanes_mul(nz_0, _s11)), _s23);
-    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_4), lanes_mul(tx_1, vx_3)), lanes_mul(tx_2, vx_2)), lanes_mul(tx_3, vx_1)), lanes_mul(vx_0, _s13)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_4), lanes_mul(ty_1, vy_3)), lanes_mul(ty_2, vy_2)), lanes_mul(ty_3, vy_1)), lanes_mul(vy_0, _s17)));
-    const V _s26 = lanes_add(_s25, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_4), lanes_mul(tz_1, vz_3)), lanes_mul(tz_2, vz_2)), lanes_mul(tz_3, vz_1)), lanes_mul(vz_0, _s18)));
+    const V _s19 = lanes_mul(_c2, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s13), lanes_mul(turn_rate_1, tx_3)), lanes_mul(turn_rate_2, tx_2)), lanes_mul(turn_rate_3, tx_1)), lanes_mul(turn_rate_4, tx_0)));
+    const V _s20 = lanes_add(_s19, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s11), lanes_mul(nx_1, lift_3)), lanes_mul(nx_2, lift_2)), lanes_mul(nx_3, lift_1)), lanes_mul(nx_4, lift_0)));
+    const V _s21 = lanes_mul(_c2, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s17), lanes_mul(turn_rate_1, ty_3)), lanes_mul(turn_rate_2, ty_2)), lanes_mul(turn_rate_3, ty_1)), lanes_mul(turn_rate_4, ty_0)));
+    const V _s22 = lanes_add(_s21, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s11), lanes_mul(ny_1, lift_3)), lanes_mul(ny_2, lift_2)), lanes_mul(ny_3, lift_1)), lanes_mul(ny_4, lift_0)));
+    const V _s23 = lanes_mul(_c2, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s18), lanes_mul(turn_rate_1, tz_3)), lanes_mul(turn_rate_2, tz_2)), lanes_mul(turn_rate_3, tz_1)), lanes_mul(turn_rate_4, tz_0)));
+    const V _s24 = lanes_add(_s23, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_0, _s11), lanes_mul(nz_1, lift_3)), lanes_mul(nz_2, lift_2)), lanes_mul(nz_3, lift_1)), lanes_mul(nz_4, lift_0)));
+    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vx_0, _s13), lanes_mul(vx_1, tx_3)), lanes_mul(vx_2, tx_2)), lanes_mul(vx_3, tx_1)), lanes_mul(vx_4, tx_0)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vy_0, _s17), lanes_mul(vy_1, ty_3)), lanes_mul(vy_2, ty_2)), lanes_mul(vy_3, ty_1)), lanes_mul(vy_4, ty_0)));
+    const V _s26 = lanes_add(_s25, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vz_0, _s18), lanes_mul(vz_1, tz_3)), lanes_mul(vz_2, tz_2)), lanes_mul(vz_3, tz_1)), lanes_mul(vz_4, tz_0)));
     return (LANES(court_roll_4_out)){ _s11, _s13, _s17, _s18, lanes_mul(K(0.2), _s20), lanes_mul(K(0.2), _s22), lanes_mul(K(0.2), _s24), lanes_mul(K(0.2), _s3), lanes_mul(K(0.2), _s7), lanes_mul(K(0.2), _s9), lanes_neg(lanes_mul(K(0.2), _s26)) };
 }
 
-/* The terms of order 6 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 242 operations: 97 additions, 4 subtractions, 140 multiplications, 1 negation. */
+/* Coefficients of order 6 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 243 operations: 97 additions, 4 subtractions, 141 multiplications, 1 negation. */
 typedef struct {
-    V lift_5;
-    V tx_5;
-    V ty_5;
-    V tz_5;
-    V vx_6;
-    V vy_6;
-    V vz_6;
-    V nx_6;
-    V ny_6;
-    V nz_6;
-    V turn_rate_6;
+    V lift_5, tx_5, ty_5, tz_5, vx_6, vy_6, vz_6, nx_6, ny_6, nz_6, turn_rate_6;
 } LANES(court_roll_5_out);
 
 LANES_INLINE LANES(court_roll_5_out)
-LANES(court_roll_5)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V _c0)
+LANES(court_roll_5)(V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V bent_x, V bent_y, V bent_z, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_mul(K(2.0), nx_2);
     const V _s1 = lanes_mul(K(3.0), nx_3);
     const V _s2 = lanes_mul(K(4.0), nx_4);
     const V _s3 = lanes_mul(K(5.0), nx_5);
-    const V _s4 = lanes_mul(lanes_mul(bent_x, per_reach), vx_5);
+    const V _s4 = lanes_mul(lanes_mul(vx_5, bent_x), per_reach);
     const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_5), lanes_mul(_s0, vx_4)), lanes_mul(_s1, vx_3)), lanes_mul(_s2, vx_2)), lanes_mul(_s3, vx_1)), lanes_mul(vx_0, _s4));
     const V _s6 = lanes_mul(K(2.0), ny_2);
     const V _s7 = lanes_mul(K(3.0), ny_3);
     const V _s8 = lanes_mul(K(4.0), ny_4);
     const V _s9 = lanes_mul(K(5.0), ny_5);
-    const V _s10 = lanes_mul(lanes_mul(bent_y, per_reach), vy_5);
+    const V _s10 = lanes_mul(lanes_mul(vy_5, bent_y), per_reach);
     const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_5), lanes_mul(_s6, vy_4)), lanes_mul(_s7, vy_3)), lanes_mul(_s8, vy_2)), lanes_mul(_s9, vy_1)), lanes_mul(vy_0, _s10));
     const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_5), lanes_mul(lanes_mul(K(2.0), nz_2), vz_4)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_3)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_2)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_1));
-    const V _s13 = lanes_mul(lanes_mul(bent_z, per_reach), vz_5);
-    const V _s14 = lanes_sub(lanes_mul(_c0, nz_5), lanes_add(lanes_add(_s5, _s11), lanes_add(_s12, lanes_mul(vz_0, _s13))));
+    const V _s13 = lanes_mul(lanes_mul(vz_5, bent_z), per_reach);
+    const V _s14 = lanes_sub(lanes_mul(lanes_mul(_c0, nz_5), _c1), lanes_add(lanes_add(_s5, _s11), lanes_add(_s12, lanes_mul(vz_0, _s13))));
     const V _s15 = lanes_mul(_s7, nz_3);
     const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s13), lanes_mul(lanes_mul(K(5.0), ny_1), nz_5)), lanes_mul(lanes_mul(K(4.0), ny_2), nz_4)), _s15), lanes_mul(lanes_mul(K(2.0), ny_4), nz_2));
     const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_5), lanes_mul(_s6, nz_4)), _s15), lanes_mul(_s8, nz_2)), lanes_mul(_s9, nz_1)), lanes_mul(nz_0, _s10));
@@ -1500,36 +1392,26 @@ LANES(court_roll_5)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, 
     const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s10), lanes_mul(_s21, ny_5)), lanes_mul(_s22, ny_4)), _s26), lanes_mul(_s23, ny_2)), lanes_mul(nx_5, ny_1));
     const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_5), lanes_mul(_s0, ny_4)), _s26), lanes_mul(_s2, ny_2)), lanes_mul(_s3, ny_1)), lanes_mul(ny_0, _s4));
     const V _s29 = lanes_sub(_s27, _s28);
-    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_5), lanes_mul(lift_1, nx_4)), lanes_mul(lift_2, nx_3)), lanes_mul(lift_3, nx_2)), lanes_mul(lift_4, nx_1)), lanes_mul(nx_0, _s14));
-    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s18), lanes_mul(turn_rate_1, tx_4)), lanes_mul(turn_rate_2, tx_3)), lanes_mul(turn_rate_3, tx_2)), lanes_mul(turn_rate_4, tx_1)), lanes_mul(turn_rate_5, tx_0));
-    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_5), lanes_mul(lift_1, ny_4)), lanes_mul(lift_2, ny_3)), lanes_mul(lift_3, ny_2)), lanes_mul(lift_4, ny_1)), lanes_mul(ny_0, _s14));
-    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s25), lanes_mul(turn_rate_1, ty_4)), lanes_mul(turn_rate_2, ty_3)), lanes_mul(turn_rate_3, ty_2)), lanes_mul(turn_rate_4, ty_1)), lanes_mul(turn_rate_5, ty_0));
-    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_5), lanes_mul(lift_1, nz_4)), lanes_mul(lift_2, nz_3)), lanes_mul(lift_3, nz_2)), lanes_mul(lift_4, nz_1)), lanes_mul(nz_0, _s14));
-    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s29), lanes_mul(turn_rate_1, tz_4)), lanes_mul(turn_rate_2, tz_3)), lanes_mul(turn_rate_3, tz_2)), lanes_mul(turn_rate_4, tz_1)), lanes_mul(turn_rate_5, tz_0));
-    const V _s36 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_5), lanes_mul(tx_1, vx_4)), lanes_mul(tx_2, vx_3)), lanes_mul(tx_3, vx_2)), lanes_mul(tx_4, vx_1)), lanes_mul(vx_0, _s18));
-    const V _s37 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_5), lanes_mul(ty_1, vy_4)), lanes_mul(ty_2, vy_3)), lanes_mul(ty_3, vy_2)), lanes_mul(ty_4, vy_1)), lanes_mul(vy_0, _s25));
-    const V _s38 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_5), lanes_mul(tz_1, vz_4)), lanes_mul(tz_2, vz_3)), lanes_mul(tz_3, vz_2)), lanes_mul(tz_4, vz_1)), lanes_mul(vz_0, _s29));
-    return (LANES(court_roll_5_out)){ _s14, _s18, _s25, _s29, lanes_mul(K(0.16666666666666666), lanes_add(_s30, lanes_mul(K(0.4), _s31))), lanes_mul(K(0.16666666666666666), lanes_add(_s32, lanes_mul(K(0.4), _s33))), lanes_mul(K(0.16666666666666666), lanes_add(_s34, lanes_mul(K(0.4), _s35))), lanes_mul(K(0.16666666666666666), _s4), lanes_mul(K(0.16666666666666666), _s10), lanes_mul(K(0.16666666666666666), _s13), lanes_neg(lanes_mul(K(0.16666666666666666), lanes_add(lanes_add(_s36, _s37), _s38))) };
+    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s18), lanes_mul(turn_rate_1, tx_4)), lanes_mul(turn_rate_2, tx_3)), lanes_mul(turn_rate_3, tx_2)), lanes_mul(turn_rate_4, tx_1)), lanes_mul(turn_rate_5, tx_0));
+    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s14), lanes_mul(nx_1, lift_4)), lanes_mul(nx_2, lift_3)), lanes_mul(nx_3, lift_2)), lanes_mul(nx_4, lift_1)), lanes_mul(nx_5, lift_0));
+    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s25), lanes_mul(turn_rate_1, ty_4)), lanes_mul(turn_rate_2, ty_3)), lanes_mul(turn_rate_3, ty_2)), lanes_mul(turn_rate_4, ty_1)), lanes_mul(turn_rate_5, ty_0));
+    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s14), lanes_mul(ny_1, lift_4)), lanes_mul(ny_2, lift_3)), lanes_mul(ny_3, lift_2)), lanes_mul(ny_4, lift_1)), lanes_mul(ny_5, lift_0));
+    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s29), lanes_mul(turn_rate_1, tz_4)), lanes_mul(turn_rate_2, tz_3)), lanes_mul(turn_rate_3, tz_2)), lanes_mul(turn_rate_4, tz_1)), lanes_mul(turn_rate_5, tz_0));
+    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_0, _s14), lanes_mul(nz_1, lift_4)), lanes_mul(nz_2, lift_3)), lanes_mul(nz_3, lift_2)), lanes_mul(nz_4, lift_1)), lanes_mul(nz_5, lift_0));
+    const V _s36 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vx_0, _s18), lanes_mul(vx_1, tx_4)), lanes_mul(vx_2, tx_3)), lanes_mul(vx_3, tx_2)), lanes_mul(vx_4, tx_1)), lanes_mul(vx_5, tx_0));
+    const V _s37 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vy_0, _s25), lanes_mul(vy_1, ty_4)), lanes_mul(vy_2, ty_3)), lanes_mul(vy_3, ty_2)), lanes_mul(vy_4, ty_1)), lanes_mul(vy_5, ty_0));
+    const V _s38 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vz_0, _s29), lanes_mul(vz_1, tz_4)), lanes_mul(vz_2, tz_3)), lanes_mul(vz_3, tz_2)), lanes_mul(vz_4, tz_1)), lanes_mul(vz_5, tz_0));
+    return (LANES(court_roll_5_out)){ _s14, _s18, _s25, _s29, lanes_mul(K(0.16666666666666666), lanes_add(lanes_mul(_c2, _s30), _s31)), lanes_mul(K(0.16666666666666666), lanes_add(lanes_mul(_c2, _s32), _s33)), lanes_mul(K(0.16666666666666666), lanes_add(lanes_mul(_c2, _s34), _s35)), lanes_mul(K(0.16666666666666666), _s4), lanes_mul(K(0.16666666666666666), _s10), lanes_mul(K(0.16666666666666666), _s13), lanes_neg(lanes_mul(K(0.16666666666666666), lanes_add(lanes_add(_s36, _s37), _s38))) };
 }
 
-/* The terms of order 7 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 288 operations: 115 additions, 4 subtractions, 168 multiplications, 1 negation. */
+/* Coefficients of order 7 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 289 operations: 115 additions, 4 subtractions, 169 multiplications, 1 negation. */
 typedef struct {
-    V lift_6;
-    V tx_6;
-    V ty_6;
-    V tz_6;
-    V vx_7;
-    V vy_7;
-    V vz_7;
-    V nx_7;
-    V ny_7;
-    V nz_7;
-    V turn_rate_7;
+    V lift_6, tx_6, ty_6, tz_6, vx_7, vy_7, vz_7, nx_7, ny_7, nz_7, turn_rate_7;
 } LANES(court_roll_6_out);
 
 LANES_INLINE LANES(court_roll_6_out)
-LANES(court_roll_6)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V _c0)
+LANES(court_roll_6)(V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V bent_x, V bent_y, V bent_z, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_mul(K(2.0), nx_2);
     const V _s1 = lanes_mul(K(3.0), nx_3);
@@ -1537,17 +1419,17 @@ LANES(court_roll_6)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, 
     const V _s3 = lanes_mul(K(5.0), nx_5);
     const V _s4 = lanes_mul(K(6.0), nx_6);
     const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_6), lanes_mul(_s0, vx_5)), lanes_mul(_s1, vx_4)), lanes_mul(_s2, vx_3)), lanes_mul(_s3, vx_2)), lanes_mul(_s4, vx_1));
-    const V _s6 = lanes_mul(lanes_mul(bent_x, per_reach), vx_6);
+    const V _s6 = lanes_mul(lanes_mul(vx_6, bent_x), per_reach);
     const V _s7 = lanes_mul(K(2.0), ny_2);
     const V _s8 = lanes_mul(K(3.0), ny_3);
     const V _s9 = lanes_mul(K(4.0), ny_4);
     const V _s10 = lanes_mul(K(5.0), ny_5);
     const V _s11 = lanes_mul(K(6.0), ny_6);
     const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_6), lanes_mul(_s7, vy_5)), lanes_mul(_s8, vy_4)), lanes_mul(_s9, vy_3)), lanes_mul(_s10, vy_2)), lanes_mul(_s11, vy_1));
-    const V _s13 = lanes_mul(lanes_mul(bent_y, per_reach), vy_6);
+    const V _s13 = lanes_mul(lanes_mul(vy_6, bent_y), per_reach);
     const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_6), lanes_mul(lanes_mul(K(2.0), nz_2), vz_5)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_4)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_3)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_2));
-    const V _s15 = lanes_mul(lanes_mul(bent_z, per_reach), vz_6);
-    const V _s16 = lanes_sub(lanes_mul(_c0, nz_6), lanes_add(lanes_add(lanes_add(_s5, lanes_mul(vx_0, _s6)), lanes_add(_s12, lanes_mul(vy_0, _s13))), lanes_add(lanes_add(_s14, lanes_mul(lanes_mul(K(6.0), nz_6), vz_1)), lanes_mul(vz_0, _s15))));
+    const V _s15 = lanes_mul(lanes_mul(vz_6, bent_z), per_reach);
+    const V _s16 = lanes_sub(lanes_mul(lanes_mul(_c0, nz_6), _c1), lanes_add(lanes_add(lanes_add(_s5, lanes_mul(vx_0, _s6)), lanes_add(_s12, lanes_mul(vy_0, _s13))), lanes_add(lanes_add(_s14, lanes_mul(lanes_mul(K(6.0), nz_6), vz_1)), lanes_mul(vz_0, _s15))));
     const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s15), lanes_mul(lanes_mul(K(6.0), ny_1), nz_6)), lanes_mul(lanes_mul(K(5.0), ny_2), nz_5)), lanes_mul(lanes_mul(K(4.0), ny_3), nz_4)), lanes_mul(lanes_mul(K(3.0), ny_4), nz_3));
     const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_6), lanes_mul(_s7, nz_5)), lanes_mul(_s8, nz_4)), lanes_mul(_s9, nz_3)), lanes_mul(_s10, nz_2)), lanes_mul(_s11, nz_1));
     const V _s19 = lanes_sub(lanes_add(lanes_add(_s17, lanes_mul(lanes_mul(K(2.0), ny_5), nz_2)), lanes_mul(ny_6, nz_1)), lanes_add(_s18, lanes_mul(nz_0, _s13)));
@@ -1562,37 +1444,27 @@ LANES(court_roll_6)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, 
     const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s13), lanes_mul(_s21, ny_6)), lanes_mul(_s22, ny_5)), lanes_mul(_s23, ny_4)), lanes_mul(_s24, ny_3)), lanes_mul(_s25, ny_2));
     const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_6), lanes_mul(_s0, ny_5)), lanes_mul(_s1, ny_4)), lanes_mul(_s2, ny_3)), lanes_mul(_s3, ny_2)), lanes_mul(_s4, ny_1));
     const V _s30 = lanes_sub(lanes_add(_s28, lanes_mul(nx_6, ny_1)), lanes_add(_s29, lanes_mul(ny_0, _s6)));
-    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_6), lanes_mul(lift_1, nx_5)), lanes_mul(lift_2, nx_4)), lanes_mul(lift_3, nx_3)), lanes_mul(lift_4, nx_2)), lanes_mul(lift_5, nx_1));
-    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s19), lanes_mul(turn_rate_1, tx_5)), lanes_mul(turn_rate_2, tx_4)), lanes_mul(turn_rate_3, tx_3)), lanes_mul(turn_rate_4, tx_2)), lanes_mul(turn_rate_5, tx_1));
-    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_6), lanes_mul(lift_1, ny_5)), lanes_mul(lift_2, ny_4)), lanes_mul(lift_3, ny_3)), lanes_mul(lift_4, ny_2)), lanes_mul(lift_5, ny_1));
-    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s27), lanes_mul(turn_rate_1, ty_5)), lanes_mul(turn_rate_2, ty_4)), lanes_mul(turn_rate_3, ty_3)), lanes_mul(turn_rate_4, ty_2)), lanes_mul(turn_rate_5, ty_1));
-    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_6), lanes_mul(lift_1, nz_5)), lanes_mul(lift_2, nz_4)), lanes_mul(lift_3, nz_3)), lanes_mul(lift_4, nz_2)), lanes_mul(lift_5, nz_1));
-    const V _s36 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s30), lanes_mul(turn_rate_1, tz_5)), lanes_mul(turn_rate_2, tz_4)), lanes_mul(turn_rate_3, tz_3)), lanes_mul(turn_rate_4, tz_2)), lanes_mul(turn_rate_5, tz_1));
-    const V _s37 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_6), lanes_mul(tx_1, vx_5)), lanes_mul(tx_2, vx_4)), lanes_mul(tx_3, vx_3)), lanes_mul(tx_4, vx_2)), lanes_mul(tx_5, vx_1));
-    const V _s38 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_6), lanes_mul(ty_1, vy_5)), lanes_mul(ty_2, vy_4)), lanes_mul(ty_3, vy_3)), lanes_mul(ty_4, vy_2)), lanes_mul(ty_5, vy_1));
-    const V _s39 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_6), lanes_mul(tz_1, vz_5)), lanes_mul(tz_2, vz_4)), lanes_mul(tz_3, vz_3)), lanes_mul(tz_4, vz_2)), lanes_mul(tz_5, vz_1));
-    const V _s40 = lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(lanes_add(_s37, lanes_mul(vx_0, _s19)), lanes_add(_s38, lanes_mul(vy_0, _s27))), lanes_add(_s39, lanes_mul(vz_0, _s30)))));
-    return (LANES(court_roll_6_out)){ _s16, _s19, _s27, _s30, lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s31, lanes_mul(nx_0, _s16)), lanes_mul(K(0.4), lanes_add(_s32, lanes_mul(turn_rate_6, tx_0))))), lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s33, lanes_mul(ny_0, _s16)), lanes_mul(K(0.4), lanes_add(_s34, lanes_mul(turn_rate_6, ty_0))))), lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s35, lanes_mul(nz_0, _s16)), lanes_mul(K(0.4), lanes_add(_s36, lanes_mul(turn_rate_6, tz_0))))), lanes_mul(K(0.14285714285714285), _s6), lanes_mul(K(0.14285714285714285), _s13), lanes_mul(K(0.14285714285714285), _s15), _s40 };
+    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s19), lanes_mul(turn_rate_1, tx_5)), lanes_mul(turn_rate_2, tx_4)), lanes_mul(turn_rate_3, tx_3)), lanes_mul(turn_rate_4, tx_2)), lanes_mul(turn_rate_5, tx_1));
+    const V _s32 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s16), lanes_mul(nx_1, lift_5)), lanes_mul(nx_2, lift_4)), lanes_mul(nx_3, lift_3)), lanes_mul(nx_4, lift_2)), lanes_mul(nx_5, lift_1));
+    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s27), lanes_mul(turn_rate_1, ty_5)), lanes_mul(turn_rate_2, ty_4)), lanes_mul(turn_rate_3, ty_3)), lanes_mul(turn_rate_4, ty_2)), lanes_mul(turn_rate_5, ty_1));
+    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s16), lanes_mul(ny_1, lift_5)), lanes_mul(ny_2, lift_4)), lanes_mul(ny_3, lift_3)), lanes_mul(ny_4, lift_2)), lanes_mul(ny_5, lift_1));
+    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s30), lanes_mul(turn_rate_1, tz_5)), lanes_mul(turn_rate_2, tz_4)), lanes_mul(turn_rate_3, tz_3)), lanes_mul(turn_rate_4, tz_2)), lanes_mul(turn_rate_5, tz_1));
+    const V _s36 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_0, _s16), lanes_mul(nz_1, lift_5)), lanes_mul(nz_2, lift_4)), lanes_mul(nz_3, lift_3)), lanes_mul(nz_4, lift_2)), lanes_mul(nz_5, lift_1));
+    const V _s37 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vx_0, _s19), lanes_mul(vx_1, tx_5)), lanes_mul(vx_2, tx_4)), lanes_mul(vx_3, tx_3)), lanes_mul(vx_4, tx_2)), lanes_mul(vx_5, tx_1));
+    const V _s38 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vy_0, _s27), lanes_mul(vy_1, ty_5)), lanes_mul(vy_2, ty_4)), lanes_mul(vy_3, ty_3)), lanes_mul(vy_4, ty_2)), lanes_mul(vy_5, ty_1));
+    const V _s39 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vz_0, _s30), lanes_mul(vz_1, tz_5)), lanes_mul(vz_2, tz_4)), lanes_mul(vz_3, tz_3)), lanes_mul(vz_4, tz_2)), lanes_mul(vz_5, tz_1));
+    const V _s40 = lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(lanes_add(_s37, lanes_mul(vx_6, tx_0)), lanes_add(_s38, lanes_mul(vy_6, ty_0))), lanes_add(_s39, lanes_mul(vz_6, tz_0)))));
+    return (LANES(court_roll_6_out)){ _s16, _s19, _s27, _s30, lanes_mul(K(0.14285714285714285), lanes_add(lanes_mul(_c2, lanes_add(_s31, lanes_mul(turn_rate_6, tx_0))), lanes_add(_s32, lanes_mul(nx_6, lift_0)))), lanes_mul(K(0.14285714285714285), lanes_add(lanes_mul(_c2, lanes_add(_s33, lanes_mul(turn_rate_6, ty_0))), lanes_add(_s34, lanes_mul(ny_6, lift_0)))), lanes_mul(K(0.14285714285714285), lanes_add(lanes_mul(_c2, lanes_add(_s35, lanes_mul(turn_rate_6, tz_0))), lanes_add(_s36, lanes_mul(nz_6, lift_0)))), lanes_mul(K(0.14285714285714285), _s6), lanes_mul(K(0.14285714285714285), _s13), lanes_mul(K(0.14285714285714285), _s15), _s40 };
 }
 
-/* The terms of order 8 of a ball that rolls, from those before.
-   Newton, Euler and rolling without slip. 324 operations: 133 additions, 4 subtractions, 186 multiplications, 1 negation. */
+/* Coefficients of order 8 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 325 operations: 133 additions, 4 subtractions, 187 multiplications, 1 negation. */
 typedef struct {
-    V lift_7;
-    V tx_7;
-    V ty_7;
-    V tz_7;
-    V vx_8;
-    V vy_8;
-    V vz_8;
-    V nx_8;
-    V ny_8;
-    V nz_8;
-    V turn_rate_8;
+    V lift_7, tx_7, ty_7, tz_7, vx_8, vy_8, vz_8, nx_8, ny_8, nz_8, turn_rate_8;
 } LANES(court_roll_7_out);
 
 LANES_INLINE LANES(court_roll_7_out)
-LANES(court_roll_7)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V nx_7, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V ny_7, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V tx_6, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V ty_6, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V tz_6, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V _c0)
+LANES(court_roll_7)(V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V nx_7, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V ny_7, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V bent_x, V bent_y, V bent_z, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V tx_6, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V ty_6, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V tz_6, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_mul(K(2.0), nx_2);
     const V _s1 = lanes_mul(K(3.0), nx_3);
@@ -1601,7 +1473,7 @@ LANES(court_roll_7)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, 
     const V _s4 = lanes_mul(K(6.0), nx_6);
     const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_7), lanes_mul(_s0, vx_6)), lanes_mul(_s1, vx_5)), lanes_mul(_s2, vx_4)), lanes_mul(_s3, vx_3)), lanes_mul(_s4, vx_2));
     const V _s6 = lanes_mul(K(7.0), nx_7);
-    const V _s7 = lanes_mul(lanes_mul(bent_x, per_reach), vx_7);
+    const V _s7 = lanes_mul(lanes_mul(vx_7, bent_x), per_reach);
     const V _s8 = lanes_mul(K(2.0), ny_2);
     const V _s9 = lanes_mul(K(3.0), ny_3);
     const V _s10 = lanes_mul(K(4.0), ny_4);
@@ -1609,11 +1481,11 @@ LANES(court_roll_7)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, 
     const V _s12 = lanes_mul(K(6.0), ny_6);
     const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_7), lanes_mul(_s8, vy_6)), lanes_mul(_s9, vy_5)), lanes_mul(_s10, vy_4)), lanes_mul(_s11, vy_3)), lanes_mul(_s12, vy_2));
     const V _s14 = lanes_mul(K(7.0), ny_7);
-    const V _s15 = lanes_mul(lanes_mul(bent_y, per_reach), vy_7);
+    const V _s15 = lanes_mul(lanes_mul(vy_7, bent_y), per_reach);
     const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_7), lanes_mul(lanes_mul(K(2.0), nz_2), vz_6)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_5)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_4)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_3));
-    const V _s17 = lanes_mul(lanes_mul(bent_z, per_reach), vz_7);
+    const V _s17 = lanes_mul(lanes_mul(vz_7, bent_z), per_reach);
     const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(_s5, lanes_mul(_s6, vx_1)), lanes_mul(vx_0, _s7)), lanes_add(lanes_add(_s13, lanes_mul(_s14, vy_1)), lanes_mul(vy_0, _s15))), lanes_add(lanes_add(lanes_add(_s16, lanes_mul(lanes_mul(K(6.0), nz_6), vz_2)), lanes_mul(lanes_mul(K(7.0), nz_7), vz_1)), lanes_mul(vz_0, _s17)));
-    const V _s19 = lanes_sub(lanes_mul(_c0, nz_7), _s18);
+    const V _s19 = lanes_sub(lanes_mul(lanes_mul(_c0, nz_7), _c1), _s18);
     const V _s20 = lanes_mul(_s10, nz_4);
     const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s17), lanes_mul(lanes_mul(K(7.0), ny_1), nz_7)), lanes_mul(lanes_mul(K(6.0), ny_2), nz_6)), lanes_mul(lanes_mul(K(5.0), ny_3), nz_5)), _s20);
     const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_7), lanes_mul(_s8, nz_6)), lanes_mul(_s9, nz_5)), _s20), lanes_mul(_s11, nz_3)), lanes_mul(_s12, nz_2));
@@ -1631,28 +1503,26 @@ LANES(court_roll_7)(V bent_x, V bent_y, V bent_z, V lift_0, V lift_1, V lift_2, 
     const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s15), lanes_mul(_s26, ny_7)), lanes_mul(_s27, ny_6)), lanes_mul(_s28, ny_5)), _s33), lanes_mul(_s29, ny_3));
     const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_7), lanes_mul(_s0, ny_6)), lanes_mul(_s1, ny_5)), _s33), lanes_mul(_s3, ny_3)), lanes_mul(_s4, ny_2));
     const V _s36 = lanes_sub(lanes_add(lanes_add(_s34, lanes_mul(_s31, ny_2)), lanes_mul(nx_7, ny_1)), lanes_add(lanes_add(_s35, lanes_mul(_s6, ny_1)), lanes_mul(ny_0, _s7)));
-    const V _s37 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_7), lanes_mul(lift_1, nx_6)), lanes_mul(lift_2, nx_5)), lanes_mul(lift_3, nx_4)), lanes_mul(lift_4, nx_3)), lanes_mul(lift_5, nx_2));
-    const V _s38 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s23), lanes_mul(turn_rate_1, tx_6)), lanes_mul(turn_rate_2, tx_5)), lanes_mul(turn_rate_3, tx_4)), lanes_mul(turn_rate_4, tx_3)), lanes_mul(turn_rate_5, tx_2));
-    const V _s39 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s37, lanes_mul(lift_6, nx_1)), lanes_mul(nx_0, _s19)), lanes_mul(K(0.4), lanes_add(lanes_add(_s38, lanes_mul(turn_rate_6, tx_1)), lanes_mul(turn_rate_7, tx_0)))));
-    const V _s40 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_7), lanes_mul(lift_1, ny_6)), lanes_mul(lift_2, ny_5)), lanes_mul(lift_3, ny_4)), lanes_mul(lift_4, ny_3)), lanes_mul(lift_5, ny_2));
-    const V _s41 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s32), lanes_mul(turn_rate_1, ty_6)), lanes_mul(turn_rate_2, ty_5)), lanes_mul(turn_rate_3, ty_4)), lanes_mul(turn_rate_4, ty_3)), lanes_mul(turn_rate_5, ty_2));
-    const V _s42 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s40, lanes_mul(lift_6, ny_1)), lanes_mul(ny_0, _s19)), lanes_mul(K(0.4), lanes_add(lanes_add(_s41, lanes_mul(turn_rate_6, ty_1)), lanes_mul(turn_rate_7, ty_0)))));
-    const V _s43 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_7), lanes_mul(lift_1, nz_6)), lanes_mul(lift_2, nz_5)), lanes_mul(lift_3, nz_4)), lanes_mul(lift_4, nz_3)), lanes_mul(lift_5, nz_2));
-    const V _s44 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s36), lanes_mul(turn_rate_1, tz_6)), lanes_mul(turn_rate_2, tz_5)), lanes_mul(turn_rate_3, tz_4)), lanes_mul(turn_rate_4, tz_3)), lanes_mul(turn_rate_5, tz_2));
-    const V _s45 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s43, lanes_mul(lift_6, nz_1)), lanes_mul(nz_0, _s19)), lanes_mul(K(0.4), lanes_add(lanes_add(_s44, lanes_mul(turn_rate_6, tz_1)), lanes_mul(turn_rate_7, tz_0)))));
-    const V _s46 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_7), lanes_mul(tx_1, vx_6)), lanes_mul(tx_2, vx_5)), lanes_mul(tx_3, vx_4)), lanes_mul(tx_4, vx_3)), lanes_mul(tx_5, vx_2));
-    const V _s47 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_7), lanes_mul(ty_1, vy_6)), lanes_mul(ty_2, vy_5)), lanes_mul(ty_3, vy_4)), lanes_mul(ty_4, vy_3)), lanes_mul(ty_5, vy_2));
-    const V _s48 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_7), lanes_mul(tz_1, vz_6)), lanes_mul(tz_2, vz_5)), lanes_mul(tz_3, vz_4)), lanes_mul(tz_4, vz_3)), lanes_mul(tz_5, vz_2));
-    const V _s49 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(lanes_add(_s46, lanes_mul(tx_6, vx_1)), lanes_mul(vx_0, _s23)), lanes_add(lanes_add(_s47, lanes_mul(ty_6, vy_1)), lanes_mul(vy_0, _s32))), lanes_add(lanes_add(_s48, lanes_mul(tz_6, vz_1)), lanes_mul(vz_0, _s36))));
+    const V _s37 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s23), lanes_mul(turn_rate_1, tx_6)), lanes_mul(turn_rate_2, tx_5)), lanes_mul(turn_rate_3, tx_4)), lanes_mul(turn_rate_4, tx_3)), lanes_mul(turn_rate_5, tx_2));
+    const V _s38 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s19), lanes_mul(nx_1, lift_6)), lanes_mul(nx_2, lift_5)), lanes_mul(nx_3, lift_4)), lanes_mul(nx_4, lift_3)), lanes_mul(nx_5, lift_2));
+    const V _s39 = lanes_mul(K(0.125), lanes_add(lanes_mul(_c2, lanes_add(lanes_add(_s37, lanes_mul(turn_rate_6, tx_1)), lanes_mul(turn_rate_7, tx_0))), lanes_add(lanes_add(_s38, lanes_mul(nx_6, lift_1)), lanes_mul(nx_7, lift_0))));
+    const V _s40 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s32), lanes_mul(turn_rate_1, ty_6)), lanes_mul(turn_rate_2, ty_5)), lanes_mul(turn_rate_3, ty_4)), lanes_mul(turn_rate_4, ty_3)), lanes_mul(turn_rate_5, ty_2));
+    const V _s41 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s19), lanes_mul(ny_1, lift_6)), lanes_mul(ny_2, lift_5)), lanes_mul(ny_3, lift_4)), lanes_mul(ny_4, lift_3)), lanes_mul(ny_5, lift_2));
+    const V _s42 = lanes_mul(K(0.125), lanes_add(lanes_mul(_c2, lanes_add(lanes_add(_s40, lanes_mul(turn_rate_6, ty_1)), lanes_mul(turn_rate_7, ty_0))), lanes_add(lanes_add(_s41, lanes_mul(ny_6, lift_1)), lanes_mul(ny_7, lift_0))));
+    const V _s43 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s36), lanes_mul(turn_rate_1, tz_6)), lanes_mul(turn_rate_2, tz_5)), lanes_mul(turn_rate_3, tz_4)), lanes_mul(turn_rate_4, tz_3)), lanes_mul(turn_rate_5, tz_2));
+    const V _s44 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_0, _s19), lanes_mul(nz_1, lift_6)), lanes_mul(nz_2, lift_5)), lanes_mul(nz_3, lift_4)), lanes_mul(nz_4, lift_3)), lanes_mul(nz_5, lift_2));
+    const V _s45 = lanes_mul(K(0.125), lanes_add(lanes_mul(_c2, lanes_add(lanes_add(_s43, lanes_mul(turn_rate_6, tz_1)), lanes_mul(turn_rate_7, tz_0))), lanes_add(lanes_add(_s44, lanes_mul(nz_6, lift_1)), lanes_mul(nz_7, lift_0))));
+    const V _s46 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vx_0, _s23), lanes_mul(vx_1, tx_6)), lanes_mul(vx_2, tx_5)), lanes_mul(vx_3, tx_4)), lanes_mul(vx_4, tx_3)), lanes_mul(vx_5, tx_2));
+    const V _s47 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vy_0, _s32), lanes_mul(vy_1, ty_6)), lanes_mul(vy_2, ty_5)), lanes_mul(vy_3, ty_4)), lanes_mul(vy_4, ty_3)), lanes_mul(vy_5, ty_2));
+    const V _s48 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(vz_0, _s36), lanes_mul(vz_1, tz_6)), lanes_mul(vz_2, tz_5)), lanes_mul(vz_3, tz_4)), lanes_mul(vz_4, tz_3)), lanes_mul(vz_5, tz_2));
+    const V _s49 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(lanes_add(_s46, lanes_mul(vx_6, tx_1)), lanes_mul(vx_7, tx_0)), lanes_add(lanes_add(_s47, lanes_mul(vy_6, ty_1)), lanes_mul(vy_7, ty_0))), lanes_add(lanes_add(_s48, lanes_mul(vz_6, tz_1)), lanes_mul(vz_7, tz_0))));
     return (LANES(court_roll_7_out)){ _s19, _s23, _s32, _s36, _s39, _s42, _s45, lanes_mul(K(0.125), _s7), lanes_mul(K(0.125), _s15), lanes_mul(K(0.125), _s17), lanes_neg(_s49) };
 }
 
-/* A ball that has come from elsewhere.
+/* Start value of the normal where the flight began: another surface.
    Table 1. No operations. */
 typedef struct {
-    V left_nx;
-    V left_ny;
-    V left_nz;
+    V left_nx, left_ny, left_nz;
 } LANES(court_anew_out);
 
 LANES_INLINE LANES(court_anew_out)
@@ -1661,30 +1531,22 @@ LANES(court_anew)(void)
     return (LANES(court_anew_out)){ K(0.0), K(0.0), K(0.0) };
 }
 
-/* Where a flight began.
+/* Position at the start of a flight.
    Eq. 3. 8 operations: 1 addition, 3 subtractions, 4 multiplications. */
 typedef struct {
-    V from_x;
-    V from_y;
-    V from_z;
+    V from_x, from_y, from_z;
 } LANES(court_started_out);
 
 LANES_INLINE LANES(court_started_out)
-LANES(court_started)(V t, V vx, V vy, V vz, V x, V y, V z, V _c0)
+LANES(court_started)(V x, V y, V z, V vx, V vy, V vz, V t, V _c0)
 {
-    return (LANES(court_started_out)){ lanes_sub(x, lanes_mul(t, vx)), lanes_sub(y, lanes_mul(t, vy)), lanes_sub(z, lanes_mul(t, lanes_add(vz, lanes_mul(_c0, t)))) };
+    return (LANES(court_started_out)){ lanes_sub(x, lanes_mul(vx, t)), lanes_sub(y, lanes_mul(vy, t)), lanes_sub(z, lanes_mul(t, lanes_add(vz, lanes_mul(_c0, t)))) };
 }
 
-/* The constant terms.
+/* Constant terms of the series.
    rolling. 6 operations: 2 additions, 4 multiplications. */
 typedef struct {
-    V vx_0;
-    V vy_0;
-    V vz_0;
-    V nx_0;
-    V ny_0;
-    V nz_0;
-    V turn_rate_0;
+    V vx_0, vy_0, vz_0, nx_0, ny_0, nz_0, turn_rate_0;
 } LANES(court_roll_start_out);
 
 LANES_INLINE LANES(court_roll_start_out)
@@ -1693,110 +1555,91 @@ LANES(court_roll_start)(V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz, V 
     return (LANES(court_roll_start_out)){ vx, vy, vz, nx, ny, nz, lanes_mul(_c0, lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz))) };
 }
 
-/* Where a rolling ball is at time t.
-   its series. 140 operations: 59 additions, 81 multiplications. */
+/* Position, velocity and turn rate of a rolling ball at time t.
+   its series. 142 operations: 59 additions, 83 multiplications. */
 typedef struct {
-    V x;
-    V vx;
-    V y;
-    V vy;
-    V z;
-    V vz;
-    V turn_rate;
+    V x, vx, y, vy, z, vz, turn_rate;
 } LANES(court_roll_moved_out);
 
 LANES_INLINE LANES(court_roll_moved_out)
-LANES(court_roll_moved)(V t, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vx_8, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vy_8, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V vz_8, V x, V y, V z)
+LANES(court_roll_moved)(V x, V y, V z, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vx_8, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vy_8, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V vz_8, V t, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8)
 {
-    const V _s0 = lanes_mul(K(0.1111111111111111), t);
-    const V _s1 = lanes_add(lanes_mul(K(0.16666666666666666), vx_5), lanes_mul(t, lanes_add(lanes_mul(K(0.14285714285714285), vx_6), lanes_mul(t, lanes_add(lanes_mul(K(0.125), vx_7), lanes_mul(_s0, vx_8))))));
-    const V _s2 = lanes_add(lanes_mul(K(0.3333333333333333), vx_2), lanes_mul(t, lanes_add(lanes_mul(K(0.25), vx_3), lanes_mul(t, lanes_add(lanes_mul(K(0.2), vx_4), lanes_mul(t, _s1))))));
-    const V _s3 = lanes_add(x, lanes_mul(t, lanes_add(vx_0, lanes_mul(t, lanes_add(lanes_mul(K(0.5), vx_1), lanes_mul(t, _s2))))));
-    const V _s4 = lanes_add(vx_5, lanes_mul(t, lanes_add(vx_6, lanes_mul(t, lanes_add(vx_7, lanes_mul(t, vx_8))))));
-    const V _s5 = lanes_add(vx_2, lanes_mul(t, lanes_add(vx_3, lanes_mul(t, lanes_add(vx_4, lanes_mul(t, _s4))))));
-    const V _s6 = lanes_add(lanes_mul(K(0.16666666666666666), vy_5), lanes_mul(t, lanes_add(lanes_mul(K(0.14285714285714285), vy_6), lanes_mul(t, lanes_add(lanes_mul(K(0.125), vy_7), lanes_mul(_s0, vy_8))))));
-    const V _s7 = lanes_add(lanes_mul(K(0.3333333333333333), vy_2), lanes_mul(t, lanes_add(lanes_mul(K(0.25), vy_3), lanes_mul(t, lanes_add(lanes_mul(K(0.2), vy_4), lanes_mul(t, _s6))))));
-    const V _s8 = lanes_add(y, lanes_mul(t, lanes_add(vy_0, lanes_mul(t, lanes_add(lanes_mul(K(0.5), vy_1), lanes_mul(t, _s7))))));
-    const V _s9 = lanes_add(vy_5, lanes_mul(t, lanes_add(vy_6, lanes_mul(t, lanes_add(vy_7, lanes_mul(t, vy_8))))));
-    const V _s10 = lanes_add(vy_2, lanes_mul(t, lanes_add(vy_3, lanes_mul(t, lanes_add(vy_4, lanes_mul(t, _s9))))));
-    const V _s11 = lanes_add(lanes_mul(K(0.16666666666666666), vz_5), lanes_mul(t, lanes_add(lanes_mul(K(0.14285714285714285), vz_6), lanes_mul(t, lanes_add(lanes_mul(K(0.125), vz_7), lanes_mul(_s0, vz_8))))));
-    const V _s12 = lanes_add(lanes_mul(K(0.3333333333333333), vz_2), lanes_mul(t, lanes_add(lanes_mul(K(0.25), vz_3), lanes_mul(t, lanes_add(lanes_mul(K(0.2), vz_4), lanes_mul(t, _s11))))));
-    const V _s13 = lanes_add(z, lanes_mul(t, lanes_add(vz_0, lanes_mul(t, lanes_add(lanes_mul(K(0.5), vz_1), lanes_mul(t, _s12))))));
-    const V _s14 = lanes_add(vz_5, lanes_mul(t, lanes_add(vz_6, lanes_mul(t, lanes_add(vz_7, lanes_mul(t, vz_8))))));
-    const V _s15 = lanes_add(vz_2, lanes_mul(t, lanes_add(vz_3, lanes_mul(t, lanes_add(vz_4, lanes_mul(t, _s14))))));
-    const V _s16 = lanes_add(turn_rate_5, lanes_mul(t, lanes_add(turn_rate_6, lanes_mul(t, lanes_add(turn_rate_7, lanes_mul(t, turn_rate_8))))));
-    const V _s17 = lanes_add(turn_rate_2, lanes_mul(t, lanes_add(turn_rate_3, lanes_mul(t, lanes_add(turn_rate_4, lanes_mul(t, _s16))))));
-    return (LANES(court_roll_moved_out)){ _s3, lanes_add(vx_0, lanes_mul(t, lanes_add(vx_1, lanes_mul(t, _s5)))), _s8, lanes_add(vy_0, lanes_mul(t, lanes_add(vy_1, lanes_mul(t, _s10)))), _s13, lanes_add(vz_0, lanes_mul(t, lanes_add(vz_1, lanes_mul(t, _s15)))), lanes_add(turn_rate_0, lanes_mul(t, lanes_add(turn_rate_1, lanes_mul(t, _s17)))) };
+    const V _s0 = lanes_mul(t, lanes_add(lanes_mul(K(0.14285714285714285), vx_6), lanes_mul(t, lanes_add(lanes_mul(K(0.125), vx_7), lanes_mul(lanes_mul(K(0.1111111111111111), vx_8), t)))));
+    const V _s1 = lanes_add(lanes_mul(K(0.25), vx_3), lanes_mul(t, lanes_add(lanes_mul(K(0.2), vx_4), lanes_mul(t, lanes_add(lanes_mul(K(0.16666666666666666), vx_5), _s0)))));
+    const V _s2 = lanes_add(vx_0, lanes_mul(t, lanes_add(lanes_mul(K(0.5), vx_1), lanes_mul(t, lanes_add(lanes_mul(K(0.3333333333333333), vx_2), lanes_mul(t, _s1))))));
+    const V _s3 = lanes_add(vx_5, lanes_mul(t, lanes_add(vx_6, lanes_mul(t, lanes_add(vx_7, lanes_mul(vx_8, t))))));
+    const V _s4 = lanes_add(vx_2, lanes_mul(t, lanes_add(vx_3, lanes_mul(t, lanes_add(vx_4, lanes_mul(t, _s3))))));
+    const V _s5 = lanes_mul(t, lanes_add(lanes_mul(K(0.14285714285714285), vy_6), lanes_mul(t, lanes_add(lanes_mul(K(0.125), vy_7), lanes_mul(lanes_mul(K(0.1111111111111111), vy_8), t)))));
+    const V _s6 = lanes_add(lanes_mul(K(0.25), vy_3), lanes_mul(t, lanes_add(lanes_mul(K(0.2), vy_4), lanes_mul(t, lanes_add(lanes_mul(K(0.16666666666666666), vy_5), _s5)))));
+    const V _s7 = lanes_add(vy_0, lanes_mul(t, lanes_add(lanes_mul(K(0.5), vy_1), lanes_mul(t, lanes_add(lanes_mul(K(0.3333333333333333), vy_2), lanes_mul(t, _s6))))));
+    const V _s8 = lanes_add(vy_5, lanes_mul(t, lanes_add(vy_6, lanes_mul(t, lanes_add(vy_7, lanes_mul(vy_8, t))))));
+    const V _s9 = lanes_add(vy_2, lanes_mul(t, lanes_add(vy_3, lanes_mul(t, lanes_add(vy_4, lanes_mul(t, _s8))))));
+    const V _s10 = lanes_mul(t, lanes_add(lanes_mul(K(0.14285714285714285), vz_6), lanes_mul(t, lanes_add(lanes_mul(K(0.125), vz_7), lanes_mul(lanes_mul(K(0.1111111111111111), vz_8), t)))));
+    const V _s11 = lanes_add(lanes_mul(K(0.25), vz_3), lanes_mul(t, lanes_add(lanes_mul(K(0.2), vz_4), lanes_mul(t, lanes_add(lanes_mul(K(0.16666666666666666), vz_5), _s10)))));
+    const V _s12 = lanes_add(vz_0, lanes_mul(t, lanes_add(lanes_mul(K(0.5), vz_1), lanes_mul(t, lanes_add(lanes_mul(K(0.3333333333333333), vz_2), lanes_mul(t, _s11))))));
+    const V _s13 = lanes_add(vz_5, lanes_mul(t, lanes_add(vz_6, lanes_mul(t, lanes_add(vz_7, lanes_mul(vz_8, t))))));
+    const V _s14 = lanes_add(vz_2, lanes_mul(t, lanes_add(vz_3, lanes_mul(t, lanes_add(vz_4, lanes_mul(t, _s13))))));
+    const V _s15 = lanes_add(turn_rate_5, lanes_mul(t, lanes_add(turn_rate_6, lanes_mul(t, lanes_add(turn_rate_7, lanes_mul(t, turn_rate_8))))));
+    const V _s16 = lanes_add(turn_rate_2, lanes_mul(t, lanes_add(turn_rate_3, lanes_mul(t, lanes_add(turn_rate_4, lanes_mul(t, _s15))))));
+    return (LANES(court_roll_moved_out)){ lanes_add(x, lanes_mul(t, _s2)), lanes_add(vx_0, lanes_mul(t, lanes_add(vx_1, lanes_mul(t, _s4)))), lanes_add(y, lanes_mul(t, _s7)), lanes_add(vy_0, lanes_mul(t, lanes_add(vy_1, lanes_mul(t, _s9)))), lanes_add(z, lanes_mul(t, _s12)), lanes_add(vz_0, lanes_mul(t, lanes_add(vz_1, lanes_mul(t, _s14)))), lanes_add(turn_rate_0, lanes_mul(t, lanes_add(turn_rate_1, lanes_mul(t, _s16)))) };
 }
 
-/* A ball put onto a surface, rolling.
+/* State of a ball put onto the surface, rolling.
    v = R_B (w × n). 35 operations: 5 additions, 9 subtractions, 21 multiplications. */
 typedef struct {
-    V x;
-    V y;
-    V z;
-    V vx;
-    V vy;
-    V vz;
-    V wx;
-    V wy;
-    V wz;
+    V x, y, z, vx, vy, vz, wx, wy, wz;
 } LANES(court_roll_placed_out);
 
 LANES_INLINE LANES(court_roll_placed_out)
-LANES(court_roll_placed)(V gap, V nx, V ny, V nz, V turn_rate, V vx, V vy, V vz, V x, V y, V z, V _c0)
+LANES(court_roll_placed)(V x, V y, V z, V nx, V ny, V nz, V vx, V vy, V vz, V gap, V turn_rate, V _c0)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
     const V _s2 = lanes_sub(vy, lanes_mul(ny, _s0));
     const V _s3 = lanes_sub(vz, lanes_mul(nz, _s0));
-    return (LANES(court_roll_placed_out)){ lanes_sub(x, lanes_mul(gap, nx)), lanes_sub(y, lanes_mul(gap, ny)), lanes_sub(z, lanes_mul(gap, nz)), _s1, _s2, _s3, lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(nx, turn_rate), lanes_mul(ny, _s3)), lanes_mul(nz, _s2))), lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(ny, turn_rate), lanes_mul(nz, _s1)), lanes_mul(nx, _s3))), lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(nx, _s2), lanes_mul(nz, turn_rate)), lanes_mul(ny, _s1))) };
+    return (LANES(court_roll_placed_out)){ lanes_sub(x, lanes_mul(nx, gap)), lanes_sub(y, lanes_mul(ny, gap)), lanes_sub(z, lanes_mul(nz, gap)), _s1, _s2, _s3, lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(nx, turn_rate), lanes_mul(ny, _s3)), lanes_mul(nz, _s2))), lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(ny, turn_rate), lanes_mul(nz, _s1)), lanes_mul(nx, _s3))), lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(nx, _s2), lanes_mul(nz, turn_rate)), lanes_mul(ny, _s1))) };
 }
 
-/* A step of the series, bounds of the motion in it, and the normal force.
-   the last terms of the series. 158 operations: 53 additions, 48 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections. */
+/* Length of a step of the series, bounds of the motion in it, and the normal force.
+   the last terms of the series. 166 operations: 53 additions, 56 multiplications, 1 division, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
-    V stride;
-    V missed;
-    V strongest;
-    V fastest;
-    V force;
-    V force_rate;
-    V force_bend;
-    V brace;
+    V stride, missed, strongest, fastest, force, force_rate, force_bend, friction_force_rate;
 } LANES(court_roll_pace_out);
 
 LANES_INLINE LANES(court_roll_pace_out)
-LANES(court_roll_pace)(V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V lift_7, V nx_8, V ny_8, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V nz_8, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vx_8, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vy_8, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V vz_8, V _c0, V _c1, V _c2)
+LANES(court_roll_pace)(V nx_8, V ny_8, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V nz_8, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vx_8, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vy_8, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V vz_8, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V lift_7, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_0), lanes_abs(vx_0)), lanes_abs(vy_0)), lanes_abs(vz_0));
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_abs(vx_0), lanes_abs(vy_0)), lanes_abs(vz_0)), lanes_abs(turn_rate_0));
     const V _s1 = lanes_add(_c1, _s0);
     const V _s2 = lanes_abs(per_reach);
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_7), lanes_abs(vx_7)), lanes_abs(vy_7)), lanes_abs(vz_7));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_8), lanes_abs(vx_8)), lanes_abs(vy_8)), lanes_abs(vz_8));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_abs(vx_7), lanes_abs(vy_7)), lanes_abs(vz_7)), lanes_abs(turn_rate_7));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_abs(vx_8), lanes_abs(vy_8)), lanes_abs(vz_8)), lanes_abs(turn_rate_8));
     const V _s5 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s2, _s0), lanes_sqrt(lanes_mul(_c0, _s2))), _s3), _s4);
     const V _s6 = lanes_mul(_s1, lanes_add(lanes_add(lanes_abs(nx_8), lanes_abs(ny_8)), lanes_abs(nz_8)));
     const V _s7 = lanes_sqrt(lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.4210854715202004e-14), _s1), lanes_max(_s5, _s6)))));
     const V _s8 = lanes_min(_s7, K(1.0));
-    const V _s9 = lanes_mul(lanes_mul(K(2.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_2), lanes_abs(vx_2)), lanes_abs(vy_2)), lanes_abs(vz_2))), _s8);
+    const V _s9 = lanes_mul(lanes_mul(K(2.0), lanes_add(lanes_add(lanes_add(lanes_abs(vx_2), lanes_abs(vy_2)), lanes_abs(vz_2)), lanes_abs(turn_rate_2))), _s8);
     const V _s10 = lanes_mul(_s8, _s8);
-    const V _s11 = lanes_mul(lanes_mul(K(3.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_3), lanes_abs(vx_3)), lanes_abs(vy_3)), lanes_abs(vz_3))), _s10);
+    const V _s11 = lanes_mul(lanes_mul(K(3.0), lanes_add(lanes_add(lanes_add(lanes_abs(vx_3), lanes_abs(vy_3)), lanes_abs(vz_3)), lanes_abs(turn_rate_3))), _s10);
     const V _s12 = lanes_mul(_s8, _s10);
-    const V _s13 = lanes_mul(lanes_mul(K(4.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_4), lanes_abs(vx_4)), lanes_abs(vy_4)), lanes_abs(vz_4))), _s12);
+    const V _s13 = lanes_mul(lanes_mul(K(4.0), lanes_add(lanes_add(lanes_add(lanes_abs(vx_4), lanes_abs(vy_4)), lanes_abs(vz_4)), lanes_abs(turn_rate_4))), _s12);
     const V _s14 = lanes_mul(_s10, _s10);
-    const V _s15 = lanes_mul(lanes_mul(K(5.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_5), lanes_abs(vx_5)), lanes_abs(vy_5)), lanes_abs(vz_5))), _s14);
+    const V _s15 = lanes_mul(lanes_mul(K(5.0), lanes_add(lanes_add(lanes_add(lanes_abs(vx_5), lanes_abs(vy_5)), lanes_abs(vz_5)), lanes_abs(turn_rate_5))), _s14);
     const V _s16 = lanes_mul(_s8, _s14);
-    const V _s17 = lanes_mul(lanes_mul(K(6.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_6), lanes_abs(vx_6)), lanes_abs(vy_6)), lanes_abs(vz_6))), _s16);
+    const V _s17 = lanes_mul(lanes_mul(K(6.0), lanes_add(lanes_add(lanes_add(lanes_abs(vx_6), lanes_abs(vy_6)), lanes_abs(vz_6)), lanes_abs(turn_rate_6))), _s16);
     const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s9, _s11), _s13), _s15), _s17), lanes_mul(lanes_mul(K(7.0), _s3), lanes_mul(_s10, _s14))), lanes_mul(lanes_mul(K(8.0), _s4), lanes_mul(_s12, _s14)));
-    const V _s19 = lanes_add(_s18, lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_1), lanes_abs(vx_1)), lanes_abs(vy_1)), lanes_abs(vz_1)));
-    const V _s20 = lanes_add(lanes_mul(lanes_mul(K(6.0), lanes_abs(lanes_add(lift_3, lanes_mul(_c2, nz_3)))), _s8), lanes_mul(lanes_mul(K(12.0), lanes_abs(lanes_add(lift_4, lanes_mul(_c2, nz_4)))), _s10));
-    const V _s21 = lanes_add(_s20, lanes_mul(lanes_mul(K(20.0), lanes_abs(lanes_add(lift_5, lanes_mul(_c2, nz_5)))), _s12));
-    const V _s22 = lanes_add(_s21, lanes_mul(lanes_mul(K(30.0), lanes_abs(lanes_add(lift_6, lanes_mul(_c2, nz_6)))), _s14));
-    const V _s23 = lanes_add(_s22, lanes_mul(lanes_mul(K(42.0), lanes_abs(lanes_add(lift_7, lanes_mul(_c2, nz_7)))), _s16));
-    return (LANES(court_roll_pace_out)){ _s8, lanes_mul(K(1.7763568394002505e-15), _s1), _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(_c2, nz_0)), lanes_add(lift_1, lanes_mul(_c2, nz_1)), lanes_add(_s23, lanes_mul(K(2.0), lanes_abs(lanes_add(lift_2, lanes_mul(_c2, nz_2))))), lanes_neg(lanes_mul(K(0.8), lanes_neg(lanes_mul(_c0, nz_1)))) };
+    const V _s19 = lanes_add(_s18, lanes_add(lanes_add(lanes_add(lanes_abs(vx_1), lanes_abs(vy_1)), lanes_abs(vz_1)), lanes_abs(turn_rate_1)));
+    const V _s20 = lanes_mul(_c0, nz_1);
+    const V _s21 = lanes_mul(lanes_mul(K(6.0), lanes_abs(lanes_add(lift_3, lanes_mul(lanes_mul(_c0, nz_3), _c2)))), _s8);
+    const V _s22 = lanes_mul(lanes_mul(K(12.0), lanes_abs(lanes_add(lift_4, lanes_mul(lanes_mul(_c0, nz_4), _c2)))), _s10);
+    const V _s23 = lanes_mul(lanes_mul(K(20.0), lanes_abs(lanes_add(lift_5, lanes_mul(lanes_mul(_c0, nz_5), _c2)))), _s12);
+    const V _s24 = lanes_mul(lanes_mul(K(30.0), lanes_abs(lanes_add(lift_6, lanes_mul(lanes_mul(_c0, nz_6), _c2)))), _s14);
+    const V _s25 = lanes_mul(lanes_mul(K(42.0), lanes_abs(lanes_add(lift_7, lanes_mul(lanes_mul(_c0, nz_7), _c2)))), _s16);
+    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s21, _s22), _s23), _s24), _s25), lanes_mul(K(2.0), lanes_abs(lanes_add(lift_2, lanes_mul(lanes_mul(_c0, nz_2), _c2)))));
+    return (LANES(court_roll_pace_out)){ _s8, lanes_mul(K(1.7763568394002505e-15), _s1), _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(lanes_mul(_c0, nz_0), _c2)), lanes_add(lift_1, lanes_mul(_s20, _c2)), _s26, lanes_neg(lanes_mul(lanes_mul(K(2.0), lanes_neg(_s20)), _c2)) };
 }
 
-/* The spin about the normal, times the ball's radius.
+/* Spin about the normal, times the ball's radius.
    s = R_B (w·n). 6 operations: 2 additions, 4 multiplications. */
 typedef struct {
     V turn_rate;
@@ -1808,38 +1651,33 @@ LANES(court_roll_turn_rate)(V nx, V ny, V nz, V wx, V wy, V wz, V _c0)
     return (LANES(court_roll_turn_rate_out)){ lanes_mul(_c0, lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz))) };
 }
 
-/* Normal force, its part of the free fall, friction and acceleration of a ball that rolls.
+/* Normal force, its part from free fall, friction and acceleration of a rolling ball.
    N = -a·n - v·n', F = beta (-a_t + s n × n'). 52 operations: 13 additions, 5 subtractions, 31 multiplications, 1 square root, 2 negations. */
 typedef struct {
-    V press;
-    V weight;
-    V drag;
-    V thrust_x;
-    V thrust_y;
-    V thrust_z;
+    V press, weight, rolling_friction, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z;
 } LANES(court_pressed_on_out);
 
 LANES_INLINE LANES(court_pressed_on_out)
-LANES(court_pressed_on)(V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V turning_x, V turning_y, V turning_z, V wx, V wy, V wz, V _c0, V _c1, V _c2)
+LANES(court_pressed_on)(V nx, V ny, V nz, V wx, V wy, V wz, V rolled_x, V rolled_y, V rolled_z, V turning_x, V turning_y, V turning_z, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_neg(lanes_mul(_c0, nz));
+    const V _s0 = lanes_neg(lanes_mul(_c1, nz));
     const V _s1 = lanes_sub(lanes_neg(_s0), lanes_add(lanes_add(lanes_mul(rolled_x, turning_x), lanes_mul(rolled_y, turning_y)), lanes_mul(rolled_z, turning_z)));
     const V _s2 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    const V _s3 = lanes_add(lanes_mul(lanes_mul(K(0.4), ny), _s0), lanes_mul(lanes_mul(_c1, lanes_sub(lanes_mul(nz, turning_x), lanes_mul(nx, turning_z))), _s2));
-    const V _s4 = lanes_add(lanes_mul(lanes_mul(K(0.4), nx), _s0), lanes_mul(lanes_mul(_c1, lanes_sub(lanes_mul(ny, turning_z), lanes_mul(nz, turning_y))), _s2));
-    const V _s5 = lanes_add(lanes_add(_c2, lanes_mul(lanes_mul(K(0.4), nz), _s0)), lanes_mul(lanes_mul(_c1, lanes_sub(lanes_mul(nx, turning_y), lanes_mul(ny, turning_x))), _s2));
-    return (LANES(court_pressed_on_out)){ _s1, _s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s4, _s4)), lanes_mul(_s5, _s5))), lanes_add(lanes_mul(nx, _s1), _s4), lanes_add(lanes_mul(ny, _s1), _s3), lanes_sub(lanes_add(lanes_mul(nz, _s1), _s5), _c0) };
+    const V _s3 = lanes_mul(lanes_add(lanes_mul(nx, _s0), lanes_mul(lanes_mul(_c0, lanes_sub(lanes_mul(ny, turning_z), lanes_mul(nz, turning_y))), _s2)), _c2);
+    const V _s4 = lanes_mul(lanes_add(lanes_mul(ny, _s0), lanes_mul(lanes_mul(_c0, lanes_sub(lanes_mul(nz, turning_x), lanes_mul(nx, turning_z))), _s2)), _c2);
+    const V _s5 = lanes_mul(lanes_add(lanes_add(_c1, lanes_mul(nz, _s0)), lanes_mul(lanes_mul(_c0, lanes_sub(lanes_mul(nx, turning_y), lanes_mul(ny, turning_x))), _s2)), _c2);
+    return (LANES(court_pressed_on_out)){ _s1, _s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s4, _s4)), lanes_mul(_s5, _s5))), lanes_add(lanes_mul(nx, _s1), _s3), lanes_add(lanes_mul(ny, _s1), _s4), lanes_sub(lanes_add(lanes_mul(nz, _s1), _s5), _c1) };
 }
 
-/* Where a ball hardly leaves the surface that it has touched, and is looked at.
-   a hop of less than a micrometre. 19 operations: 5 additions, 8 multiplications, 1 division, 3 comparisons, 1 conjunction, 1 disjunction. */
+/* Whether a ball leaves so slowly that its bounces may end here.
+   Table 1. 19 operations: 5 additions, 8 multiplications, 1 division, 3 comparisons, 1 conjunction, 1 disjunction. */
 typedef struct {
     M slow;
     V assured;
 } LANES(court_slowed_out);
 
 LANES_INLINE LANES(court_slowed_out)
-LANES(court_slowed)(V nx, V ny, V nz, V position_error, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3)
+LANES(court_slowed)(V nx, V ny, V nz, V vx, V vy, V vz, V position_error, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_mul(_s0, _s0);
@@ -1847,7 +1685,7 @@ LANES(court_slowed)(V nx, V ny, V nz, V position_error, V vx, V vy, V vz, V _c0,
     return (LANES(court_slowed_out)){ lanes_either(lanes_less(_s1, _s2), lanes_both(lanes_less(_s1, _c3), lanes_less(K(0.0), position_error))), K(0.0) };
 }
 
-/* A ball that has touched nothing.
+/* Start value for a ball without a contact.
    Table 1. No operations. */
 typedef struct {
     M slow;
@@ -1856,10 +1694,10 @@ typedef struct {
 LANES_INLINE LANES(court_unslowed_out)
 LANES(court_unslowed)(void)
 {
-    return (LANES(court_unslowed_out)){ lanes_nowhere() };
+    return (LANES(court_unslowed_out)){ mask_none() };
 }
 
-/* Where its bounces are so small that this may be the last.
+/* Whether this bounce is so small that it may be the last.
    half a hop's height. 15 operations: 5 additions, 8 multiplications, 1 division, 1 comparison. */
 typedef struct {
     M nearly;
@@ -1873,18 +1711,14 @@ LANES(court_nearly)(V nx, V ny, V nz, V vx, V vy, V vz, V _c0, V _c1, V _c2)
     return (LANES(court_nearly_out)){ lanes_less(lanes_mul(_s0, _s0), _s1) };
 }
 
-/* The velocity of a ball whose contact point stops; its slip, and how fast it leaves.
-   the momenta that a contact keeps. 40 operations: 4 additions, 12 subtractions, 21 multiplications, 1 square root, 1 comparison, 1 selection. */
+/* Velocity after the contact point stops; its slip, and the speed off the surface.
+   the momenta that a contact conserves. 40 operations: 4 additions, 12 subtractions, 21 multiplications, 1 square root, 1 comparison, 1 selection. */
 typedef struct {
-    V rolled_x;
-    V rolled_y;
-    V rolled_z;
-    V slip;
-    V bounce;
+    V rolled_x, rolled_y, rolled_z, slip, bounce;
 } LANES(court_gripped_out);
 
 LANES_INLINE LANES(court_gripped_out)
-LANES(court_gripped)(V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz, V _c0)
+LANES(court_gripped)(V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz, V _c0, V _c1)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
@@ -1893,40 +1727,38 @@ LANES(court_gripped)(V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz, V _c0
     const V _s4 = lanes_sub(_s3, lanes_mul(_c0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
     const V _s5 = lanes_sub(vz, lanes_mul(nz, _s0));
     const V _s6 = lanes_sub(_s5, lanes_mul(_c0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
-    return (LANES(court_gripped_out)){ lanes_sub(_s1, lanes_mul(K(0.4), _s2)), lanes_sub(_s3, lanes_mul(K(0.4), _s4)), lanes_sub(_s5, lanes_mul(K(0.4), _s6)), lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s6, _s6), lanes_mul(_s4, _s4)), lanes_mul(_s2, _s2))), lanes_max(K(0.0), _s0) };
+    return (LANES(court_gripped_out)){ lanes_sub(_s1, lanes_mul(_c1, _s2)), lanes_sub(_s3, lanes_mul(_c1, _s4)), lanes_sub(_s5, lanes_mul(_c1, _s6)), lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s6, _s6), lanes_mul(_s4, _s4)), lanes_mul(_s2, _s2))), lanes_max(K(0.0), _s0) };
 }
 
-/* Nothing next to the ball.
+/* Start values: no surface beside the ball.
    Table 1. No operations. */
 typedef struct {
-    V nearest;
-    V wedge;
-} LANES(court_alone_out);
+    V nearest, second_contact_gap;
+} LANES(court_isolated_out);
 
-LANES_INLINE LANES(court_alone_out)
-LANES(court_alone)(void)
+LANES_INLINE LANES(court_isolated_out)
+LANES(court_isolated)(void)
 {
-    return (LANES(court_alone_out)){ K(INFINITY), K(INFINITY) };
+    return (LANES(court_isolated_out)){ K(INFINITY), K(INFINITY) };
 }
 
-/* A body next to a ball that rolls on.
+/* Distance to a body beside a rolling ball, and whether it holds the ball, too.
    Table 1. 18 operations: 1 addition, 4 multiplications, 1 division, 2 absolute values, 5 comparisons, 1 conjunction, 4 selections. */
 typedef struct {
-    V nearest;
-    V wedge;
+    V nearest, second_contact_gap;
 } LANES(court_neared_body_out);
 
 LANES_INLINE LANES(court_neared_body_out)
-LANES(court_neared_body)(V facing, V gap, V nearest, V nearing, V press, V swerve, V wedge)
+LANES(court_neared_body)(V gap, V nearest, V second_contact_gap, V rolling_gap_acceleration, V normal_cosine, V press, V nearing)
 {
     const V _s0 = lanes_abs(gap);
-    const V _s1 = lanes_abs(swerve);
+    const V _s1 = lanes_abs(rolling_gap_acceleration);
     const V _s2 = lanes_mul(K(9.5367431640625e-07), press);
-    const V _s3 = lanes_select(lanes_both(lanes_less(swerve, lanes_mul(K(9.094947017729282e-13), press)), lanes_less(facing, K(0.9999990463256836))), lanes_add(lanes_div(lanes_mul(K(0.5), lanes_mul(nearing, nearing)), lanes_max(_s1, _s2)), _s0), K(INFINITY));
-    return (LANES(court_neared_body_out)){ lanes_min(_s0, nearest), lanes_min(_s3, wedge) };
+    const V _s3 = lanes_select(lanes_both(lanes_less(rolling_gap_acceleration, lanes_mul(K(9.094947017729282e-13), press)), lanes_less(normal_cosine, K(0.9999990463256836))), lanes_add(lanes_div(lanes_mul(K(0.5), lanes_mul(nearing, nearing)), lanes_max(_s1, _s2)), _s0), K(INFINITY));
+    return (LANES(court_neared_body_out)){ lanes_min(_s0, nearest), lanes_min(_s3, second_contact_gap) };
 }
 
-/* The distance to what is next to the ball.
+/* Distance to an end plane beside the ball.
    Table 1. 3 operations: 1 absolute value, 1 comparison, 1 selection. */
 typedef struct {
     V nearest;
@@ -1939,22 +1771,14 @@ LANES(court_neared)(V gap, V nearest)
     return (LANES(court_neared_out)){ lanes_min(_s0, nearest) };
 }
 
-/* What a jump to the end of the bounces adds.
+/* Errors with those of the jump to the end of the bounces.
    its bound. 38 operations: 12 additions, 1 multiplication, 2 divisions, 2 negations, 3 absolute values, 9 comparisons, 9 selections. */
 typedef struct {
-    V dx;
-    V dy;
-    V dz;
-    V dvx;
-    V dvy;
-    V dvz;
-    V dwx;
-    V dwy;
-    V dwz;
+    V dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz;
 } LANES(court_begun_errors_out);
 
 LANES_INLINE LANES(court_begun_errors_out)
-LANES(court_begun_errors)(V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3)
+LANES(court_begun_errors)(V vx, V vy, V vz, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_mul(_c3, lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), _c0)));
     const V _s1 = lanes_neg(_s0);
@@ -1963,24 +1787,23 @@ LANES(court_begun_errors)(V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, 
     return (LANES(court_begun_errors_out)){ lanes_add(dx, lanes_select(lanes_less(dx, K(0.0)), _c2, _c1)), lanes_add(dy, lanes_select(lanes_less(dy, K(0.0)), _c2, _c1)), lanes_add(dz, lanes_select(lanes_less(dz, K(0.0)), _c2, _c1)), lanes_add(dvx, lanes_select(lanes_less(dvx, K(0.0)), _s1, _s0)), lanes_add(dvy, lanes_select(lanes_less(dvy, K(0.0)), _s1, _s0)), lanes_add(dvz, lanes_select(lanes_less(dvz, K(0.0)), _s1, _s0)), lanes_add(dwx, lanes_select(lanes_less(dwx, K(0.0)), _s3, _s2)), lanes_add(dwy, lanes_select(lanes_less(dwy, K(0.0)), _s3, _s2)), lanes_add(dwz, lanes_select(lanes_less(dwz, K(0.0)), _s3, _s2)) };
 }
 
-/* Where the normal force is spent, or nothing moves; else how long it certainly lasts.
+/* Whether the normal force vanishes or the ball rests; else a time for which neither can.
    N = 0. 81 operations: 12 additions, 1 subtraction, 17 multiplications, 2 divisions, 1 square root, 2 negations, 8 absolute values, 14 comparisons, 7 conjunctions, 3 disjunctions, 3 complements, 11 selections. */
 typedef struct {
-    V stride;
-    V which;
+    V stride, which;
     M rests;
     V doubt;
 } LANES(court_leaving_force_out);
 
 LANES_INLINE LANES(court_leaving_force_out)
-LANES(court_leaving_force)(V brace, V doubt, V fastest, V force, V force_bend, V force_rate, V per_reach, V position_error, V stride, V velocity_error, V vx, V vx_1, V vy, V vy_1, V vz, V vz_1, V which, V _c0, V _c1, V _c2)
+LANES(court_leaving_force)(V vx, V vx_1, V vy, V vy_1, V vz, V vz_1, V which, V doubt, V position_error, V velocity_error, V per_reach, V force, V force_rate, V force_bend, V friction_force_rate, V stride, V fastest, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_abs(per_reach);
     const V _s1 = lanes_add(_c0, lanes_mul(lanes_mul(fastest, fastest), _s0));
     const V _s2 = lanes_mul(K(5.684341886080802e-14), _s1);
     const M _s3 = lanes_less(force_rate, K(0.0));
     const M _s4 = lanes_either(lanes_less(force, lanes_neg(_s2)), lanes_both(lanes_at_most(force, _s2), _s3));
-    const V _s5 = lanes_neg(lanes_add(brace, force_rate));
+    const V _s5 = lanes_neg(lanes_add(force_rate, friction_force_rate));
     const V _s6 = lanes_add(force, lanes_select(lanes_less(_s5, K(0.0)), lanes_div(lanes_mul(_s5, _s5), lanes_mul(_c0, lanes_mul(_s0, _s1))), K(0.0)));
     const M _s7 = lanes_both(_s4, lanes_less(_s2, _s6));
     const M _s8 = lanes_both(_s4, lanes_not(_s7));
@@ -1991,29 +1814,26 @@ LANES(court_leaving_force)(V brace, V doubt, V fastest, V force, V force_bend, V
     const V _s13 = lanes_add(_s10, lanes_mul(lanes_mul(K(2.0), _s11), _s12));
     const V _s14 = lanes_sqrt(_s13);
     const V _s15 = lanes_select(lanes_at_most(K(0.0), _s13), lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s12), lanes_add(force_rate, _s14)), lanes_select(_s3, lanes_sub(_s14, force_rate), lanes_max(K(0.0), _s11))), K(INFINITY));
-    const V _s16 = lanes_add(lanes_mul(lanes_mul(K(8.0), _s0), lanes_add(lanes_mul(fastest, velocity_error), lanes_mul(position_error, _s1))), _s2);
+    const V _s16 = lanes_add(lanes_mul(lanes_mul(K(8.0), _s0), lanes_add(lanes_mul(position_error, _s1), lanes_mul(velocity_error, fastest))), _s2);
     const M _s17 = lanes_either(_s7, lanes_both(lanes_at_most(lanes_abs(force), _s16), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s11), _s16), _s10))));
     return (LANES(court_leaving_force_out)){ lanes_select(lanes_either(_s8, _s9), K(0.0), lanes_min(_s15, stride)), lanes_select(lanes_both(_s8, lanes_equal(which, K(-1.0))), K(6.0), which), lanes_both(_s9, lanes_not(_s8)), lanes_select(_s17, K(0.0), doubt) };
 }
 
-/* Where a rolling ball meets another surface; else how long it certainly does not.
+/* Whether a rolling ball meets another surface; else a time for which it cannot.
    a parabola below the distance. 54 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 9 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections. */
 typedef struct {
-    V stride;
-    V which;
-    V doubt;
-    V late;
+    V stride, which, doubt, earliest_delay;
 } LANES(court_beside_body_out);
 
 LANES_INLINE LANES(court_beside_body_out)
-LANES(court_beside_body)(V dent, V doubt, V fastest, V gap, V index, V late, V nearing, V position_error, V stride, V strongest, V which, V x, V y, V z, V _c0, V _c1)
+LANES(court_beside_body)(V x, V y, V z, V gap, V index, V which, V earliest_delay, V doubt, V position_error, V nearing, V gap_curvature, V stride, V strongest, V fastest, V _c0, V _c1)
 {
     const V _s0 = lanes_mul(K(7.105427357601002e-15), lanes_add(lanes_add(lanes_add(_c0, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
     const M _s1 = lanes_at_most(gap, _s0);
     const M _s2 = lanes_less(nearing, K(0.0));
     const M _s3 = lanes_both(_s1, _s2);
     const V _s4 = lanes_mul(nearing, nearing);
-    const V _s5 = lanes_add(strongest, lanes_mul(dent, lanes_mul(fastest, fastest)));
+    const V _s5 = lanes_add(strongest, lanes_mul(gap_curvature, lanes_mul(fastest, fastest)));
     const V _s6 = lanes_select(_s1, _c1, gap);
     const V _s7 = lanes_add(_s4, lanes_mul(lanes_mul(K(2.0), _s5), _s6));
     const V _s8 = lanes_sqrt(_s7);
@@ -2022,26 +1842,23 @@ LANES(court_beside_body)(V dent, V doubt, V fastest, V gap, V index, V late, V n
     const M _s11 = lanes_both(_s3, _s10);
     const V _s12 = lanes_add(lanes_mul(K(2.0), position_error), _s0);
     const M _s13 = lanes_either(lanes_both(lanes_both(lanes_at_most(gap, _s12), lanes_at_most(lanes_neg(_s12), gap)), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s12), _s5), _s4))), lanes_both(_s3, lanes_not(_s10)));
-    return (LANES(court_beside_body_out)){ lanes_select(_s3, K(0.0), lanes_min(_s9, stride)), lanes_select(_s11, index, which), lanes_select(_s13, K(0.0), doubt), lanes_select(_s11, lanes_div(lanes_mul(K(2.0), _s12), lanes_abs(nearing)), late) };
+    return (LANES(court_beside_body_out)){ lanes_select(_s3, K(0.0), lanes_min(_s9, stride)), lanes_select(_s11, index, which), lanes_select(_s13, K(0.0), doubt), lanes_select(_s11, lanes_div(lanes_mul(K(2.0), _s12), lanes_abs(nearing)), earliest_delay) };
 }
 
-/* The same of a plane that ends a shot, which counts from above.
+/* Whether a rolling ball crosses an end plane; else a time for which it cannot.
    a parabola below the distance. 60 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 2 negations, 4 absolute values, 12 comparisons, 6 conjunctions, 1 disjunction, 2 complements, 11 selections. */
 typedef struct {
-    V stride;
-    V which;
-    V doubt;
-    V late;
+    V stride, which, doubt, earliest_delay;
 } LANES(court_beside_gate_out);
 
 LANES_INLINE LANES(court_beside_gate_out)
-LANES(court_beside_gate)(V dent, V doubt, V fastest, V gap, V index, V late, V nearing, V position_error, V stride, V strongest, V which, V x, V y, V z, V _c0)
+LANES(court_beside_gate)(V x, V y, V z, V gap, V index, V which, V earliest_delay, V doubt, V position_error, V nearing, V gap_curvature, V stride, V strongest, V fastest, V _c0)
 {
     const V _s0 = lanes_mul(K(7.105427357601002e-15), lanes_add(lanes_add(lanes_add(_c0, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
     const M _s1 = lanes_less(nearing, K(0.0));
     const M _s2 = lanes_both(lanes_both(lanes_at_most(gap, _s0), _s1), lanes_at_most(lanes_neg(_s0), gap));
     const V _s3 = lanes_mul(nearing, nearing);
-    const V _s4 = lanes_add(strongest, lanes_mul(dent, lanes_mul(fastest, fastest)));
+    const V _s4 = lanes_add(strongest, lanes_mul(gap_curvature, lanes_mul(fastest, fastest)));
     const V _s5 = lanes_max(gap, K(0.0));
     const V _s6 = lanes_add(_s3, lanes_mul(lanes_mul(K(2.0), _s4), _s5));
     const V _s7 = lanes_sqrt(_s6);
@@ -2050,17 +1867,17 @@ LANES(court_beside_gate)(V dent, V doubt, V fastest, V gap, V index, V late, V n
     const M _s10 = lanes_both(_s2, _s9);
     const V _s11 = lanes_add(lanes_mul(K(2.0), position_error), _s0);
     const M _s12 = lanes_either(lanes_both(lanes_both(lanes_at_most(gap, _s11), lanes_at_most(lanes_neg(_s11), gap)), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s11), _s4), _s3))), lanes_both(_s2, lanes_not(_s9)));
-    return (LANES(court_beside_gate_out)){ lanes_select(_s2, K(0.0), lanes_min(_s8, stride)), lanes_select(_s10, index, which), lanes_select(_s12, K(0.0), doubt), lanes_select(_s10, lanes_div(lanes_mul(K(2.0), _s11), lanes_abs(nearing)), late) };
+    return (LANES(court_beside_gate_out)){ lanes_select(_s2, K(0.0), lanes_min(_s8, stride)), lanes_select(_s10, index, which), lanes_select(_s12, K(0.0), doubt), lanes_select(_s10, lanes_div(lanes_mul(K(2.0), _s11), lanes_abs(nearing)), earliest_delay) };
 }
 
-/* How long a rolling ball certainly stays on a part of its surface.
+/* Time for which a rolling ball certainly stays on one part of its surface.
    a parabola below the distance. 28 operations: 3 additions, 1 subtraction, 5 multiplications, 1 division, 1 square root, 1 negation, 2 absolute values, 6 comparisons, 8 selections. */
 typedef struct {
     V stride;
 } LANES(court_beside_seam_out);
 
 LANES_INLINE LANES(court_beside_seam_out)
-LANES(court_beside_seam)(V fastest, V gap, V near, V nearing, V stride, V strongest)
+LANES(court_beside_seam)(V gap, V near, V nearing, V stride, V strongest, V fastest)
 {
     const V _s0 = lanes_abs(gap);
     const M _s1 = lanes_at_most(_s0, near);
@@ -2069,26 +1886,25 @@ LANES(court_beside_seam)(V fastest, V gap, V near, V nearing, V stride, V strong
     const V _s4 = lanes_add(lanes_mul(lanes_mul(K(2.0), strongest), _s2), lanes_mul(_s3, _s3));
     const V _s5 = lanes_sqrt(_s4);
     const M _s6 = lanes_less(_s3, K(0.0));
-    const V _s7 = lanes_select(lanes_at_most(K(0.0), _s4), lanes_div(lanes_select(_s6, lanes_mul(K(2.0), _s2), lanes_add(_s3, _s5)), lanes_select(_s6, lanes_sub(_s5, _s3), lanes_max(K(0.0), strongest))), K(INFINITY));
+    const V _s7 = lanes_select(lanes_at_most(K(0.0), _s4), lanes_div(lanes_select(_s6, lanes_mul(K(2.0), _s2), lanes_add(_s5, _s3)), lanes_select(_s6, lanes_sub(_s5, _s3), lanes_max(K(0.0), strongest))), K(INFINITY));
     return (LANES(court_beside_seam_out)){ lanes_min(_s7, stride) };
 }
 
-/* The time limit.
+/* The time limit as an event in contact.
    Table 1. 10 operations: 1 subtraction, 4 comparisons, 1 conjunction, 1 complement, 3 selections. */
 typedef struct {
-    V stride;
-    V which;
+    V stride, which;
 } LANES(court_beside_time_out);
 
 LANES_INLINE LANES(court_beside_time_out)
-LANES(court_beside_time)(V clock, V stride, V time_limit, V which)
+LANES(court_beside_time)(V which, V clock, V time_limit, V stride)
 {
     const V _s0 = lanes_sub(time_limit, clock);
     const V _s1 = lanes_min(_s0, stride);
     return (LANES(court_beside_time_out)){ lanes_max(K(0.0), _s1), lanes_select(lanes_both(lanes_not(lanes_less(clock, time_limit)), lanes_equal(which, K(-1.0))), K(4.0), which) };
 }
 
-/* The time after a step, and whether there is a next one.
+/* Time after a step, and whether another step follows.
    Table 1. 4 operations: 1 addition, 1 comparison, 1 conjunction, 1 complement. */
 typedef struct {
     V clock;
@@ -2096,101 +1912,130 @@ typedef struct {
 } LANES(court_rolled_on_out);
 
 LANES_INLINE LANES(court_rolled_on_out)
-LANES(court_rolled_on)(V clock, M rests, V stride, V which)
+LANES(court_rolled_on)(V which, V clock, V stride, M rests)
 {
     return (LANES(court_rolled_on_out)){ lanes_add(clock, stride), lanes_both(lanes_equal(which, K(-1.0)), lanes_not(rests)) };
 }
 
-/* Nothing next to the ball.
+/* Start value: no surface beside the ball.
    Table 1. No operations. */
 typedef struct {
-    V spare;
-} LANES(court_unmet_out);
+    V free_time;
+} LANES(court_no_contact_out);
 
-LANES_INLINE LANES(court_unmet_out)
-LANES(court_unmet)(void)
+LANES_INLINE LANES(court_no_contact_out)
+LANES(court_no_contact)(void)
 {
-    return (LANES(court_unmet_out)){ K(INFINITY) };
+    return (LANES(court_no_contact_out)){ K(INFINITY) };
 }
 
-/* What it meets first.
+/* Time for which a ball that leaves certainly meets no other body.
    a parabola below the distance. 29 operations: 6 additions, 1 subtraction, 6 multiplications, 1 division, 1 square root, 3 absolute values, 5 comparisons, 6 selections. */
 typedef struct {
-    V spare;
-} LANES(court_spared_out);
+    V free_time;
+} LANES(court_neighbour_free_time_out);
 
-LANES_INLINE LANES(court_spared_out)
-LANES(court_spared)(V dent, V gap, V nearing, V spare, V vx, V vy, V vz, V _c0, V _c1)
+LANES_INLINE LANES(court_neighbour_free_time_out)
+LANES(court_neighbour_free_time)(V vx, V vy, V vz, V gap, V free_time, V nearing, V gap_curvature, V _c0, V _c1)
 {
     const V _s0 = lanes_add(lanes_add(lanes_add(_c1, lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
-    const V _s1 = lanes_add(_c0, lanes_mul(dent, lanes_mul(_s0, _s0)));
+    const V _s1 = lanes_add(_c0, lanes_mul(gap_curvature, lanes_mul(_s0, _s0)));
     const V _s2 = lanes_max(gap, K(0.0));
     const V _s3 = lanes_add(lanes_mul(nearing, nearing), lanes_mul(lanes_mul(K(2.0), _s1), _s2));
     const V _s4 = lanes_sqrt(_s3);
     const M _s5 = lanes_less(nearing, K(0.0));
     const V _s6 = lanes_select(lanes_at_most(K(0.0), _s3), lanes_div(lanes_select(_s5, lanes_mul(K(2.0), _s2), lanes_add(nearing, _s4)), lanes_select(_s5, lanes_sub(_s4, nearing), lanes_max(K(0.0), _s1))), K(INFINITY));
-    return (LANES(court_spared_out)){ lanes_min(_s6, spare) };
+    return (LANES(court_neighbour_free_time_out)){ lanes_min(_s6, free_time) };
 }
 
-/* How long it stays off one part of the surface: there the distance bends anew.
+/* Time for which a ball that leaves crosses no end plane; else it is in doubt.
+   a parabola below the distance. 54 operations: 8 additions, 2 subtractions, 8 multiplications, 3 divisions, 2 square roots, 2 negations, 4 absolute values, 11 comparisons, 1 disjunction, 13 selections. */
+typedef struct {
+    V free_time, doubt;
+} LANES(court_end_plane_free_time_out);
+
+LANES_INLINE LANES(court_end_plane_free_time_out)
+LANES(court_end_plane_free_time)(V vx, V vy, V vz, V gap, V doubt, V free_time, V nearing, V gap_curvature, V _c0, V _c1)
+{
+    const M _s0 = lanes_less(K(0.0), gap);
+    const V _s1 = lanes_mul(nearing, nearing);
+    const V _s2 = lanes_add(lanes_add(lanes_add(_c1, lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
+    const V _s3 = lanes_add(_c0, lanes_mul(gap_curvature, lanes_mul(_s2, _s2)));
+    const V _s4 = lanes_max(gap, K(0.0));
+    const V _s5 = lanes_mul(K(2.0), _s3);
+    const V _s6 = lanes_add(_s1, lanes_mul(_s5, _s4));
+    const V _s7 = lanes_sqrt(_s6);
+    const V _s8 = lanes_max(K(0.0), _s3);
+    const M _s9 = lanes_less(nearing, K(0.0));
+    const V _s10 = lanes_select(lanes_at_most(K(0.0), _s6), lanes_div(lanes_select(_s9, lanes_mul(K(2.0), _s4), lanes_add(nearing, _s7)), lanes_select(_s9, lanes_sub(_s7, nearing), _s8)), K(INFINITY));
+    const V _s11 = lanes_neg(gap);
+    const V _s12 = lanes_max(_s11, K(0.0));
+    const V _s13 = lanes_add(_s1, lanes_mul(_s5, _s12));
+    const V _s14 = lanes_sqrt(_s13);
+    const M _s15 = lanes_less(lanes_neg(nearing), K(0.0));
+    const V _s16 = lanes_select(lanes_at_most(K(0.0), _s13), lanes_div(lanes_select(_s15, lanes_mul(K(2.0), _s12), lanes_sub(_s14, nearing)), lanes_select(_s15, lanes_add(nearing, _s14), _s8)), K(INFINITY));
+    const V _s17 = lanes_div(lanes_abs(nearing), _s3);
+    return (LANES(court_end_plane_free_time_out)){ lanes_select(_s0, lanes_min(_s10, free_time), free_time), lanes_select(lanes_either(_s0, lanes_less(K(0.0078125), lanes_max(_s16, _s17))), doubt, K(0.0)) };
+}
+
+/* Time for which it certainly reaches no seam, where the distance bends differently.
    a parabola below the distance. 21 operations: 2 additions, 1 subtraction, 3 multiplications, 1 division, 1 square root, 1 negation, 1 absolute value, 5 comparisons, 6 selections. */
 typedef struct {
-    V spare;
-} LANES(court_spared_seam_out);
+    V free_time;
+} LANES(court_seam_free_time_out);
 
-LANES_INLINE LANES(court_spared_seam_out)
-LANES(court_spared_seam)(V gap, V near, V nearing, V spare, V _c0, V _c1)
+LANES_INLINE LANES(court_seam_free_time_out)
+LANES(court_seam_free_time)(V gap, V free_time, V near, V nearing, V _c0, V _c1)
 {
     const V _s0 = lanes_abs(gap);
     const V _s1 = lanes_select(lanes_less(K(0.0), gap), nearing, lanes_neg(nearing));
     const V _s2 = lanes_add(lanes_mul(_c0, _s0), lanes_mul(_s1, _s1));
     const V _s3 = lanes_sqrt(_s2);
     const M _s4 = lanes_less(_s1, K(0.0));
-    const V _s5 = lanes_select(lanes_at_most(K(0.0), _s2), lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s0), lanes_add(_s1, _s3)), lanes_select(_s4, lanes_sub(_s3, _s1), _c1)), K(INFINITY));
-    return (LANES(court_spared_seam_out)){ lanes_select(lanes_at_most(_s0, near), spare, lanes_min(_s5, spare)) };
+    const V _s5 = lanes_select(lanes_at_most(K(0.0), _s2), lanes_div(lanes_select(_s4, lanes_mul(K(2.0), _s0), lanes_add(_s3, _s1)), lanes_select(_s4, lanes_sub(_s3, _s1), _c1)), K(INFINITY));
+    return (LANES(court_seam_free_time_out)){ lanes_select(lanes_at_most(_s0, near), free_time, lanes_min(_s5, free_time)) };
 }
 
-/* How long a ball that leaves a surface certainly does not meet it, nor anything else.
+/* Time for which a ball that leaves a surface certainly meets neither it nor another.
    Taylor's theorem of the gap. 64 operations: 10 additions, 19 multiplications, 5 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections. */
 typedef struct {
-    V when;
-    V doubt;
-} LANES(court_parted_out);
+    V when, doubt;
+} LANES(court_separated_out);
 
-LANES_INLINE LANES(court_parted_out)
-LANES(court_parted)(V doubt, V lift, V per_reach, V position_error, V snap, V spare, V surge, V velocity_error, V vx, V vy, V vz, V _c0, V _c1, V _c2)
+LANES_INLINE LANES(court_separated_out)
+LANES(court_separated)(V vx, V vy, V vz, V doubt, V position_error, V velocity_error, V per_reach, V free_time, V lift, V gap_jerk, V gap_snap, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_mul(K(0.25), spare);
+    const V _s0 = lanes_mul(K(0.25), free_time);
     const V _s1 = lanes_add(lanes_add(lanes_add(_c1, lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
     const V _s2 = lanes_abs(per_reach);
     const V _s3 = lanes_add(_c0, lanes_mul(lanes_mul(_s1, _s1), _s2));
     const V _s4 = lanes_add(lanes_add(K(1.0), lanes_mul(_s1, _s2)), lanes_sqrt(lanes_mul(_c0, _s2)));
     const V _s5 = lanes_mul(lanes_mul(K(64.0), _s3), lanes_mul(_s4, lanes_mul(_s4, _s4)));
-    const V _s6 = lanes_mul(K(0.5), surge);
+    const V _s6 = lanes_mul(K(0.5), gap_jerk);
     const V _s7 = lanes_sqrt(lanes_div(_s6, _s5));
     const V _s8 = lanes_mul(K(9.313225746154785e-10), _s5);
-    const V _s9 = lanes_add(lanes_abs(snap), _s8);
+    const V _s9 = lanes_add(lanes_abs(gap_snap), _s8);
     const V _s10 = lanes_div(_s6, _s9);
     const V _s11 = lanes_max(K(0.0), lift);
     const V _s12 = lanes_sqrt(lanes_div(lanes_mul(K(128.0), _s11), _s5));
     const V _s13 = lanes_sqrt(lanes_div(lanes_mul(K(0.5), _s11), _s9));
-    const V _s14 = lanes_div(_s11, lanes_add(lanes_mul(K(4.0), lanes_abs(surge)), _s8));
+    const V _s14 = lanes_div(_s11, lanes_add(lanes_mul(K(4.0), lanes_abs(gap_jerk)), _s8));
     const V _s15 = lanes_min(_s13, _s14);
-    const V _s16 = lanes_select(lanes_less(K(0.0), surge), lanes_min(_s7, _s10), lanes_min(_s12, _s15));
+    const V _s16 = lanes_select(lanes_less(K(0.0), gap_jerk), lanes_min(_s7, _s10), lanes_min(_s12, _s15));
     const V _s17 = lanes_min(_s16, K(0.0078125));
     const V _s18 = lanes_min(_s0, _s17);
     const V _s19 = lanes_add(_c2, lanes_mul(lanes_mul(K(16.0), lanes_add(lanes_mul(position_error, _s3), lanes_mul(velocity_error, _s1))), _s2));
-    return (LANES(court_parted_out)){ lanes_max(K(0.0), _s18), lanes_select(lanes_either(lanes_less(lanes_mul(_s19, _s4), surge), lanes_less(_s19, lift)), doubt, K(0.0)) };
+    return (LANES(court_separated_out)){ lanes_max(K(0.0), _s18), lanes_select(lanes_either(lanes_less(lanes_mul(_s19, _s4), gap_jerk), lanes_less(_s19, lift)), doubt, K(0.0)) };
 }
 
-/* How often an error makes a neighbouring motion.
-   FAR. 27 operations: 3 additions, 2 multiplications, 1 division, 9 absolute values, 6 comparisons, 6 selections. */
+/* Scale from the errors to the neighbouring motion.
+   a chosen distance. 27 operations: 3 additions, 2 multiplications, 1 division, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    V apart;
-} LANES(court_apart_out);
+    V neighbour_scale;
+} LANES(court_neighbour_scale_out);
 
-LANES_INLINE LANES(court_apart_out)
-LANES(court_apart)(V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz, V _c0, V _c1, V _c2)
+LANES_INLINE LANES(court_neighbour_scale_out)
+LANES(court_neighbour_scale)(V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_abs(dwx);
     const V _s1 = lanes_abs(dwy);
@@ -2205,79 +2050,57 @@ LANES(court_apart)(V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz, V
     const V _s10 = lanes_max(_s8, _s9);
     const V _s11 = lanes_abs(dz);
     const V _s12 = lanes_add(lanes_add(_c1, lanes_mul(K(0.125), lanes_add(lanes_mul(_c0, lanes_max(_s2, _s3)), lanes_max(_s6, _s7)))), lanes_max(_s10, _s11));
-    return (LANES(court_apart_out)){ lanes_div(_c2, _s12) };
+    return (LANES(court_neighbour_scale_out)){ lanes_div(_c2, _s12) };
 }
 
-/* A neighbouring motion, along the errors.
+/* State of a neighbouring motion, along the errors.
    Table 1. 18 operations: 9 additions, 9 multiplications. */
 typedef struct {
-    V far_x;
-    V far_y;
-    V far_z;
-    V far_vx;
-    V far_vy;
-    V far_vz;
-    V far_wx;
-    V far_wy;
-    V far_wz;
-    V far_nx;
-    V far_ny;
-    V far_nz;
-    V far_gap;
+    V far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_nx, far_ny, far_nz, far_gap;
 } LANES(court_neighbour_out);
 
 LANES_INLINE LANES(court_neighbour_out)
-LANES(court_neighbour)(V apart, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
+LANES(court_neighbour)(V x, V y, V z, V vx, V vy, V vz, V wx, V wy, V wz, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V neighbour_scale)
 {
-    return (LANES(court_neighbour_out)){ lanes_add(x, lanes_mul(apart, dx)), lanes_add(y, lanes_mul(apart, dy)), lanes_add(z, lanes_mul(apart, dz)), lanes_add(vx, lanes_mul(apart, dvx)), lanes_add(vy, lanes_mul(apart, dvy)), lanes_add(vz, lanes_mul(apart, dvz)), lanes_add(wx, lanes_mul(apart, dwx)), lanes_add(wy, lanes_mul(apart, dwy)), lanes_add(wz, lanes_mul(apart, dwz)), K(0.0), K(0.0), K(0.0), K(0.0) };
+    return (LANES(court_neighbour_out)){ lanes_add(x, lanes_mul(dx, neighbour_scale)), lanes_add(y, lanes_mul(dy, neighbour_scale)), lanes_add(z, lanes_mul(dz, neighbour_scale)), lanes_add(vx, lanes_mul(dvx, neighbour_scale)), lanes_add(vy, lanes_mul(dvy, neighbour_scale)), lanes_add(vz, lanes_mul(dvz, neighbour_scale)), lanes_add(wx, lanes_mul(dwx, neighbour_scale)), lanes_add(wy, lanes_mul(dwy, neighbour_scale)), lanes_add(wz, lanes_mul(dwz, neighbour_scale)), K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
-/* The errors after a step, with what it rounds and leaves out.
+/* Errors after a step, with its roundings and truncation errors.
    differences. 72 operations: 19 additions, 9 subtractions, 4 multiplications, 10 divisions, 3 negations, 9 absolute values, 9 comparisons, 9 selections. */
 typedef struct {
-    V dx;
-    V dy;
-    V dz;
-    V dvx;
-    V dvy;
-    V dvz;
-    V dwx;
-    V dwy;
-    V dwz;
+    V dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz;
 } LANES(court_compared_out);
 
 LANES_INLINE LANES(court_compared_out)
-LANES(court_compared)(V apart, V far_vx, V far_vy, V far_vz, V far_wx, V far_wy, V far_wz, V far_x, V far_y, V far_z, V missed, V stride, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z, V _c0)
+LANES(court_compared)(V x, V y, V z, V vx, V vy, V vz, V wx, V wy, V wz, V far_x, V far_y, V far_z, V far_vx, V far_vy, V far_vz, V far_wx, V far_wy, V far_wz, V stride, V missed, V neighbour_scale, V _c0)
 {
-    const V _s0 = lanes_div(lanes_sub(far_x, x), apart);
-    const V _s1 = lanes_add(lanes_mul(missed, stride), lanes_mul(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_add(_c0, lanes_abs(x)), lanes_abs(y)), lanes_abs(z))));
+    const V _s0 = lanes_div(lanes_sub(far_x, x), neighbour_scale);
+    const V _s1 = lanes_add(lanes_mul(stride, missed), lanes_mul(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_add(_c0, lanes_abs(x)), lanes_abs(y)), lanes_abs(z))));
     const V _s2 = lanes_neg(_s1);
-    const V _s3 = lanes_div(lanes_sub(far_y, y), apart);
-    const V _s4 = lanes_div(lanes_sub(far_z, z), apart);
-    const V _s5 = lanes_div(lanes_sub(far_vx, vx), apart);
+    const V _s3 = lanes_div(lanes_sub(far_y, y), neighbour_scale);
+    const V _s4 = lanes_div(lanes_sub(far_z, z), neighbour_scale);
+    const V _s5 = lanes_div(lanes_sub(far_vx, vx), neighbour_scale);
     const V _s6 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
     const V _s7 = lanes_add(missed, lanes_mul(K(4.440892098500626e-16), lanes_add(_s6, lanes_abs(vz))));
     const V _s8 = lanes_neg(_s7);
-    const V _s9 = lanes_div(lanes_sub(far_vy, vy), apart);
-    const V _s10 = lanes_div(lanes_sub(far_vz, vz), apart);
-    const V _s11 = lanes_div(lanes_sub(far_wx, wx), apart);
+    const V _s9 = lanes_div(lanes_sub(far_vy, vy), neighbour_scale);
+    const V _s10 = lanes_div(lanes_sub(far_vz, vz), neighbour_scale);
+    const V _s11 = lanes_div(lanes_sub(far_wx, wx), neighbour_scale);
     const V _s12 = lanes_div(_s7, _c0);
     const V _s13 = lanes_neg(_s12);
-    const V _s14 = lanes_div(lanes_sub(far_wy, wy), apart);
-    const V _s15 = lanes_div(lanes_sub(far_wz, wz), apart);
+    const V _s14 = lanes_div(lanes_sub(far_wy, wy), neighbour_scale);
+    const V _s15 = lanes_div(lanes_sub(far_wz, wz), neighbour_scale);
     return (LANES(court_compared_out)){ lanes_add(_s0, lanes_select(lanes_less(_s0, K(0.0)), _s2, _s1)), lanes_add(_s3, lanes_select(lanes_less(_s3, K(0.0)), _s2, _s1)), lanes_add(_s4, lanes_select(lanes_less(_s4, K(0.0)), _s2, _s1)), lanes_add(_s5, lanes_select(lanes_less(_s5, K(0.0)), _s8, _s7)), lanes_add(_s9, lanes_select(lanes_less(_s9, K(0.0)), _s8, _s7)), lanes_add(_s10, lanes_select(lanes_less(_s10, K(0.0)), _s8, _s7)), lanes_add(_s11, lanes_select(lanes_less(_s11, K(0.0)), _s13, _s12)), lanes_add(_s14, lanes_select(lanes_less(_s14, K(0.0)), _s13, _s12)), lanes_add(_s15, lanes_select(lanes_less(_s15, K(0.0)), _s13, _s12)) };
 }
 
-/* Errors after a while of flight.
+/* Errors after the flight of a departure.
    derivative of Eq. 3. 34 operations: 9 additions, 10 multiplications, 3 negations, 6 absolute values, 3 comparisons, 3 selections. */
 typedef struct {
-    V dx;
-    V dy;
-    V dz;
+    V dx, dy, dz;
 } LANES(court_carry_hop_out);
 
 LANES_INLINE LANES(court_carry_hop_out)
-LANES(court_carry_hop)(V dvx, V dvy, V dvz, V dx, V dy, V dz, V vx, V vy, V vz, V when, V x, V y, V z)
+LANES(court_carry_hop)(V x, V y, V z, V vx, V vy, V vz, V dx, V dy, V dz, V dvx, V dvy, V dvz, V when)
 {
     const V _s0 = lanes_add(dx, lanes_mul(dvx, when));
     const V _s1 = lanes_mul(K(2.0), when);
@@ -2289,114 +2112,98 @@ LANES(court_carry_hop)(V dvx, V dvy, V dvz, V dx, V dy, V dz, V vx, V vy, V vz, 
     return (LANES(court_carry_hop_out)){ lanes_add(_s0, lanes_select(lanes_less(_s0, K(0.0)), lanes_neg(_s2), _s2)), lanes_add(_s3, lanes_select(lanes_less(_s3, K(0.0)), lanes_neg(_s4), _s4)), lanes_add(_s5, lanes_select(lanes_less(_s5, K(0.0)), lanes_neg(_s6), _s6)) };
 }
 
-/* Where a ball is in contact: no flight to search.
+/* Whether the ball is in contact, and has no flight to search.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
-    M kept;
+    M in_contact;
     V when;
-    M rests;
-    M rolling;
+    M rests, rolling;
     V began;
-} LANES(court_kept_out);
+} LANES(court_in_contact_out);
 
-LANES_INLINE LANES(court_kept_out)
-LANES(court_kept)(V mode, V when)
+LANES_INLINE LANES(court_in_contact_out)
+LANES(court_in_contact)(V when, V mode)
 {
     const M _s0 = lanes_less(K(0.0), mode);
-    return (LANES(court_kept_out)){ _s0, lanes_select(_s0, K(0.0), when), lanes_nowhere(), lanes_nowhere(), K(0.0) };
+    return (LANES(court_in_contact_out)){ _s0, lanes_select(_s0, K(0.0), when), mask_none(), mask_none(), K(0.0) };
 }
 
-/* Where a surface is not certainly missed by a ball in flight.
+/* Whether a ball in flight may hit a surface.
    Table 1. 4 operations: 1 comparison, 1 conjunction, 2 complements. */
 typedef struct {
     M open;
 } LANES(court_opens_in_flight_out);
 
 LANES_INLINE LANES(court_opens_in_flight_out)
-LANES(court_opens_in_flight)(V clear, M kept)
+LANES(court_opens_in_flight)(V clear, M in_contact)
 {
-    return (LANES(court_opens_in_flight_out)){ lanes_both(lanes_not(lanes_less(K(0.0), clear)), lanes_not(kept)) };
+    return (LANES(court_opens_in_flight_out)){ lanes_both(lanes_not(lanes_less(K(0.0), clear)), lanes_not(in_contact)) };
 }
 
-/* Where a ball in flight may reach a surface.
+/* Whether a ball in flight may reach the box of a surface.
    Table 1. 2 operations: 1 conjunction, 1 complement. */
 typedef struct {
     M reachable;
 } LANES(court_reachable_in_flight_out);
 
 LANES_INLINE LANES(court_reachable_in_flight_out)
-LANES(court_reachable_in_flight)(M kept, M reachable)
+LANES(court_reachable_in_flight)(M reachable, M in_contact)
 {
-    return (LANES(court_reachable_in_flight_out)){ lanes_both(reachable, lanes_not(kept)) };
+    return (LANES(court_reachable_in_flight_out)){ lanes_both(reachable, lanes_not(in_contact)) };
 }
 
-/* No event yet, of a ball in contact.
+/* Start values of a turn in contact: no event yet.
    Table 1. 7 operations: 5 comparisons, 1 conjunction, 1 selection. */
 typedef struct {
-    V which;
-    V late;
-    V began;
-    V doubt;
-    M begins;
-    M rolling;
-    M leaves;
-    V nx;
-    V ny;
-    V nz;
-    V gap;
-    V bent_x;
-    V bent_y;
-    V bent_z;
-    V lift;
-    V surge;
-    V snap;
-    V per_reach;
+    V which, earliest_delay, began, doubt;
+    M begins, rolling, leaves;
+    V nx, ny, nz, gap, bent_x, bent_y, bent_z, lift, gap_jerk, gap_snap, per_reach;
 } LANES(court_resumed_out);
 
 LANES_INLINE LANES(court_resumed_out)
-LANES(court_resumed)(V clock, V mode, V position_error, V velocity_error)
+LANES(court_resumed)(V position_error, V velocity_error, V clock, V mode)
 {
     return (LANES(court_resumed_out)){ K(-1.0), K(0.0), clock, lanes_select(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), K(INFINITY), K(0.0)), lanes_equal(mode, K(1.0)), lanes_equal(mode, K(2.0)), lanes_equal(mode, K(3.0)), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
-/* 1 where a decision lies within its error; that a ball bounces on is none.
+/* 1 if a decision lies within its error, unless it only delays bounces on one surface.
    Table 1. 12 operations: 1 addition, 4 comparisons, 3 conjunctions, 1 disjunction, 2 complements, 1 selection. */
 typedef struct {
     V uncertain;
 } LANES(court_doubted_in_contact_out);
 
 LANES_INLINE LANES(court_doubted_in_contact_out)
-LANES(court_doubted_in_contact)(V assured, V doubt, M edge, V last, V late, V uncertain, V when, V which)
+LANES(court_doubted_in_contact)(V last, V when, V which, V earliest_delay, V doubt, V uncertain, M edge, V assured)
 {
-    const M _s0 = lanes_both(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), edge), lanes_not(lanes_both(lanes_less(K(0.0), assured), lanes_equal(which, last))));
+    const M _s0 = lanes_both(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), doubt)), lanes_less(doubt, K(INFINITY))), edge), lanes_not(lanes_both(lanes_less(K(0.0), assured), lanes_equal(which, last))));
     return (LANES(court_doubted_in_contact_out)){ lanes_select(_s0, K(1.0), uncertain) };
 }
 
-/* Whether it stays on this.
+/* Whether the ball stays on a surface.
    Table 1. 1 operation: 1 comparison. */
 typedef struct {
     M here;
 } LANES(court_holding_out);
 
 LANES_INLINE LANES(court_holding_out)
-LANES(court_holding)(V held, V index)
+LANES(court_holding)(V index, V held)
 {
     return (LANES(court_holding_out)){ lanes_equal(held, index) };
 }
 
-/* Whether it does not.
+/* Whether a surface is another than the one that the ball stays on.
    Table 1. 2 operations: 1 comparison, 1 complement. */
 typedef struct {
     M beside;
 } LANES(court_beside_out);
 
 LANES_INLINE LANES(court_beside_out)
-LANES(court_beside)(V held, V index)
+LANES(court_beside)(V index, V held)
 {
     return (LANES(court_beside_out)){ lanes_not(lanes_equal(held, index)) };
 }
 
-/* A ball in flight.
+/* Start value: the ball has not departed.
    Table 1. No operations. */
 typedef struct {
     M hopped;
@@ -2405,14 +2212,13 @@ typedef struct {
 LANES_INLINE LANES(court_unhopped_out)
 LANES(court_unhopped)(void)
 {
-    return (LANES(court_unhopped_out)){ lanes_nowhere() };
+    return (LANES(court_unhopped_out)){ mask_none() };
 }
 
-/* The contact begins.
+/* Event: the contact begins.
    Table 1. No operations. */
 typedef struct {
-    V which;
-    V circled;
+    V which, circled;
 } LANES(court_beginning_contact_out);
 
 LANES_INLINE LANES(court_beginning_contact_out)
@@ -2421,34 +2227,28 @@ LANES(court_beginning_contact)(void)
     return (LANES(court_beginning_contact_out)){ K(5.0), K(0.0) };
 }
 
-/* The ball is off.
+/* Event: the ball is off the surface.
    Table 1. No operations. */
 typedef struct {
     V which;
-} LANES(court_hopping_out);
+} LANES(court_take_off_out);
 
-LANES_INLINE LANES(court_hopping_out)
-LANES(court_hopping)(void)
+LANES_INLINE LANES(court_take_off_out)
+LANES(court_take_off)(void)
 {
-    return (LANES(court_hopping_out)){ K(7.0) };
+    return (LANES(court_take_off_out)){ K(7.0) };
 }
 
-/* What comes of a ball in contact.
+/* Log entry, outcome and mode of a ball in contact after a turn.
    Table 1. 38 operations: 3 additions, 1 subtraction, 1 multiplication, 9 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 17 selections. */
 typedef struct {
-    V body;
-    V reached;
-    V doubt;
-    M ends;
-    M hopped;
-    V last;
-    V mode;
-    V held;
-    V rolls;
-} LANES(court_kept_on_out);
+    V body, reached, doubt;
+    M ends, hopped;
+    V last, mode, held, rolls;
+} LANES(court_stay_in_contact_out);
 
-LANES_INLINE LANES(court_kept_on_out)
-LANES(court_kept_on)(V began, V body, V clock, V doubt, M ends, V held, V last, V reached, M rests, M rolling, V rolls, V which)
+LANES_INLINE LANES(court_stay_in_contact_out)
+LANES(court_stay_in_contact)(V last, V which, V doubt, V body, V clock, V reached, M ends, V held, V rolls, M rolling, V began, M rests)
 {
     const M _s0 = lanes_equal(which, K(5.0));
     const V _s1 = lanes_mul(K(2.0), lanes_select(lanes_equal(held, K(2.0)), K(2.0), lanes_select(lanes_equal(held, K(1.0)), K(1.0), lanes_select(lanes_equal(held, K(0.0)), K(0.0), K(-1.0)))));
@@ -2457,148 +2257,133 @@ LANES(court_kept_on)(V began, V body, V clock, V doubt, M ends, V held, V last, 
     const M _s4 = lanes_equal(which, K(8.0));
     const M _s5 = lanes_both(rolling, lanes_at_most(lanes_sub(clock, began), K(5.960464477539063e-08)));
     const M _s6 = lanes_less(K(4.0), which);
-    return (LANES(court_kept_on_out)){ lanes_select(_s0, lanes_add(K(4.0), _s1), lanes_select(_s2, lanes_add(K(5.0), _s1), lanes_select(_s3, K(-1.0), lanes_select(_s4, K(3.0), body)))), lanes_select(_s5, K(2.0), lanes_select(_s4, K(6.0), lanes_select(rests, K(5.0), lanes_select(lanes_either(_s6, rolling), K(-1.0), reached)))), lanes_select(_s5, K(0.0), doubt), lanes_both(ends, lanes_not(_s6)), _s3, lanes_select(_s3, K(-1.0), last), lanes_select(lanes_either(_s0, rolling), K(2.0), lanes_select(_s2, K(3.0), K(0.0))), lanes_select(lanes_either(lanes_either(_s0, _s2), rolling), held, K(-1.0)), lanes_select(_s0, lanes_add(K(1.0), rolls), rolls) };
+    return (LANES(court_stay_in_contact_out)){ lanes_select(_s0, lanes_add(K(4.0), _s1), lanes_select(_s2, lanes_add(K(5.0), _s1), lanes_select(_s3, K(-1.0), lanes_select(_s4, K(3.0), body)))), lanes_select(_s5, K(2.0), lanes_select(_s4, K(6.0), lanes_select(rests, K(5.0), lanes_select(lanes_either(_s6, rolling), K(-1.0), reached)))), lanes_select(_s5, K(0.0), doubt), lanes_both(ends, lanes_not(_s6)), _s3, lanes_select(_s3, K(-1.0), last), lanes_select(lanes_either(_s0, rolling), K(2.0), lanes_select(_s2, K(3.0), K(0.0))), lanes_select(lanes_either(lanes_either(_s0, _s2), rolling), held, K(-1.0)), lanes_select(_s0, lanes_add(K(1.0), rolls), rolls) };
 }
 
-/* Whether the ball stays on a surface, slides, leaves, or is wedged between two.
+/* Whether the ball stays on the surface, slides, leaves, or is wedged.
    Table 1. 16 operations: 1 comparison, 4 conjunctions, 3 disjunctions, 8 selections. */
 typedef struct {
-    V mode;
-    V held;
-    V outcome;
-    V slip_left;
-    V uncertain;
+    V mode, held, outcome, slip_left, uncertain;
 } LANES(court_settled_out);
 
 LANES_INLINE LANES(court_settled_out)
-LANES(court_settled)(V index, M lodges, M nearly, V outcome, M parts, M settles, M slides, V uncertain, M unsure)
+LANES(court_settled)(V index, V outcome, V uncertain, M unsure, M settles, M nearly, M lodges, M slides, M unpressed)
 {
-    return (LANES(court_settled_out)){ lanes_select(nearly, lanes_select(settles, K(1.0), lanes_select(parts, K(3.0), K(0.0))), K(0.0)), lanes_select(lanes_both(nearly, lanes_either(settles, parts)), index, K(-1.0)), lanes_select(lanes_both(lanes_both(nearly, lanes_either(lodges, slides)), lanes_less(outcome, K(0.0))), lanes_select(lodges, K(5.0), K(2.0)), outcome), lanes_select(lanes_both(nearly, slides), K(1.0), K(0.0)), lanes_select(lanes_either(lodges, unsure), K(1.0), uncertain) };
+    return (LANES(court_settled_out)){ lanes_select(nearly, lanes_select(settles, K(1.0), lanes_select(unpressed, K(3.0), K(0.0))), K(0.0)), lanes_select(lanes_both(nearly, lanes_either(settles, unpressed)), index, K(-1.0)), lanes_select(lanes_both(lanes_both(nearly, lanes_either(lodges, slides)), lanes_less(outcome, K(0.0))), lanes_select(lodges, K(5.0), K(2.0)), outcome), lanes_select(lanes_both(nearly, slides), K(1.0), K(0.0)), lanes_select(lanes_either(lodges, unsure), K(1.0), uncertain) };
 }
 
-/* The square of the friction that rolling takes, per unit mass, and its rate.
-   F = beta (-a_t + s n × n'). 56 operations: 17 additions, 37 multiplications, 2 negations. */
+/* Square of the friction that rolling takes, per unit mass, and its rate.
+   F = beta (-a_t + s n × n'). 54 operations: 17 additions, 35 multiplications, 2 negations. */
 typedef struct {
-    V drag;
-    V drag_rate;
-    V strain;
-    V strain_rate;
+    V rolling_friction, rolling_friction_rate, grip_deficit, grip_deficit_rate;
 } LANES(court_pulled_out);
 
 LANES_INLINE LANES(court_pulled_out)
 LANES(court_pulled)(V nx_0, V nx_1, V ny_0, V ny_1, V nz_0, V nz_1, V turn_rate_0, V turn_rate_1, V tx_0, V tx_1, V ty_0, V ty_1, V tz_0, V tz_1, V _c0, V _c1)
 {
     const V _s0 = lanes_neg(lanes_mul(_c0, nz_0));
-    const V _s1 = lanes_mul(K(0.4), nx_0);
-    const V _s2 = lanes_mul(K(0.4), turn_rate_0);
-    const V _s3 = lanes_add(lanes_mul(_s1, _s0), lanes_mul(_s2, tx_0));
-    const V _s4 = lanes_mul(K(0.4), ny_0);
-    const V _s5 = lanes_add(lanes_mul(_s4, _s0), lanes_mul(_s2, ty_0));
-    const V _s6 = lanes_mul(K(0.4), nz_0);
-    const V _s7 = lanes_add(lanes_add(_c1, lanes_mul(_s6, _s0)), lanes_mul(_s2, tz_0));
-    const V _s8 = lanes_neg(lanes_mul(_c0, nz_1));
-    const V _s9 = lanes_mul(K(0.4), turn_rate_1);
-    const V _s10 = lanes_mul(lanes_mul(K(2.0), _s3), lanes_add(lanes_add(lanes_add(lanes_mul(_s1, _s8), lanes_mul(lanes_mul(K(0.4), nx_1), _s0)), lanes_mul(_s2, tx_1)), lanes_mul(_s9, tx_0)));
-    const V _s11 = lanes_mul(lanes_mul(K(2.0), _s5), lanes_add(lanes_add(lanes_add(lanes_mul(_s4, _s8), lanes_mul(lanes_mul(K(0.4), ny_1), _s0)), lanes_mul(_s2, ty_1)), lanes_mul(_s9, ty_0)));
-    const V _s12 = lanes_mul(lanes_mul(K(2.0), _s7), lanes_add(lanes_add(lanes_add(lanes_mul(_s6, _s8), lanes_mul(lanes_mul(K(0.4), nz_1), _s0)), lanes_mul(_s2, tz_1)), lanes_mul(_s9, tz_0)));
-    return (LANES(court_pulled_out)){ lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s5, _s5)), lanes_mul(_s7, _s7)), lanes_add(lanes_add(_s10, _s11), _s12), K(-INFINITY), K(0.0) };
+    const V _s1 = lanes_mul(lanes_add(lanes_mul(nx_0, _s0), lanes_mul(turn_rate_0, tx_0)), _c1);
+    const V _s2 = lanes_mul(lanes_add(lanes_mul(ny_0, _s0), lanes_mul(turn_rate_0, ty_0)), _c1);
+    const V _s3 = lanes_mul(lanes_add(lanes_add(_c0, lanes_mul(nz_0, _s0)), lanes_mul(turn_rate_0, tz_0)), _c1);
+    const V _s4 = lanes_neg(lanes_mul(_c0, nz_1));
+    const V _s5 = lanes_mul(lanes_mul(K(2.0), _s1), lanes_mul(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s4), lanes_mul(nx_1, _s0)), lanes_mul(turn_rate_0, tx_1)), lanes_mul(turn_rate_1, tx_0)), _c1));
+    const V _s6 = lanes_mul(lanes_mul(K(2.0), _s2), lanes_mul(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s4), lanes_mul(ny_1, _s0)), lanes_mul(turn_rate_0, ty_1)), lanes_mul(turn_rate_1, ty_0)), _c1));
+    const V _s7 = lanes_mul(lanes_mul(K(2.0), _s3), lanes_mul(lanes_add(lanes_add(lanes_add(lanes_mul(nz_0, _s4), lanes_mul(nz_1, _s0)), lanes_mul(turn_rate_0, tz_1)), lanes_mul(turn_rate_1, tz_0)), _c1));
+    return (LANES(court_pulled_out)){ lanes_add(lanes_add(lanes_mul(_s1, _s1), lanes_mul(_s2, _s2)), lanes_mul(_s3, _s3)), lanes_add(lanes_add(_s5, _s6), _s7), K(-INFINITY), K(0.0) };
 }
 
-/* A contact begins, of which nothing is known yet.
+/* Start value of a contact: no excess is known.
    Table 1. No operations. */
 typedef struct {
-    V taut;
-} LANES(court_untaut_out);
+    V last_grip_deficit;
+} LANES(court_forget_grip_deficit_out);
 
-LANES_INLINE LANES(court_untaut_out)
-LANES(court_untaut)(void)
+LANES_INLINE LANES(court_forget_grip_deficit_out)
+LANES(court_forget_grip_deficit)(void)
 {
-    return (LANES(court_untaut_out)){ K(INFINITY) };
+    return (LANES(court_forget_grip_deficit_out)){ K(INFINITY) };
 }
 
-/* Whether grip would not last any more.
+/* Whether friction exceeds its limit for the first time.
    F² > mu² N². 3 operations: 2 comparisons, 1 conjunction. */
 typedef struct {
     M loses;
 } LANES(court_losing_out);
 
 LANES_INLINE LANES(court_losing_out)
-LANES(court_losing)(V grip_lost, V strain)
+LANES(court_losing)(V grip_deficit, V grip_lost)
 {
-    return (LANES(court_losing_out)){ lanes_both(lanes_less(K(0.0), strain), lanes_equal(grip_lost, K(INFINITY))) };
+    return (LANES(court_losing_out)){ lanes_both(lanes_less(K(0.0), grip_deficit), lanes_equal(grip_lost, K(INFINITY))) };
 }
 
-/* When friction began to be asked for more than there is.
+/* Time at which friction first exceeded its limit.
    a cubic between the ends of a step. 97 operations: 22 additions, 9 subtractions, 28 multiplications, 5 divisions, 1 negation, 16 comparisons, 1 conjunction, 15 selections. */
 typedef struct {
     V grip_lost;
 } LANES(court_lost_grip_out);
 
 LANES_INLINE LANES(court_lost_grip_out)
-LANES(court_lost_grip)(V clock, V strain, V strain_rate, V taut, V taut_clock, V taut_rate)
+LANES(court_lost_grip)(V clock, V grip_deficit, V grip_deficit_rate, V last_grip_deficit, V last_grip_deficit_rate, V last_grip_clock)
 {
-    const V _s0 = lanes_sub(clock, taut_clock);
-    const V _s1 = lanes_sub(strain, taut);
-    const V _s2 = lanes_neg(lanes_div(taut, _s1));
+    const V _s0 = lanes_sub(clock, last_grip_clock);
+    const V _s1 = lanes_sub(grip_deficit, last_grip_deficit);
+    const V _s2 = lanes_neg(lanes_div(last_grip_deficit, _s1));
     const V _s3 = lanes_min(_s2, K(1.0));
     const V _s4 = lanes_max(K(0.0), _s3);
-    const V _s5 = lanes_mul(strain_rate, _s0);
-    const V _s6 = lanes_mul(taut_rate, _s0);
+    const V _s5 = lanes_mul(grip_deficit_rate, _s0);
+    const V _s6 = lanes_mul(last_grip_deficit_rate, _s0);
     const V _s7 = lanes_sub(lanes_add(_s5, _s6), lanes_mul(K(2.0), _s1));
-    const V _s8 = lanes_mul(K(3.0), _s7);
-    const V _s9 = lanes_sub(lanes_sub(lanes_mul(K(3.0), _s1), _s5), lanes_mul(K(2.0), _s6));
-    const V _s10 = lanes_mul(K(2.0), _s9);
-    const V _s11 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s8, _s4), _s10), _s4), _s6);
-    const V _s12 = lanes_add(taut, lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s4), _s9), _s4), _s6), _s4));
-    const V _s13 = lanes_sub(_s4, lanes_div(_s12, lanes_select(lanes_less(K(0.0), _s11), _s11, _s1)));
+    const V _s8 = lanes_sub(lanes_sub(lanes_mul(K(3.0), _s1), _s5), lanes_mul(K(2.0), _s6));
+    const V _s9 = lanes_add(last_grip_deficit, lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s4), _s8), _s4), _s6), _s4));
+    const V _s10 = lanes_mul(K(3.0), _s7);
+    const V _s11 = lanes_mul(K(2.0), _s8);
+    const V _s12 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s10, _s4), _s11), _s4), _s6);
+    const V _s13 = lanes_sub(_s4, lanes_div(_s9, lanes_select(lanes_less(K(0.0), _s12), _s12, _s1)));
     const V _s14 = lanes_min(_s13, K(1.0));
     const V _s15 = lanes_max(K(0.0), _s14);
-    const V _s16 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s8, _s15), _s10), _s15), _s6);
-    const V _s17 = lanes_add(taut, lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s15), _s9), _s15), _s6), _s15));
-    const V _s18 = lanes_sub(_s15, lanes_div(_s17, lanes_select(lanes_less(K(0.0), _s16), _s16, _s1)));
+    const V _s16 = lanes_add(last_grip_deficit, lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s15), _s8), _s15), _s6), _s15));
+    const V _s17 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s10, _s15), _s11), _s15), _s6);
+    const V _s18 = lanes_sub(_s15, lanes_div(_s16, lanes_select(lanes_less(K(0.0), _s17), _s17, _s1)));
     const V _s19 = lanes_min(_s18, K(1.0));
     const V _s20 = lanes_max(K(0.0), _s19);
-    const V _s21 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s8, _s20), _s10), _s20), _s6);
-    const V _s22 = lanes_add(taut, lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s20), _s9), _s20), _s6), _s20));
-    const V _s23 = lanes_sub(_s20, lanes_div(_s22, lanes_select(lanes_less(K(0.0), _s21), _s21, _s1)));
+    const V _s21 = lanes_add(last_grip_deficit, lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s20), _s8), _s20), _s6), _s20));
+    const V _s22 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s10, _s20), _s11), _s20), _s6);
+    const V _s23 = lanes_sub(_s20, lanes_div(_s21, lanes_select(lanes_less(K(0.0), _s22), _s22, _s1)));
     const V _s24 = lanes_min(_s23, K(1.0));
     const V _s25 = lanes_max(K(0.0), _s24);
-    const V _s26 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s8, _s25), _s10), _s25), _s6);
-    const V _s27 = lanes_add(taut, lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s25), _s9), _s25), _s6), _s25));
-    const V _s28 = lanes_sub(_s25, lanes_div(_s27, lanes_select(lanes_less(K(0.0), _s26), _s26, _s1)));
+    const V _s26 = lanes_add(last_grip_deficit, lanes_mul(lanes_add(lanes_mul(lanes_add(lanes_mul(_s7, _s25), _s8), _s25), _s6), _s25));
+    const V _s27 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s10, _s25), _s11), _s25), _s6);
+    const V _s28 = lanes_sub(_s25, lanes_div(_s26, lanes_select(lanes_less(K(0.0), _s27), _s27, _s1)));
     const V _s29 = lanes_min(_s28, K(1.0));
-    return (LANES(court_lost_grip_out)){ lanes_select(lanes_both(lanes_less(taut, K(INFINITY)), lanes_less(taut, strain)), lanes_add(taut_clock, lanes_mul(_s0, lanes_max(K(0.0), _s29))), clock) };
+    return (LANES(court_lost_grip_out)){ lanes_select(lanes_both(lanes_less(last_grip_deficit, K(INFINITY)), lanes_less(last_grip_deficit, grip_deficit)), lanes_add(last_grip_clock, lanes_mul(_s0, lanes_max(K(0.0), _s29))), clock) };
 }
 
-/* What the next end of a step is seen beside.
+/* Excess, rate and time at the end of this step, for the next one.
    Table 1. No operations. */
 typedef struct {
-    V taut;
-    V taut_rate;
-    V taut_clock;
-} LANES(court_tightened_out);
+    V last_grip_deficit, last_grip_deficit_rate, last_grip_clock;
+} LANES(court_remember_grip_deficit_out);
 
-LANES_INLINE LANES(court_tightened_out)
-LANES(court_tightened)(V clock, V strain, V strain_rate)
+LANES_INLINE LANES(court_remember_grip_deficit_out)
+LANES(court_remember_grip_deficit)(V clock, V grip_deficit, V grip_deficit_rate)
 {
-    return (LANES(court_tightened_out)){ strain, strain_rate, clock };
+    return (LANES(court_remember_grip_deficit_out)){ grip_deficit, grip_deficit_rate, clock };
 }
 
-/* What the law of one body has for its own.
+/* The parameters in which one body's law differs from another's.
    data. 1 operation: 1 complement. */
 typedef struct {
-    M mine;
-    V its_0;
-    V its_1;
+    M of_this_kind;
+    V its_0, its_1;
 } LANES(court_ring_impact_taken_out);
 
 LANES_INLINE LANES(court_ring_impact_taken_out)
 LANES(court_ring_impact_taken)(V p_ring_restitution, V p_ring_friction)
 {
-    return (LANES(court_ring_impact_taken_out)){ lanes_not(lanes_nowhere()), p_ring_restitution, p_ring_friction };
+    return (LANES(court_ring_impact_taken_out)){ lanes_not(mask_none()), p_ring_restitution, p_ring_friction };
 }
 
-/* Where a decision within a contact lies within its error.
+/* Whether a decision within the contact lies within its error.
    the law's own slack. 84 operations: 14 additions, 11 subtractions, 28 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
 typedef struct {
     M unsure;
@@ -2628,19 +2413,16 @@ LANES(court_ring_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V
     return (LANES(court_ring_impact_doubt_out)){ _s17 };
 }
 
-/* Where a ball stays on a surface, slides on it or leaves it: its bounces end before anything else can happen, and from when on that is certain.
-   a geometric series of bounces. 142 operations: 19 additions, 3 subtractions, 42 multiplications, 8 divisions, 1 square root, 1 negation, 14 absolute values, 23 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections. */
+/* Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
+   a geometric series of bounces. 143 operations: 19 additions, 3 subtractions, 43 multiplications, 8 divisions, 1 square root, 1 negation, 14 absolute values, 23 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections. */
 typedef struct {
-    M settles;
-    M lodges;
-    M slides;
-    M parts;
+    M settles, lodges, slides, unpressed;
     V assured;
     M unsure;
 } LANES(court_ring_impact_settling_out);
 
 LANES_INLINE LANES(court_ring_impact_settling_out)
-LANES(court_ring_impact_settling)(V bounce, V drag, V lift, V nearest, V press, V rolled_x, V rolled_y, V rolled_z, V slip, V turning_x, V turning_y, V turning_z, V velocity_error, V wedge, V weight, V wx, V wy, V wz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+LANES(court_ring_impact_settling)(V wx, V wy, V wz, V velocity_error, V rolled_x, V rolled_y, V rolled_z, V turning_x, V turning_y, V turning_z, V slip, V bounce, V nearest, V second_contact_gap, V press, V weight, V rolling_friction, V lift, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8)
 {
     const M _s0 = lanes_less(K(0.0), _c1);
     const V _s1 = lanes_div(bounce, press);
@@ -2648,59 +2430,53 @@ LANES(court_ring_impact_settling)(V bounce, V drag, V lift, V nearest, V press, 
     const V _s3 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
     const V _s4 = lanes_add(_s3, lanes_abs(rolled_z));
     const V _s5 = lanes_abs(weight);
-    const V _s6 = lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(_s2, _s4), _s5)), _s2);
+    const V _s6 = lanes_mul(lanes_mul(K(8.0), _s2), lanes_add(lanes_mul(_s2, _s4), _s5));
     const V _s7 = lanes_add(lanes_sqrt(lanes_mul(_c0, _s5)), _s4);
     const V _s8 = lanes_mul(K(1.4210854715202004e-14), _s7);
-    const V _s9 = lanes_mul(K(2.0), drag);
+    const V _s9 = lanes_mul(K(2.0), rolling_friction);
     const V _s10 = lanes_mul(press, _c3);
-    const M _s11 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), press), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s1), _s6), lanes_mul(press, _c2))), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), drag), _s1), _s8))), lanes_at_most(_s9, _s10));
+    const M _s11 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), press), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s1), _s6), lanes_mul(press, _c2))), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), rolling_friction), _s1), _s8))), lanes_at_most(_s9, _s10));
     const V _s12 = lanes_mul(K(0.5), bounce);
-    const V _s13 = lanes_mul(K(4.0), drag);
-    const V _s14 = lanes_add(lanes_add(lanes_mul(_s12, _s1), lanes_div(lanes_mul(_s13, lanes_mul(_s1, _s1)), _c4)), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s1), _c1));
-    const M _s15 = lanes_both(_s11, lanes_at_most(_s14, _c5));
-    const M _s16 = lanes_at_most(wedge, _c6);
+    const V _s13 = lanes_mul(K(4.0), rolling_friction);
+    const V _s14 = lanes_add(lanes_add(lanes_mul(_s12, _s1), lanes_div(lanes_mul(_s13, lanes_mul(_s1, _s1)), _c4)), lanes_div(lanes_mul(lanes_mul(lanes_mul(K(4.0), slip), _c5), _s1), _c1));
+    const M _s15 = lanes_both(_s11, lanes_at_most(_s14, _c6));
+    const M _s16 = lanes_at_most(second_contact_gap, _c7);
     const V _s17 = lanes_div(lanes_mul(lanes_mul(K(16.0), _s1), _s4), _c1);
-    const M _s18 = lanes_less(lanes_add(_c6, _s17), nearest);
-    const M _s19 = lanes_at_most(_s17, _c6);
+    const M _s18 = lanes_less(lanes_add(_c7, _s17), nearest);
+    const M _s19 = lanes_at_most(_s17, _c7);
     const V _s20 = lanes_neg(lift);
     const V _s21 = lanes_min(_s20, press);
     const V _s22 = lanes_div(bounce, _s21);
-    const M _s23 = lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), _s21), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s22), _s6), lanes_mul(_c2, _s21))), lanes_less(lanes_add(_c6, lanes_div(lanes_mul(lanes_mul(K(16.0), _s22), _s4), _c1)), nearest));
-    const M _s24 = lanes_both(_s23, lanes_at_most(lanes_add(lanes_mul(_s12, _s22), lanes_div(lanes_mul(_s13, lanes_mul(_s22, _s22)), _c4)), _c5));
+    const M _s23 = lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), _s21), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s22), _s6), lanes_mul(_c2, _s21))), lanes_less(lanes_add(_c7, lanes_div(lanes_mul(lanes_mul(K(16.0), _s22), _s4), _c1)), nearest));
+    const M _s24 = lanes_both(_s23, lanes_at_most(lanes_add(lanes_mul(_s12, _s22), lanes_div(lanes_mul(_s13, lanes_mul(_s22, _s22)), _c4)), _c6));
     const M _s25 = lanes_less(K(0.0), bounce);
-    const V _s26 = lanes_add(lanes_div(lanes_mul(K(5.0), lanes_add(lanes_mul(_s9, _s22), lanes_select(_s25, lanes_mul(bounce, _c3), K(0.0)))), _c1), lanes_mul(K(1.4551915228366852e-11), _s7));
-    const M _s27 = lanes_either(lanes_at_most(lanes_abs(press), lanes_mul(lanes_mul(K(4.0), velocity_error), _s2)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s14, _c5))), lanes_mul(lanes_mul(K(2.0), velocity_error), _c5)), _s25));
+    const V _s26 = lanes_add(lanes_div(lanes_mul(K(2.0), lanes_add(lanes_mul(_s9, _s22), lanes_select(_s25, lanes_mul(bounce, _c3), K(0.0)))), _c8), lanes_mul(K(1.4551915228366852e-11), _s7));
+    const M _s27 = lanes_either(lanes_at_most(lanes_abs(press), lanes_mul(lanes_mul(K(4.0), velocity_error), _s2)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s14, _c6))), lanes_mul(lanes_mul(K(2.0), velocity_error), _c6)), _s25));
     const V _s28 = lanes_mul(K(16.0), velocity_error);
     const M _s29 = lanes_both(_s24, lanes_either(lanes_less(lanes_abs(lanes_sub(slip, _s26)), _s28), lanes_less(lanes_abs(lanes_sub(_s9, _s10)), lanes_mul(_s28, lanes_add(lanes_mul(_c3, _s2), _s2)))));
     return (LANES(court_ring_impact_settling_out)){ lanes_both(lanes_both(_s15, lanes_not(_s16)), lanes_either(_s18, _s19)), lanes_both(_s15, _s16), lanes_both(_s24, lanes_either(lanes_less(_s26, slip), lanes_less(_s10, _s9))), lanes_both(lanes_at_most(bounce, _s8), lanes_at_most(K(0.0), lift)), lanes_select(lanes_either(lanes_both(_s11, _s18), _s23), K(1.0), K(0.0)), lanes_either(lanes_either(_s27, _s29), lanes_both(lanes_both(_s15, _s19), lanes_not(_s18))) };
 }
 
-/* F² - mu² N², and its rate.
+/* Excess F² - mu² N² and its rate.
    Coulomb's law. 7 operations: 2 subtractions, 5 multiplications. */
 typedef struct {
-    V strain;
-    V strain_rate;
-} LANES(court_ring_impact_strained_out);
+    V grip_deficit, grip_deficit_rate;
+} LANES(court_ring_impact_grip_deficit_out);
 
-LANES_INLINE LANES(court_ring_impact_strained_out)
-LANES(court_ring_impact_strained)(V drag, V drag_rate, V force, V force_rate, V _c0)
+LANES_INLINE LANES(court_ring_impact_grip_deficit_out)
+LANES(court_ring_impact_grip_deficit)(V rolling_friction, V rolling_friction_rate, V force, V force_rate, V _c0)
 {
-    return (LANES(court_ring_impact_strained_out)){ lanes_sub(drag, lanes_mul(lanes_mul(force, force), _c0)), lanes_sub(drag_rate, lanes_mul(_c0, lanes_mul(K(2.0), lanes_mul(force, force_rate)))) };
+    return (LANES(court_ring_impact_grip_deficit_out)){ lanes_sub(rolling_friction, lanes_mul(_c0, lanes_mul(force, force))), lanes_sub(rolling_friction_rate, lanes_mul(_c0, lanes_mul(K(2.0), lanes_mul(force, force_rate)))) };
 }
 
 /* Velocity and spin after a contact, frame-free.
-   momentum, angular momentum and Coulomb's law of friction. 80 operations: 8 additions, 19 subtractions, 41 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
+   momentum, angular momentum and Coulomb's law of friction. 79 operations: 8 additions, 19 subtractions, 40 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
 typedef struct {
-    V vx;
-    V vy;
-    V vz;
-    V wx;
-    V wy;
-    V wz;
+    V vx, vy, vz, wx, wy, wz;
 } LANES(court_ring_impact_out);
 
 LANES_INLINE LANES(court_ring_impact_out)
-LANES(court_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ring_restitution, V p_ring_friction, V _c0, V _c1, V _c2, V _c3)
+LANES(court_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ring_restitution, V p_ring_friction, V _c0, V _c1, V _c2, V _c3, V _c4)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
@@ -2713,50 +2489,45 @@ LANES(court_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V
     const V _s8 = lanes_div(p_ring_restitution, lanes_sub(K(1.0), lanes_div(_s0, _c1)));
     const V _s9 = lanes_neg(lanes_mul(p_ring_friction, lanes_mul(lanes_add(K(1.0), _s8), _s0)));
     const V _s10 = lanes_select(lanes_less(K(0.0), p_ring_friction), lanes_select(lanes_less(p_ring_friction, K(INFINITY)), lanes_select(lanes_at_most(lanes_mul(_s7, _c3), lanes_mul(_s9, _s9)), _c2, lanes_div(_s9, lanes_sqrt(_s7))), _c2), K(0.0));
-    const V _s11 = lanes_div(lanes_mul(K(1.5), _s10), _c0);
+    const V _s11 = lanes_div(_s10, _c4);
     return (LANES(court_ring_impact_out)){ lanes_sub(lanes_sub(_s1, lanes_mul(_s2, _s10)), lanes_mul(lanes_mul(nx, _s8), _s0)), lanes_sub(lanes_sub(_s5, lanes_mul(_s6, _s10)), lanes_mul(lanes_mul(ny, _s8), _s0)), lanes_sub(lanes_sub(_s3, lanes_mul(_s4, _s10)), lanes_mul(lanes_mul(nz, _s8), _s0)), lanes_add(wx, lanes_mul(_s11, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s6)))), lanes_add(wy, lanes_mul(_s11, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(wz, lanes_mul(_s11, lanes_sub(lanes_mul(nx, _s6), lanes_mul(ny, _s2)))) };
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
-   derivative of the contact with friction, with roundings. 308 operations: 59 additions, 38 subtractions, 126 multiplications, 9 divisions, 1 square root, 13 negations, 18 absolute values, 19 comparisons, 25 selections. */
+   derivative of the contact with friction, with roundings. 306 operations: 59 additions, 38 subtractions, 124 multiplications, 9 divisions, 1 square root, 13 negations, 18 absolute values, 19 comparisons, 25 selections. */
 typedef struct {
-    V dvx;
-    V dvy;
-    V dvz;
-    V dwx;
-    V dwy;
-    V dwz;
+    V dvx, dvy, dvz, dwx, dwy, dwz;
 } LANES(court_carry_ring_impact_out);
 
 LANES_INLINE LANES(court_carry_ring_impact_out)
-LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V lifting, V p_ring_restitution, V p_ring_friction, V _c0, V _c1, V _c2, V _c3, V _c4)
+LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V lifting, V p_ring_restitution, V p_ring_friction, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dvx, nx)), lanes_add(lanes_mul(dny, vy), lanes_mul(dvy, ny))), lanes_add(lanes_mul(dnz, vz), lanes_mul(dvz, nz)));
-    const V _s2 = lanes_sub(dvx, lanes_add(lanes_mul(dnx, _s0), lanes_mul(nx, _s1)));
-    const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(_c0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
-    const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(_c0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
-    const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(_c0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_mul(nx, dvx), lanes_mul(vx, dnx)), lanes_add(lanes_mul(ny, dvy), lanes_mul(vy, dny))), lanes_add(lanes_mul(nz, dvz), lanes_mul(vz, dnz)));
+    const V _s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s2 = lanes_sub(dvx, lanes_add(lanes_mul(nx, _s0), lanes_mul(dnx, _s1)));
+    const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s1)), lanes_mul(_c0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s1)), lanes_mul(_c0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s1)), lanes_mul(_c0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
     const V _s6 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s5, _s5)), lanes_mul(_s3, _s3));
-    const V _s7 = lanes_sub(K(1.0), lanes_div(_s0, _c1));
+    const V _s7 = lanes_sub(K(1.0), lanes_div(_s1, _c1));
     const V _s8 = lanes_div(p_ring_restitution, _s7);
     const V _s9 = lanes_add(K(1.0), _s8);
-    const V _s10 = lanes_neg(lanes_mul(p_ring_friction, lanes_mul(_s9, _s0)));
-    const V _s11 = lanes_neg(lanes_div(lanes_mul(p_ring_restitution, lanes_neg(lanes_div(_s1, _c1))), lanes_mul(_s7, _s7)));
+    const V _s10 = lanes_neg(lanes_mul(p_ring_friction, lanes_mul(_s9, _s1)));
+    const V _s11 = lanes_neg(lanes_div(lanes_mul(p_ring_restitution, lanes_neg(lanes_div(_s0, _c1))), lanes_mul(_s7, _s7)));
     const V _s12 = lanes_sqrt(_s6);
-    const V _s13 = lanes_sub(dvz, lanes_add(lanes_mul(dnz, _s0), lanes_mul(nz, _s1)));
-    const V _s14 = lanes_sub(_s13, lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_add(lanes_mul(dnx, wy), lanes_mul(dwy, nx)))));
-    const V _s15 = lanes_sub(dvy, lanes_add(lanes_mul(dny, _s0), lanes_mul(ny, _s1)));
-    const V _s16 = lanes_sub(_s15, lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_add(lanes_mul(dnz, wx), lanes_mul(dwx, nz)))));
-    const V _s17 = lanes_sub(_s2, lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_add(lanes_mul(dny, wz), lanes_mul(dwz, ny)))));
+    const V _s13 = lanes_sub(dvz, lanes_add(lanes_mul(nz, _s0), lanes_mul(dnz, _s1)));
+    const V _s14 = lanes_sub(_s13, lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(ny, dwx), lanes_mul(wx, dny)), lanes_add(lanes_mul(nx, dwy), lanes_mul(wy, dnx)))));
+    const V _s15 = lanes_sub(dvy, lanes_add(lanes_mul(ny, _s0), lanes_mul(dny, _s1)));
+    const V _s16 = lanes_sub(_s15, lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(nx, dwz), lanes_mul(wz, dnx)), lanes_add(lanes_mul(nz, dwx), lanes_mul(wx, dnz)))));
+    const V _s17 = lanes_sub(_s2, lanes_mul(_c0, lanes_sub(lanes_add(lanes_mul(nz, dwy), lanes_mul(wy, dnz)), lanes_add(lanes_mul(ny, dwz), lanes_mul(wz, dny)))));
     const V _s18 = lanes_div(lanes_mul(lanes_mul(K(0.5), _s10), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s14), lanes_mul(lanes_mul(K(2.0), _s5), _s16)), lanes_mul(lanes_mul(K(2.0), _s3), _s17))), lanes_mul(_s12, _s6));
-    const V _s19 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_ring_friction, lanes_add(lanes_mul(_s9, _s1), lanes_mul(_s11, _s0)))), _s12), _s18);
+    const V _s19 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_ring_friction, lanes_add(lanes_mul(_s9, _s0), lanes_mul(_s11, _s1)))), _s12), _s18);
     const M _s20 = lanes_at_most(lanes_mul(_s6, _c3), lanes_mul(_s10, _s10));
     const M _s21 = lanes_less(p_ring_friction, K(INFINITY));
     const M _s22 = lanes_less(K(0.0), p_ring_friction);
     const V _s23 = lanes_select(_s22, lanes_select(_s21, lanes_select(_s20, K(0.0), _s19), K(0.0)), K(0.0));
     const V _s24 = lanes_select(_s22, lanes_select(_s21, lanes_select(_s20, _c2, lanes_div(_s10, _s12)), _c2), K(0.0));
-    const V _s25 = lanes_sub(lanes_sub(_s2, lanes_add(lanes_mul(_s3, _s23), lanes_mul(_s17, _s24))), lanes_add(lanes_add(lanes_mul(lanes_mul(dnx, _s8), _s0), lanes_mul(lanes_mul(nx, _s8), _s1)), lanes_mul(lanes_mul(nx, _s11), _s0)));
+    const V _s25 = lanes_sub(lanes_sub(_s2, lanes_add(lanes_mul(_s3, _s23), lanes_mul(_s17, _s24))), lanes_add(lanes_add(lanes_mul(lanes_mul(nx, _s8), _s0), lanes_mul(lanes_mul(nx, _s11), _s1)), lanes_mul(lanes_mul(dnx, _s8), _s1)));
     const V _s26 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
     const V _s27 = lanes_add(_s26, lanes_abs(vz));
     const V _s28 = lanes_add(K(7.888609052210118e-31), lanes_mul(K(2.220446049250313e-16), _s27));
@@ -2773,28 +2544,28 @@ LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V
     const V _s39 = lanes_max(_s29, _s38);
     const M _s40 = lanes_less(_s25, K(0.0));
     const V _s41 = lanes_sub(_s39, _s29);
-    const V _s42 = lanes_sub(lanes_sub(_s15, lanes_add(lanes_mul(_s5, _s23), lanes_mul(_s16, _s24))), lanes_add(lanes_add(lanes_mul(lanes_mul(dny, _s8), _s0), lanes_mul(lanes_mul(ny, _s8), _s1)), lanes_mul(lanes_mul(ny, _s11), _s0)));
+    const V _s42 = lanes_sub(lanes_sub(_s15, lanes_add(lanes_mul(_s5, _s23), lanes_mul(_s16, _s24))), lanes_add(lanes_add(lanes_mul(lanes_mul(ny, _s8), _s0), lanes_mul(lanes_mul(ny, _s11), _s1)), lanes_mul(lanes_mul(dny, _s8), _s1)));
     const V _s43 = lanes_add(lanes_abs(_s42), _s28);
     const V _s44 = lanes_max(_s43, _s38);
     const V _s45 = lanes_sub(_s44, _s43);
     const M _s46 = lanes_less(_s42, K(0.0));
-    const V _s47 = lanes_sub(lanes_sub(_s13, lanes_add(lanes_mul(_s4, _s23), lanes_mul(_s14, _s24))), lanes_add(lanes_add(lanes_mul(lanes_mul(dnz, _s8), _s0), lanes_mul(lanes_mul(nz, _s8), _s1)), lanes_mul(lanes_mul(nz, _s11), _s0)));
+    const V _s47 = lanes_sub(lanes_sub(_s13, lanes_add(lanes_mul(_s4, _s23), lanes_mul(_s14, _s24))), lanes_add(lanes_add(lanes_mul(lanes_mul(nz, _s8), _s0), lanes_mul(lanes_mul(nz, _s11), _s1)), lanes_mul(lanes_mul(dnz, _s8), _s1)));
     const V _s48 = lanes_add(lanes_abs(_s47), _s28);
     const V _s49 = lanes_max(_s48, _s38);
     const V _s50 = lanes_sub(_s49, _s48);
     const M _s51 = lanes_less(_s47, K(0.0));
     const V _s52 = lanes_add(lanes_add(lanes_mul(nx, lanes_select(_s40, lanes_neg(_s41), _s41)), lanes_mul(ny, lanes_select(_s46, lanes_neg(_s45), _s45))), lanes_mul(nz, lanes_select(_s51, lanes_neg(_s50), _s50)));
-    const V _s53 = lanes_div(lanes_mul(K(1.5), _s23), _c0);
-    const V _s54 = lanes_div(lanes_mul(K(1.5), _s24), _c0);
-    const V _s55 = lanes_add(dwx, lanes_add(lanes_mul(_s53, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5))), lanes_mul(_s54, lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s14)), lanes_add(lanes_mul(dnz, _s5), lanes_mul(nz, _s16))))));
-    const V _s56 = lanes_mul(_c4, _s28);
+    const V _s53 = lanes_div(_s23, _c4);
+    const V _s54 = lanes_div(_s24, _c4);
+    const V _s55 = lanes_add(dwx, lanes_add(lanes_mul(_s53, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5))), lanes_mul(_s54, lanes_sub(lanes_add(lanes_mul(ny, _s14), lanes_mul(dny, _s4)), lanes_add(lanes_mul(nz, _s16), lanes_mul(dnz, _s5))))));
+    const V _s56 = lanes_mul(_c5, _s28);
     const V _s57 = lanes_add(lanes_abs(_s55), _s56);
-    const V _s58 = lanes_mul(_c4, _s38);
+    const V _s58 = lanes_mul(_c5, _s38);
     const V _s59 = lanes_max(_s57, _s58);
-    const V _s60 = lanes_add(dwy, lanes_add(lanes_mul(_s53, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4))), lanes_mul(_s54, lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s17)), lanes_add(lanes_mul(dnx, _s4), lanes_mul(nx, _s14))))));
+    const V _s60 = lanes_add(dwy, lanes_add(lanes_mul(_s53, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4))), lanes_mul(_s54, lanes_sub(lanes_add(lanes_mul(nz, _s17), lanes_mul(dnz, _s3)), lanes_add(lanes_mul(nx, _s14), lanes_mul(dnx, _s4))))));
     const V _s61 = lanes_add(lanes_abs(_s60), _s56);
     const V _s62 = lanes_max(_s61, _s58);
-    const V _s63 = lanes_add(dwz, lanes_add(lanes_mul(_s53, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3))), lanes_mul(_s54, lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s16)), lanes_add(lanes_mul(dny, _s3), lanes_mul(ny, _s17))))));
+    const V _s63 = lanes_add(dwz, lanes_add(lanes_mul(_s53, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3))), lanes_mul(_s54, lanes_sub(lanes_add(lanes_mul(nx, _s16), lanes_mul(dnx, _s5)), lanes_add(lanes_mul(ny, _s17), lanes_mul(dny, _s3))))));
     const V _s64 = lanes_add(lanes_abs(_s63), _s56);
     const V _s65 = lanes_max(_s64, _s58);
     return (LANES(court_carry_ring_impact_out)){ lanes_sub(lanes_select(_s40, lanes_neg(_s39), _s39), lanes_mul(nx, _s52)), lanes_sub(lanes_select(_s46, lanes_neg(_s44), _s44), lanes_mul(ny, _s52)), lanes_sub(lanes_select(_s51, lanes_neg(_s49), _s49), lanes_mul(nz, _s52)), lanes_select(lanes_less(_s55, K(0.0)), lanes_neg(_s59), _s59), lanes_select(lanes_less(_s60, K(0.0)), lanes_neg(_s62), _s62), lanes_select(lanes_less(_s63, K(0.0)), lanes_neg(_s65), _s65) };
@@ -2803,9 +2574,7 @@ LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V
 /* Outward unit normal n3 at a contact.
    Table 2. 11 operations: 1 addition, 1 subtraction, 7 multiplications, 1 division, 1 square root. */
 typedef struct {
-    V nx;
-    V ny;
-    V nz;
+    V nx, ny, nz;
 } LANES(court_ring_normal_out);
 
 LANES_INLINE LANES(court_ring_normal_out)
@@ -2831,25 +2600,22 @@ LANES(court_ring_curvature)(V _c0)
 /* Error of the normal, from that of the position.
    derivative of Table 2's normal. 27 operations: 5 additions, 1 subtraction, 18 multiplications, 1 division, 1 square root, 1 negation. */
 typedef struct {
-    V dnx;
-    V dny;
-    V dnz;
-    V turn;
+    V dnx, dny, dnz, turn;
 } LANES(court_ring_carry_normal_out);
 
 LANES_INLINE LANES(court_ring_carry_normal_out)
 LANES(court_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s1 = lanes_sub(_s0, _c0);
-    const V _s2 = lanes_div(K(1.0), _s0);
-    const V _s3 = lanes_mul(lanes_mul(_c1, _s1), _s2);
-    const V _s4 = lanes_mul(lanes_add(lanes_mul(dx, x), lanes_mul(dy, y)), _s2);
-    const V _s5 = lanes_mul(_c1, lanes_add(lanes_mul(_s4, _s2), lanes_mul(lanes_neg(lanes_mul(_s4, lanes_mul(_s2, _s2))), _s1)));
-    return (LANES(court_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s3), lanes_mul(x, _s5)), lanes_add(lanes_mul(dy, _s3), lanes_mul(y, _s5)), lanes_mul(dz, _c1), lanes_mul(shift, _c2) };
+    const V _s1 = lanes_div(K(1.0), _s0);
+    const V _s2 = lanes_mul(lanes_add(lanes_mul(x, dx), lanes_mul(y, dy)), _s1);
+    const V _s3 = lanes_sub(_s0, _c0);
+    const V _s4 = lanes_mul(_c1, lanes_add(lanes_mul(_s2, _s1), lanes_mul(lanes_neg(lanes_mul(_s2, lanes_mul(_s1, _s1))), _s3)));
+    const V _s5 = lanes_mul(lanes_mul(_c1, _s3), _s1);
+    return (LANES(court_ring_carry_normal_out)){ lanes_add(lanes_mul(x, _s4), lanes_mul(dx, _s5)), lanes_add(lanes_mul(y, _s4), lanes_mul(dy, _s5)), lanes_mul(dz, _c1), lanes_mul(shift, _c2) };
 }
 
-/* Positive if there certainly is no contact before the horizon.
+/* Positive if there is certainly no contact before the horizon.
    bounds of the event condition. 119 operations: 24 additions, 16 subtractions, 49 multiplications, 2 square roots, 14 comparisons, 14 selections. */
 typedef struct {
     V clear;
@@ -2873,46 +2639,35 @@ LANES(court_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V 
     const V _s12 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(_c10, _s6)), _s6));
     const V _s13 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), _c11), _c13);
     const V _s14 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
-    const V _s15 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s15 = lanes_sub(lanes_mul(x, vy), lanes_mul(y, vx));
     const V _s16 = lanes_mul(_s15, _s15);
     const V _s17 = lanes_sub(lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s2), lanes_mul(_c14, z)), lanes_mul(K(2.0), _s14)), _c15), _c17), lanes_mul(_c18, _s16));
     const V _s18 = lanes_add(lanes_mul(_s11, lanes_add(lanes_mul(vx, _s7), lanes_mul(vy, _s8))), lanes_mul(lanes_mul(_s12, lanes_sub(vz, lanes_mul(_c1, _s6))), _s10));
-    const V _s19 = lanes_add(x, lanes_mul(horizon, vx));
-    const V _s20 = lanes_add(y, lanes_mul(horizon, vy));
+    const V _s19 = lanes_add(x, lanes_mul(vx, horizon));
+    const V _s20 = lanes_add(y, lanes_mul(vy, horizon));
     const V _s21 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_c13, lanes_mul(_s19, _s19)), lanes_mul(_s20, _s20)), _c16), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s14, _c19), _s16), K(0.0)), K(1.0), K(0.0)));
     const V _s22 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s18, _s18)), _c17), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s17), _s9), _s13)), K(0.0)), _s21, K(0.0));
     const V _s23 = lanes_select(lanes_less(horizon, lanes_sub(_s6, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s13), lanes_select(lanes_less(K(0.0), _s17), _s22, K(0.0)), K(0.0)));
-    const V _s24 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s24 = lanes_add(lanes_mul(x, vx), lanes_mul(y, vy));
     const V _s25 = lanes_add(lanes_mul(_s5, _s14), _s24);
     const V _s26 = lanes_select(lanes_less(_s25, K(0.0)), lanes_select(lanes_less(_c12, lanes_add(lanes_mul(_s5, lanes_add(_s24, _s25)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s23, K(0.0)), K(0.0));
     const V _s27 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c1, horizon)))), _c7), lanes_select(lanes_less(K(0.0), _s3), lanes_select(lanes_less(_s5, K(0.0)), _s23, _s26), K(0.0)), K(0.0));
     return (LANES(court_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_c2, _s1)), K(0.0), lanes_select(lanes_less(_s0, _c6), _s27, K(0.0))) };
 }
 
-/* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 164 operations: 29 additions, 17 subtractions, 38 multiplications, 1 division, 6 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections. */
+/* Constants and windows of the search along a flight, and its error budget.
+   bounds of the event condition. 163 operations: 28 additions, 17 subtractions, 38 multiplications, 1 division, 6 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections. */
 typedef struct {
-    V steady;
-    V swing;
-    V rho_start;
-    V low0;
-    V high0;
-    V low1;
-    V high1;
-    V low2;
-    V high2;
-    V ceiling;
-    V latest;
-    V lost;
+    V energy2, moment2, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, budget_exceeded;
 } LANES(court_ring_prepare_out);
 
 LANES_INLINE LANES(court_ring_prepare_out)
-LANES(court_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14)
+LANES(court_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13)
 {
     const V _s0 = lanes_mul(vz, vz);
     const V _s1 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
     const V _s2 = lanes_add(lanes_add(lanes_mul(K(2.0), _s0), lanes_mul(_c0, z)), lanes_mul(K(2.0), _s1));
-    const V _s3 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s3 = lanes_sub(lanes_mul(x, vy), lanes_mul(y, vx));
     const V _s4 = lanes_mul(_s3, _s3);
     const V _s5 = lanes_mul(_c1, _s4);
     const V _s6 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
@@ -2924,7 +2679,7 @@ LANES(court_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, 
     const V _s12 = lanes_select(_s11, lanes_mul(_c4, lanes_sub(lanes_sub(vz, _s9), _s10)), K(INFINITY));
     const V _s13 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), _s1), lanes_add(_c5, _s6));
     const V _s14 = lanes_sub(lanes_add(lanes_mul(_c5, _s1), _s13), _s4);
-    const V _s15 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s15 = lanes_add(lanes_mul(x, vx), lanes_mul(y, vy));
     const V _s16 = lanes_sqrt(_s14);
     const V _s17 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(_s15), lanes_abs(_s3)), _s16));
     const V _s18 = lanes_div(K(1.0), _s1);
@@ -2957,17 +2712,15 @@ LANES(court_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, 
     const V _s45 = lanes_max(K(0.0), _s33);
     const V _s46 = lanes_max(_s45, _s42);
     const V _s47 = lanes_max(_s46, _s44);
-    const V _s48 = lanes_add(lanes_mul(_c10, lanes_sqrt(lanes_mul(_c4, lanes_add(lanes_add(_c11, extent), _c12)))), lanes_mul(lanes_mul(K(2.0), speed), _c4));
-    const V _s49 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s48, horizon))), _c13), _c14);
+    const V _s48 = lanes_add(lanes_mul(_c10, lanes_sqrt(lanes_mul(_c4, lanes_add(_c11, extent)))), lanes_mul(lanes_mul(K(2.0), speed), _c4));
+    const V _s49 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s48, horizon))), _c12), _c13);
     return (LANES(court_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s22), lanes_min(_s33, horizon), lanes_max(K(0.0), _s41), lanes_min(_s42, horizon), lanes_max(K(0.0), _s43), lanes_min(_s44, horizon), lanes_add(lanes_add(_c7, lanes_mul(_s5, _c8)), lanes_abs(_s2)), lanes_min(_s47, horizon), lanes_max(_c9, _s49) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
    running error analysis. 34 operations: 12 additions, 22 multiplications. */
 typedef struct {
-    V margin;
-    V leaving_margin;
-    V rate_margin;
+    V margin, leaving_margin, rate_margin;
 } LANES(court_ring_margins_out);
 
 LANES_INLINE LANES(court_ring_margins_out)
@@ -2985,62 +2738,55 @@ LANES(court_ring_margins)(V horizon, V extent, V speed, V position_error, V velo
 /* Newton's next value of a root near t, and gap and rate there.
    Newton's method. 53 operations: 14 additions, 6 subtractions, 28 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection. */
 typedef struct {
-    V time;
-    V gap;
-    V rate;
+    V time, gap, rate;
 } LANES(court_ring_refine_out);
 
 LANES_INLINE LANES(court_ring_refine_out)
 LANES(court_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_add(x, lanes_mul(t, vx));
-    const V _s1 = lanes_add(y, lanes_mul(t, vy));
+    const V _s0 = lanes_add(x, lanes_mul(vx, t));
+    const V _s1 = lanes_add(y, lanes_mul(vy, t));
     const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
     const V _s3 = lanes_add(rho_start, _s2);
     const V _s4 = lanes_div(K(1.0), lanes_mul(_s3, _s2));
     const V _s5 = lanes_sub(_s2, _c0);
     const V _s6 = lanes_sub(vz, lanes_mul(_c2, t));
     const V _s7 = lanes_add(z, lanes_mul(t, _s6));
-    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(lanes_sub(vz, lanes_mul(_c1, t)), _s7)));
-    const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, _c0), _s5)), lanes_mul(_s2, _s4));
+    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(_s7, lanes_sub(vz, lanes_mul(_c1, t)))));
+    const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(x, vx), lanes_mul(y, vy)))), lanes_add(lanes_sub(rho_start, _c0), _s5)), lanes_mul(_s2, _s4));
     const V _s10 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), _c3));
     return (LANES(court_ring_refine_out)){ lanes_sub(t, lanes_div(_s10, _s8)), _s10, _s8 };
 }
 
-/* Gap, rate, bend, a step without a root, its end, and the clearance of a root.
+/* Gap, rate, second derivative, a step without a root, its end, and the clearance.
    Newton from the left under a curvature bound. 132 operations: 27 additions, 15 subtractions, 47 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 15 comparisons, 18 selections. */
 typedef struct {
-    V gap;
-    V rate;
-    V bend;
-    V step;
-    V next;
-    V clearance;
+    V gap, rate, bend, step, next, clearance;
 } LANES(court_ring_advance_out);
 
 LANES_INLINE LANES(court_ring_advance_out)
-LANES(court_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7)
+LANES(court_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V energy2, V moment2, V rho_start, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7)
 {
-    const V _s0 = lanes_add(x, lanes_mul(t, vx));
-    const V _s1 = lanes_add(y, lanes_mul(t, vy));
+    const V _s0 = lanes_add(x, lanes_mul(vx, t));
+    const V _s1 = lanes_add(y, lanes_mul(vy, t));
     const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
     const V _s3 = lanes_sub(_s2, _c0);
     const V _s4 = lanes_add(rho_start, _s2);
     const V _s5 = lanes_div(K(1.0), lanes_mul(_s4, _s2));
-    const V _s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, _c0), _s3)), lanes_mul(_s2, _s5));
+    const V _s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(x, vx), lanes_mul(y, vy)))), lanes_add(lanes_sub(rho_start, _c0), _s3)), lanes_mul(_s2, _s5));
     const V _s7 = lanes_sub(vz, lanes_mul(_c2, t));
     const V _s8 = lanes_add(z, lanes_mul(t, _s7));
     const V _s9 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s6, lanes_mul(lanes_add(z, _s8), _s7))), lanes_sub(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s8, _s8)), _c3));
     const V _s10 = lanes_mul(_s4, _s5);
     const V _s11 = lanes_mul(_s10, lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1)));
     const V _s12 = lanes_sub(vz, lanes_mul(_c1, t));
-    const V _s13 = lanes_mul(K(2.0), lanes_add(lanes_mul(_s11, _s3), lanes_mul(_s12, _s8)));
+    const V _s13 = lanes_mul(K(2.0), lanes_add(lanes_mul(_s11, _s3), lanes_mul(_s8, _s12)));
     const V _s14 = lanes_mul(_c4, _s8);
-    const V _s15 = lanes_mul(swing, lanes_mul(_s10, lanes_mul(_s10, _s10)));
+    const V _s15 = lanes_mul(moment2, lanes_mul(_s10, lanes_mul(_s10, _s10)));
     const V _s16 = lanes_sub(_s13, rate_margin);
     const V _s17 = lanes_sub(_s9, margin);
     const V _s18 = lanes_max(_s17, K(0.0));
-    const V _s19 = lanes_sub(lanes_add(_s14, _s15), steady);
+    const V _s19 = lanes_sub(lanes_add(_s14, _s15), energy2);
     const M _s20 = lanes_less(_s16, K(0.0));
     const V _s21 = lanes_mul(K(2.0), _s18);
     const V _s22 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s16), _s18, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s20, _s21, lanes_mul(K(4.0), _s16)), lanes_select(_s20, lanes_neg(_s16), lanes_max(K(0.0), _s19))));
@@ -3050,28 +2796,23 @@ LANES(court_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceil
     const V _s26 = lanes_mul(_c4, lanes_min(_c5, _s25));
     const V _s27 = lanes_sub(lanes_add(lanes_mul(_s24, lanes_min(K(0.0), _s11)), _s2), _c6);
     const V _s28 = lanes_div(K(1.0), lanes_max(_s27, _c7));
-    const V _s29 = lanes_mul(swing, lanes_mul(_s28, lanes_mul(_s28, _s28)));
-    const V _s30 = lanes_sub(lanes_add(lanes_add(_s26, _s29), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s29, lanes_abs(steady)), lanes_abs(_s26)))), steady);
+    const V _s29 = lanes_mul(moment2, lanes_mul(_s28, lanes_mul(_s28, _s28)));
+    const V _s30 = lanes_sub(lanes_add(lanes_add(_s26, _s29), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s29, lanes_abs(energy2)), lanes_abs(_s26)))), energy2);
     const V _s31 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s30), _s18), lanes_mul(_s16, _s16));
     const V _s32 = lanes_sqrt(_s31);
     const V _s33 = lanes_select(lanes_at_most(K(0.0), _s31), lanes_div(lanes_select(_s20, _s21, lanes_add(_s16, _s32)), lanes_select(_s20, lanes_sub(_s32, _s16), lanes_max(K(0.0), _s30))), K(INFINITY));
     const V _s34 = lanes_min(_s33, _s24);
     const V _s35 = lanes_neg(lanes_add(rate_margin, _s13));
-    return (LANES(court_ring_advance_out)){ _s9, _s13, lanes_sub(lanes_sub(steady, _s14), _s15), _s34, lanes_add(t, _s34), lanes_select(lanes_less(K(0.0), _s35), lanes_sub(lanes_mul(_s35, _s35), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s21))), _s35) };
+    return (LANES(court_ring_advance_out)){ _s9, _s13, lanes_sub(lanes_sub(energy2, _s14), _s15), _s34, lanes_add(t, _s34), lanes_select(lanes_less(K(0.0), _s35), lanes_sub(lanes_mul(_s35, _s35), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s21))), _s35) };
 }
 
 /* Windows of the search along a flight, and whether single precision serves for it.
    bounds of the event condition. 171 operations: 21 additions, 15 subtractions, 29 multiplications, 1 division, 4 square roots, 1 negation, 4 absolute values, 42 comparisons, 7 conjunctions, 3 disjunctions, 44 selections. */
 typedef struct {
-    S t;
-    S end;
+    S t, end;
     M searching;
-    S low1;
-    S high1;
-    S low2;
-    S high2;
-    S latest;
-    M sound;
+    S low1, high1, low2, high2, latest;
+    M representable;
 } LANES(court_ring_opened_out);
 
 LANES_INLINE LANES(court_ring_opened_out)
@@ -3086,10 +2827,10 @@ LANES(court_ring_opened)(S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S
     const S _s6 = singles_select(_s5, singles_mul(_c3, singles_sub(singles_sub(vz, _s3), _s4)), KS(INFINITY));
     const S _s7 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
     const S _s8 = singles_mul(singles_mul(KS(9.5367431640625e-07), _s7), singles_add(_c5, singles_add(singles_mul(x, x), singles_mul(y, y))));
-    const S _s9 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
+    const S _s9 = singles_sub(singles_mul(x, vy), singles_mul(y, vx));
     const S _s10 = singles_mul(_s9, _s9);
     const S _s11 = singles_sub(singles_add(singles_mul(_c5, _s7), _s8), _s10);
-    const S _s12 = singles_add(singles_mul(vx, x), singles_mul(vy, y));
+    const S _s12 = singles_add(singles_mul(x, vx), singles_mul(y, vy));
     const S _s13 = singles_sqrt(_s11);
     const S _s14 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_abs(_s12), singles_abs(_s9)), _s13));
     const S _s15 = singles_div(KS(1.0), _s7);
@@ -3136,282 +2877,246 @@ LANES(court_ring_opened)(S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S
     const S _s56 = singles_max(_s55, _s46);
     const S _s57 = singles_max(_s56, _s52);
     const Q _s58 = singles_both(singles_both(singles_both(singles_both(singles_both(singles_at_most(_c4, _c8), singles_at_most(_c4, _c9)), singles_at_most(_c4, KS(4096.0))), singles_at_most(KS(0.000244140625), _c6)), singles_at_most(_c0, KS(4096.0))), singles_at_most(KS(0.000244140625), _c0));
-    return (LANES(court_ring_opened_out)){ singles_select(_s35, _s21, singles_select(_s48, _s45, singles_select(_s54, _s51, KS(0.0)))), singles_select(_s35, _s34, singles_select(_s48, _s47, singles_select(_s54, _s53, KS(0.0)))), singles_truth(singles_either(singles_either(singles_either(singles_nowhere(), _s54), _s48), _s35)), _s44, _s47, _s50, _s53, singles_min(_s57, _s33), singles_truth(singles_both(singles_both(_s58, singles_at_most(extent, KS(4096.0))), singles_at_most(speed, KS(4096.0)))) };
+    return (LANES(court_ring_opened_out)){ singles_select(_s35, _s21, singles_select(_s48, _s45, singles_select(_s54, _s51, KS(0.0)))), singles_select(_s35, _s34, singles_select(_s48, _s47, singles_select(_s54, _s53, KS(0.0)))), singles_truth(singles_either(singles_either(singles_either(singles_mask_none(), _s54), _s48), _s35)), _s44, _s47, _s50, _s53, singles_min(_s57, _s33), singles_truth(singles_both(singles_both(_s58, singles_at_most(extent, KS(4096.0))), singles_at_most(speed, KS(4096.0)))) };
 }
 
-/* What a search in single precision is given, from where it begins.
+/* Constants, margins and windows of the search in single precision, from its begin.
    running error analysis. 85 operations: 18 additions, 7 subtractions, 42 multiplications, 2 divisions, 1 square root, 5 absolute values, 5 comparisons, 1 conjunction, 4 selections. */
 typedef struct {
-    S share;
-    S t;
-    S end;
-    S x;
-    S y;
-    S z;
-    S vx;
-    S vy;
-    S vz;
-    S steady;
-    S swing;
-    S rho_start;
-    S ceiling;
-    S flat;
-    S tilt;
-    S jerk;
-    S grit;
-    S parting;
-    S drift;
-    S rate_margin;
-    S low1;
-    S high1;
-    S low2;
-    S high2;
+    S share, t, end, x, y, z, vx, vy, vz, energy2, moment2, rho_start, ceiling, flat, tilt, jerk, quotient_margin, start_rate, rho_rate, rate_margin, low1, high1, low2, high2;
     M fits;
-} LANES(court_ring_grain_out);
+} LANES(court_ring_resolution_out);
 
-LANES_INLINE LANES(court_ring_grain_out)
-LANES(court_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S parting, S drift, S low1, S high1, S low2, S high2, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9, S _c10, S _c11)
+LANES_INLINE LANES(court_ring_resolution_out)
+LANES(court_ring_resolution)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S start_rate, S rho_rate, S low1, S high1, S low2, S high2, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9, S _c10, S _c11)
 {
     const Q _s0 = singles_less(KS(0.0), leaving);
     const S _s1 = singles_add(speed, singles_mul(_c0, horizon));
     const S _s2 = singles_mul(_s1, _c3);
     const S _s3 = singles_add(extent, singles_mul(horizon, _s1));
     const S _s4 = singles_mul(KS(5.0), singles_add(singles_mul(_s2, _s3), singles_mul(_c1, _s1)));
-    const S _s5 = singles_div(singles_mul(KS(0.00390625), parting), _s4);
+    const S _s5 = singles_div(singles_mul(KS(0.00390625), start_rate), _s4);
     const S _s6 = singles_min(_s5, KS(2.9802322387695312e-08));
     const S _s7 = singles_select(_s0, singles_max(KS(2.842170943040401e-14), _s6), KS(2.9802322387695312e-08));
     const S _s8 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(_c4, z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
-    const S _s9 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
+    const S _s9 = singles_sub(singles_mul(x, vy), singles_mul(y, vx));
     const S _s10 = singles_mul(_c5, singles_mul(_s9, _s9));
     const S _s11 = singles_add(singles_add(_c6, singles_mul(_s10, _c7)), singles_abs(_s8));
     const S _s12 = singles_sub(horizon, t);
     const S _s13 = singles_mul(_c0, singles_mul(_s12, _s12));
     const S _s14 = singles_add(singles_mul(_s3, _s7), singles_mul(KS(9.5367431640625e-07), singles_add(_s13, _c8)));
     const S _s15 = singles_div(singles_mul(KS(0.5), singles_mul(singles_mul(_s10, singles_add(singles_abs(vx), singles_abs(vy))), _c7)), _c2);
-    return (LANES(court_ring_grain_out)){ _s7, KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, _s8, _s10, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s11), singles_mul(_c9, _s14), singles_select(_s0, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(parting)), singles_mul(singles_add(KS(5.684341886080802e-14), _s7), _s4))), KS(INFINITY)), singles_mul(KS(1.0009765625), singles_add(singles_mul(_c0, singles_add(singles_mul(_c0, _s12), singles_abs(vz))), _s15)), singles_mul(_c10, _s11), parting, drift, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s2), _s14), singles_mul(singles_mul(singles_add(KS(2.384185791015625e-07), _s7), _c1), _s1))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s13, _c11), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
+    return (LANES(court_ring_resolution_out)){ _s7, KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, _s8, _s10, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s11), singles_mul(_c9, _s14), singles_select(_s0, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(start_rate)), singles_mul(singles_add(KS(5.684341886080802e-14), _s7), _s4))), KS(INFINITY)), singles_mul(KS(1.0009765625), singles_add(singles_mul(_c0, singles_add(singles_mul(_c0, _s12), singles_abs(vz))), _s15)), singles_mul(_c10, _s11), start_rate, rho_rate, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s2), _s14), singles_mul(singles_mul(singles_add(KS(2.384185791015625e-07), _s7), _c1), _s1))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s13, _c11), singles_at_most(singles_mul(t, leaving), KS(0.0)))) };
 }
 
-/* Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
+/* Time and window of the search after a step, whether a root is certain, and whether it goes on.
    Newton from the left under a curvature bound. 220 operations: 38 additions, 19 subtractions, 72 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 29 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 33 selections. */
 typedef struct {
-    S t;
-    S end;
-    M certain;
-    M leaping;
-} LANES(court_ring_leap_out);
+    S t, end;
+    M certain, stepping;
+} LANES(court_ring_step_out);
 
-LANES_INLINE LANES(court_ring_leap_out)
-LANES(court_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S steady, S swing, S rho_start, S flat, S tilt, S grit, S jerk, S parting, S drift, S low1, S high1, S low2, S high2, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
+LANES_INLINE LANES(court_ring_step_out)
+LANES(court_ring_step)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S energy2, S moment2, S rho_start, S flat, S tilt, S quotient_margin, S jerk, S start_rate, S rho_rate, S low1, S high1, S low2, S high2, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
 {
-    const S _s0 = singles_add(tilt, singles_mul(grit, t));
+    const S _s0 = singles_add(tilt, singles_mul(t, quotient_margin));
     const S _s1 = singles_mul(t, _s0);
     const Q _s2 = singles_less(_s1, flat);
-    const S _s3 = singles_mul(jerk, singles_mul(t, t));
+    const S _s3 = singles_mul(singles_mul(t, t), jerk);
     const Q _s4 = singles_both(_s2, singles_less(_s3, rate_margin));
-    const S _s5 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
-    const S _s6 = singles_add(x, singles_mul(t, vx));
-    const S _s7 = singles_add(y, singles_mul(t, vy));
-    const S _s8 = singles_sqrt(singles_add(singles_mul(_s6, _s6), singles_mul(_s7, _s7)));
-    const S _s9 = singles_add(rho_start, _s8);
-    const S _s10 = singles_div(KS(1.0), singles_mul(_s9, _s8));
-    const S _s11 = singles_mul(_s8, _s10);
-    const S _s12 = singles_mul(_s11, singles_add(singles_mul(t, _s5), singles_mul(KS(2.0), singles_add(singles_mul(vx, x), singles_mul(vy, y)))));
-    const S _s13 = singles_sub(vz, singles_mul(_c2, t));
-    const S _s14 = singles_add(singles_add(singles_mul(singles_mul(singles_mul(KS(2.0), singles_sub(rho_start, _c0)), singles_sub(_s5, singles_mul(drift, _s12))), _s11), singles_mul(_s12, _s12)), singles_mul(_s13, _s13));
-    const S _s15 = singles_add(parting, singles_mul(t, singles_sub(_s14, singles_mul(_c1, z))));
-    const S _s16 = singles_mul(_s9, _s10);
-    const S _s17 = singles_mul(_s16, singles_add(singles_mul(vx, _s6), singles_mul(vy, _s7)));
-    const S _s18 = singles_sub(_s8, _c0);
-    const S _s19 = singles_sub(vz, singles_mul(_c1, t));
-    const S _s20 = singles_add(z, singles_mul(t, _s13));
-    const S _s21 = singles_select(_s4, singles_sub(singles_mul(KS(2.0), _s15), parting), singles_mul(KS(2.0), singles_add(singles_mul(_s17, _s18), singles_mul(_s19, _s20))));
-    const S _s22 = singles_select(_s4, singles_add(_s3, singles_mul(KS(2.0), _s0)), rate_margin);
-    const S _s23 = singles_neg(singles_add(_s21, _s22));
+    const S _s5 = singles_select(_s4, singles_add(_s3, singles_mul(KS(2.0), _s0)), rate_margin);
+    const S _s6 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
+    const S _s7 = singles_add(x, singles_mul(vx, t));
+    const S _s8 = singles_add(y, singles_mul(vy, t));
+    const S _s9 = singles_sqrt(singles_add(singles_mul(_s7, _s7), singles_mul(_s8, _s8)));
+    const S _s10 = singles_add(rho_start, _s9);
+    const S _s11 = singles_div(KS(1.0), singles_mul(_s10, _s9));
+    const S _s12 = singles_mul(_s9, _s11);
+    const S _s13 = singles_mul(_s12, singles_add(singles_mul(t, _s6), singles_mul(KS(2.0), singles_add(singles_mul(x, vx), singles_mul(y, vy)))));
+    const S _s14 = singles_sub(vz, singles_mul(_c2, t));
+    const S _s15 = singles_add(singles_add(singles_mul(singles_mul(singles_mul(KS(2.0), singles_sub(rho_start, _c0)), singles_sub(_s6, singles_mul(rho_rate, _s13))), _s12), singles_mul(_s13, _s13)), singles_mul(_s14, _s14));
+    const S _s16 = singles_add(start_rate, singles_mul(t, singles_sub(_s15, singles_mul(_c1, z))));
+    const S _s17 = singles_mul(_s10, _s11);
+    const S _s18 = singles_mul(_s17, singles_add(singles_mul(vx, _s7), singles_mul(vy, _s8)));
+    const S _s19 = singles_sub(_s9, _c0);
+    const S _s20 = singles_add(z, singles_mul(t, _s14));
+    const S _s21 = singles_sub(vz, singles_mul(_c1, t));
+    const S _s22 = singles_select(_s4, singles_sub(singles_mul(KS(2.0), _s16), start_rate), singles_mul(KS(2.0), singles_add(singles_mul(_s18, _s19), singles_mul(_s20, _s21))));
+    const S _s23 = singles_neg(singles_add(_s5, _s22));
     const S _s24 = singles_select(_s2, _s1, flat);
-    const S _s25 = singles_sub(singles_select(_s2, singles_mul(t, _s15), singles_sub(singles_add(singles_mul(_s18, _s18), singles_mul(_s20, _s20)), _c3)), _s24);
+    const S _s25 = singles_sub(singles_select(_s2, singles_mul(t, _s16), singles_sub(singles_add(singles_mul(_s19, _s19), singles_mul(_s20, _s20)), _c3)), _s24);
     const S _s26 = singles_max(_s25, KS(0.0));
-    const S _s27 = singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s24), _s26));
-    const S _s28 = singles_sub(_s21, _s22);
+    const S _s27 = singles_mul(KS(2.0), singles_add(_s26, singles_mul(KS(2.0), _s24)));
+    const S _s28 = singles_sub(_s22, _s5);
     const S _s29 = singles_mul(_c4, _s20);
-    const S _s30 = singles_mul(swing, singles_mul(_s16, singles_mul(_s16, _s16)));
-    const S _s31 = singles_sub(singles_add(_s29, _s30), steady);
+    const S _s30 = singles_mul(moment2, singles_mul(_s17, singles_mul(_s17, _s17)));
+    const S _s31 = singles_sub(singles_add(_s29, _s30), energy2);
     const Q _s32 = singles_less(_s28, KS(0.0));
     const S _s33 = singles_mul(KS(2.0), _s26);
-    const S _s34 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s28), _s26, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s32, singles_add(singles_mul(KS(8.0), _s24), _s33), singles_mul(KS(4.0), _s28)), singles_select(_s32, singles_neg(_s28), singles_max(KS(0.0), _s31))));
+    const S _s34 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s28), _s26, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s32, singles_add(_s33, singles_mul(KS(8.0), _s24)), singles_mul(KS(4.0), _s28)), singles_select(_s32, singles_neg(_s28), singles_max(KS(0.0), _s31))));
     const S _s35 = singles_sub(end, t);
     const S _s36 = singles_min(_s34, _s35);
-    const S _s37 = singles_add(_c6, singles_add(singles_mul(_s36, singles_max(_s19, KS(0.0))), _s20));
+    const S _s37 = singles_add(_c6, singles_add(singles_mul(_s36, singles_max(_s21, KS(0.0))), _s20));
     const S _s38 = singles_mul(_c4, singles_min(_c5, _s37));
     const S _s39 = singles_mul(singles_add(singles_abs(vx), singles_abs(vy)), _s36);
-    const S _s40 = singles_sub(singles_sub(singles_add(singles_mul(_s36, singles_min(KS(0.0), _s17)), _s8), singles_mul(KS(0.0001220703125), _s39)), _c7);
+    const S _s40 = singles_sub(singles_sub(singles_add(singles_mul(_s36, singles_min(KS(0.0), _s18)), _s9), singles_mul(KS(0.0001220703125), _s39)), _c7);
     const S _s41 = singles_div(KS(1.0), singles_max(_s40, _c8));
-    const S _s42 = singles_mul(swing, singles_mul(_s41, singles_mul(_s41, _s41)));
-    const S _s43 = singles_abs(steady);
-    const S _s44 = singles_sub(singles_add(singles_add(_s38, _s42), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s42, _s43), singles_abs(_s38)))), steady);
-    const S _s45 = singles_neg(_s19);
-    const S _s46 = singles_add(singles_mul(_c4, singles_add(_c9, singles_mul(singles_add(singles_mul(_c1, _s36), singles_max(_s45, KS(0.0))), _s36))), singles_mul(singles_mul(KS(3.0), singles_mul(_s30, _s16)), _s39));
-    const S _s47 = singles_add(steady, singles_add(_s46, singles_mul(KS(0.000244140625), singles_add(singles_add(_s43, singles_abs(_s29)), _s30))));
+    const S _s42 = singles_mul(moment2, singles_mul(_s41, singles_mul(_s41, _s41)));
+    const S _s43 = singles_abs(energy2);
+    const S _s44 = singles_sub(singles_add(singles_add(_s38, _s42), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s42, _s43), singles_abs(_s38)))), energy2);
+    const S _s45 = singles_neg(_s21);
+    const S _s46 = singles_add(singles_mul(_c4, singles_add(_c9, singles_mul(singles_add(singles_mul(_c1, _s36), singles_max(_s45, KS(0.0))), _s36))), singles_mul(singles_mul(KS(3.0), singles_mul(_s30, _s17)), _s39));
+    const S _s47 = singles_add(energy2, singles_add(_s46, singles_mul(KS(0.000244140625), singles_add(singles_add(_s43, singles_abs(_s29)), _s30))));
     const S _s48 = singles_sub(singles_sub(_s47, _s29), _s30);
-    const S _s49 = singles_sub(singles_mul(_s23, _s23), singles_mul(singles_mul(KS(8.0), singles_select(singles_at_most(_s27, singles_mul(_s23, _s36)), singles_max(_s44, _s48), ceiling)), _s27));
-    const Q _s50 = singles_less(KS(0.0), singles_select(singles_less(KS(0.0), _s23), _s49, _s23));
+    const S _s49 = singles_select(singles_less(KS(0.0), _s23), singles_sub(singles_mul(_s23, _s23), singles_mul(singles_mul(KS(8.0), _s27), singles_select(singles_at_most(_s27, singles_mul(_s23, _s36)), singles_max(_s44, _s48), ceiling))), _s23);
+    const Q _s50 = singles_less(KS(0.0), _s49);
     const S _s51 = singles_add(singles_mul(singles_mul(KS(2.0), _s44), _s26), singles_mul(_s28, _s28));
     const S _s52 = singles_sqrt(_s51);
     const S _s53 = singles_select(singles_at_most(KS(0.0), _s51), singles_div(singles_select(_s32, _s33, singles_add(_s52, _s28)), singles_select(_s32, singles_sub(_s52, _s28), singles_max(KS(0.0), _s44))), KS(INFINITY));
     const S _s54 = singles_min(_s53, _s36);
     const S _s55 = singles_add(t, _s54);
-    const Q _s56 = singles_both(singles_not(_s50), singles_either(singles_both(singles_less(_s21, KS(0.0)), singles_at_most(_s25, _s24)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s55)))));
+    const Q _s56 = singles_both(singles_not(_s50), singles_either(singles_both(singles_less(_s22, KS(0.0)), singles_at_most(_s25, _s24)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s55)))));
     const Q _s57 = singles_not(singles_either(_s50, _s56));
     const Q _s58 = singles_both(_s57, singles_at_most(_s35, _s54));
     const S _s59 = singles_max(end, low1);
     const Q _s60 = singles_less(_s59, high1);
     const S _s61 = singles_max(end, low2);
     const Q _s62 = singles_less(_s61, high2);
-    return (LANES(court_ring_leap_out)){ singles_select(_s58, singles_select(_s60, _s59, singles_select(_s62, _s61, KS(INFINITY))), singles_select(_s56, t, _s55)), singles_select(_s58, singles_select(_s60, high1, singles_select(_s62, high2, end)), end), singles_truth(_s50), singles_truth(singles_both(_s57, singles_either(singles_not(_s58), singles_either(singles_either(singles_nowhere(), _s62), _s60)))) };
+    return (LANES(court_ring_step_out)){ singles_select(_s58, singles_select(_s60, _s59, singles_select(_s62, _s61, KS(INFINITY))), singles_select(_s56, t, _s55)), singles_select(_s58, singles_select(_s60, high1, singles_select(_s62, high2, end)), end), singles_truth(_s50), singles_truth(singles_both(_s57, singles_either(singles_not(_s58), singles_either(singles_either(singles_mask_none(), _s62), _s60)))) };
 }
 
 /* Distance from the axis, its rate and that of the gap, at the start of a flight.
    Table 2. 13 operations: 3 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root. */
 typedef struct {
-    V rho_start;
-    V parting;
-    V drift;
+    V rho_start, start_rate, rho_rate;
 } LANES(court_ring_started_out);
 
 LANES_INLINE LANES(court_ring_started_out)
 LANES(court_ring_started)(V x, V y, V z, V vx, V vy, V vz, V _c0)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s1 = lanes_div(lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)), _s0);
-    return (LANES(court_ring_started_out)){ _s0, lanes_mul(K(2.0), lanes_add(lanes_mul(vz, z), lanes_mul(_s1, lanes_sub(_s0, _c0)))), _s1 };
+    const V _s1 = lanes_div(lanes_add(lanes_mul(x, vx), lanes_mul(y, vy)), _s0);
+    return (LANES(court_ring_started_out)){ _s0, lanes_mul(K(2.0), lanes_add(lanes_mul(z, vz), lanes_mul(_s1, lanes_sub(_s0, _c0)))), _s1 };
 }
 
-/* Positive where the bounds of the search do not hold.
-   bounds of the event condition. 16 operations: 4 additions, 2 subtractions, 5 multiplications, 1 square root, 2 comparisons, 2 selections. */
+/* Positive if the bounds of the search do not hold.
+   bounds of the event condition. 15 operations: 3 additions, 2 subtractions, 5 multiplications, 1 square root, 2 comparisons, 2 selections. */
 typedef struct {
-    V lost;
-} LANES(court_ring_lost_out);
+    V budget_exceeded;
+} LANES(court_ring_budget_exceeded_out);
 
-LANES_INLINE LANES(court_ring_lost_out)
-LANES(court_ring_lost)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+LANES_INLINE LANES(court_ring_budget_exceeded_out)
+LANES(court_ring_budget_exceeded)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_add(lanes_mul(_c1, lanes_sqrt(lanes_mul(_c2, lanes_add(lanes_add(_c3, extent), _c4)))), lanes_mul(lanes_mul(K(2.0), speed), _c2));
-    const V _s1 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s0, horizon))), _c5), _c6);
-    return (LANES(court_ring_lost_out)){ lanes_max(_c0, _s1) };
+    const V _s0 = lanes_add(lanes_mul(_c1, lanes_sqrt(lanes_mul(_c2, lanes_add(_c3, extent)))), lanes_mul(lanes_mul(K(2.0), speed), _c2));
+    const V _s1 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s0, horizon))), _c4), _c5);
+    return (LANES(court_ring_budget_exceeded_out)){ lanes_max(_c0, _s1) };
 }
 
-/* The distance, its rate, and how fast it bends down at most, by the squared speed.
+/* Distance, its rate, and a bound on how fast it bends down, by the squared speed.
    Table 2. 31 operations: 4 additions, 5 subtractions, 14 multiplications, 4 divisions, 2 square roots, 1 comparison, 1 selection. */
 typedef struct {
-    V gap;
-    V nearing;
-    V dent;
+    V gap, nearing, gap_curvature;
 } LANES(court_ring_beside_out);
 
 LANES_INLINE LANES(court_ring_beside_out)
-LANES(court_ring_beside)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4)
+LANES(court_ring_beside)(V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
     const V _s1 = lanes_sub(_s0, _c1);
     const V _s2 = lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1)));
-    const V _s3 = lanes_add(lanes_mul(lanes_mul(K(2.0), vz), z), lanes_div(lanes_mul(lanes_mul(K(0.5), lanes_sub(lanes_mul(K(2.0), _s0), _c3)), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s0));
+    const V _s3 = lanes_add(lanes_mul(lanes_mul(K(2.0), z), vz), lanes_div(lanes_mul(lanes_mul(K(0.5), lanes_sub(lanes_mul(K(2.0), _s0), _c3)), lanes_add(lanes_mul(lanes_mul(K(2.0), x), vx), lanes_mul(lanes_mul(K(2.0), y), vy))), _s0));
     const V _s4 = lanes_sub(lanes_div(_c3, _s0), K(1.0));
     return (LANES(court_ring_beside_out)){ lanes_sub(lanes_sub(_s2, _c0), _c2), lanes_div(lanes_mul(K(0.5), _s3), _s2), lanes_div(lanes_max(K(0.0), _s4), _c4) };
 }
 
-/* The distance, its rate and its second derivative, of a ball that rolls on something else.
-   derivatives of Table 2's distance. 73 operations: 14 additions, 3 subtractions, 50 multiplications, 2 divisions, 2 square roots, 2 negations. */
+/* Distance of a ball that rolls on another surface, and its first two derivatives.
+   derivatives of Table 2's distance. 70 operations: 14 additions, 3 subtractions, 47 multiplications, 2 divisions, 2 square roots, 2 negations. */
 typedef struct {
-    V gap;
-    V nearing;
-    V swerve;
-    V facing;
+    V gap, nearing, rolling_gap_acceleration, normal_cosine;
 } LANES(court_ring_closing_out);
 
 LANES_INLINE LANES(court_ring_closing_out)
-LANES(court_ring_closing)(V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V thrust_x, V thrust_y, V thrust_z, V x, V y, V z, V _c0, V _c1, V _c2)
+LANES(court_ring_closing)(V x, V y, V z, V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V rolling_acceleration_x, V rolling_acceleration_y, V rolling_acceleration_z, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
     const V _s1 = lanes_sub(_s0, _c1);
     const V _s2 = lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1)));
-    const V _s3 = lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_x), x), lanes_mul(lanes_mul(K(2.0), rolled_y), y));
-    const V _s4 = lanes_div(K(1.0), _s0);
-    const V _s5 = lanes_mul(lanes_mul(K(0.5), _s3), _s4);
-    const V _s6 = lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_z), z), lanes_mul(lanes_mul(K(2.0), _s5), _s1));
-    const V _s7 = lanes_div(K(1.0), _s2);
+    const V _s3 = lanes_mul(K(2.0), z);
+    const V _s4 = lanes_mul(K(2.0), x);
+    const V _s5 = lanes_mul(K(2.0), y);
+    const V _s6 = lanes_add(lanes_mul(_s4, rolled_x), lanes_mul(_s5, rolled_y));
+    const V _s7 = lanes_div(K(1.0), _s0);
     const V _s8 = lanes_mul(lanes_mul(K(0.5), _s6), _s7);
-    const V _s9 = lanes_add(lanes_mul(lanes_neg(lanes_mul(_s5, lanes_mul(_s4, _s4))), _s3), lanes_mul(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(rolled_x, rolled_x), lanes_mul(thrust_x, x))), lanes_mul(K(2.0), lanes_add(lanes_mul(rolled_y, rolled_y), lanes_mul(thrust_y, y)))), _s4));
-    const V _s10 = lanes_mul(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(rolled_z, rolled_z), lanes_mul(thrust_z, z))), lanes_mul(K(2.0), lanes_add(lanes_mul(_s1, lanes_mul(K(0.5), _s9)), lanes_mul(_s5, _s5)))), _s7);
-    const V _s11 = lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_neg(lanes_mul(_s8, lanes_mul(_s7, _s7))), _s6), _s10));
-    const V _s12 = lanes_mul(K(2.0), lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), nx), x), lanes_mul(lanes_mul(K(2.0), ny), y))), _s4));
-    return (LANES(court_ring_closing_out)){ lanes_sub(lanes_sub(_s2, _c0), _c2), _s8, _s11, lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), nz), z), lanes_mul(_s12, _s1))), _s7) };
+    const V _s9 = lanes_add(lanes_mul(_s3, rolled_z), lanes_mul(lanes_mul(K(2.0), _s8), _s1));
+    const V _s10 = lanes_div(K(1.0), _s2);
+    const V _s11 = lanes_mul(lanes_mul(K(0.5), _s9), _s10);
+    const V _s12 = lanes_add(lanes_mul(lanes_neg(lanes_mul(_s8, lanes_mul(_s7, _s7))), _s6), lanes_mul(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(rolled_x, rolled_x), lanes_mul(x, rolling_acceleration_x))), lanes_mul(K(2.0), lanes_add(lanes_mul(rolled_y, rolled_y), lanes_mul(y, rolling_acceleration_y)))), _s7));
+    const V _s13 = lanes_mul(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(rolled_z, rolled_z), lanes_mul(z, rolling_acceleration_z))), lanes_mul(K(2.0), lanes_add(lanes_mul(_s1, lanes_mul(K(0.5), _s12)), lanes_mul(_s8, _s8)))), _s10);
+    const V _s14 = lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_neg(lanes_mul(_s11, lanes_mul(_s10, _s10))), _s9), _s13));
+    const V _s15 = lanes_mul(lanes_mul(K(2.0), lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(_s4, nx), lanes_mul(_s5, ny))), _s7)), _s1);
+    return (LANES(court_ring_closing_out)){ lanes_sub(lanes_sub(_s2, _c0), _c2), _s11, _s14, lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(_s3, nz), _s15)), _s10) };
 }
 
-/* The distance.
+/* Distance from the surface.
    Table 2. 11 operations: 2 additions, 3 subtractions, 4 multiplications, 2 square roots. */
 typedef struct {
     V gap;
-} LANES(court_ring_off_out);
+} LANES(court_ring_distance_out);
 
-LANES_INLINE LANES(court_ring_off_out)
-LANES(court_ring_off)(V x, V y, V z, V _c0, V _c1, V _c2)
+LANES_INLINE LANES(court_ring_distance_out)
+LANES(court_ring_distance)(V x, V y, V z, V _c0, V _c1, V _c2)
 {
     const V _s0 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), _c1);
-    return (LANES(court_ring_off_out)){ lanes_sub(lanes_sub(lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s0, _s0))), _c0), _c2) };
+    return (LANES(court_ring_distance_out)){ lanes_sub(lanes_sub(lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s0, _s0))), _c0), _c2) };
 }
 
-/* What a ball that stays on it rolls on.
+/* Curvature of the surface that the centre of a rolling ball stays on.
    Table 2. No operations. */
 typedef struct {
-    V bent_x;
-    V bent_y;
-    V bent_z;
-    V per_reach;
-} LANES(court_ring_tube_out);
+    V bent_x, bent_y, bent_z, per_reach;
+} LANES(court_ring_rolling_surface_out);
 
-LANES_INLINE LANES(court_ring_tube_out)
-LANES(court_ring_tube)(V _c0)
+LANES_INLINE LANES(court_ring_rolling_surface_out)
+LANES(court_ring_rolling_surface)(V _c0)
 {
-    return (LANES(court_ring_tube_out)){ K(1.0), K(1.0), K(1.0), _c0 };
+    return (LANES(court_ring_rolling_surface_out)){ K(1.0), K(1.0), K(1.0), _c0 };
 }
 
-/* The rate at which the normal turns.
+/* Rate of the normal.
    derivative of Table 2's normal. 26 operations: 5 additions, 1 subtraction, 17 multiplications, 1 division, 1 square root, 1 negation. */
 typedef struct {
-    V turning_x;
-    V turning_y;
-    V turning_z;
+    V turning_x, turning_y, turning_z;
 } LANES(court_ring_turning_out);
 
 LANES_INLINE LANES(court_ring_turning_out)
-LANES(court_ring_turning)(V rolled_x, V rolled_y, V rolled_z, V x, V y, V _c0, V _c1)
+LANES(court_ring_turning)(V x, V y, V rolled_x, V rolled_y, V rolled_z, V _c0, V _c1)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s1 = lanes_sub(_s0, _c0);
-    const V _s2 = lanes_div(K(1.0), _s0);
-    const V _s3 = lanes_mul(lanes_mul(_c1, _s1), _s2);
-    const V _s4 = lanes_mul(lanes_add(lanes_mul(rolled_x, x), lanes_mul(rolled_y, y)), _s2);
-    const V _s5 = lanes_mul(_c1, lanes_add(lanes_mul(_s4, _s2), lanes_mul(lanes_neg(lanes_mul(_s4, lanes_mul(_s2, _s2))), _s1)));
-    return (LANES(court_ring_turning_out)){ lanes_add(lanes_mul(rolled_x, _s3), lanes_mul(x, _s5)), lanes_add(lanes_mul(rolled_y, _s3), lanes_mul(y, _s5)), lanes_mul(rolled_z, _c1) };
+    const V _s1 = lanes_div(K(1.0), _s0);
+    const V _s2 = lanes_mul(lanes_add(lanes_mul(x, rolled_x), lanes_mul(y, rolled_y)), _s1);
+    const V _s3 = lanes_sub(_s0, _c0);
+    const V _s4 = lanes_mul(_c1, lanes_add(lanes_mul(_s2, _s1), lanes_mul(lanes_neg(lanes_mul(_s2, lanes_mul(_s1, _s1))), _s3)));
+    const V _s5 = lanes_mul(lanes_mul(_c1, _s3), _s1);
+    return (LANES(court_ring_turning_out)){ lanes_add(lanes_mul(x, _s4), lanes_mul(rolled_x, _s5)), lanes_add(lanes_mul(y, _s4), lanes_mul(rolled_y, _s5)), lanes_mul(rolled_z, _c1) };
 }
 
-/* The second to the fourth derivative of the distance along a flight.
+/* Second to fourth derivative of the distance along a flight.
    derivatives of Table 2's distance. 144 operations: 41 additions, 2 subtractions, 90 multiplications, 2 divisions, 2 square roots, 7 negations. */
 typedef struct {
-    V lift;
-    V surge;
-    V snap;
-} LANES(court_ring_parting_out);
+    V lift, gap_jerk, gap_snap;
+} LANES(court_ring_separation_out);
 
-LANES_INLINE LANES(court_ring_parting_out)
-LANES(court_ring_parting)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3)
+LANES_INLINE LANES(court_ring_separation_out)
+LANES(court_ring_separation)(V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y));
+    const V _s0 = lanes_add(lanes_mul(lanes_mul(K(2.0), x), vx), lanes_mul(lanes_mul(K(2.0), y), vy));
     const V _s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
     const V _s2 = lanes_div(K(1.0), _s1);
     const V _s3 = lanes_mul(lanes_mul(K(0.5), _s0), _s2);
     const V _s4 = lanes_sub(_s1, _c1);
     const V _s5 = lanes_mul(K(2.0), _s3);
-    const V _s6 = lanes_add(lanes_mul(lanes_mul(K(2.0), vz), z), lanes_mul(_s5, _s4));
+    const V _s6 = lanes_add(lanes_mul(lanes_mul(K(2.0), z), vz), lanes_mul(_s5, _s4));
     const V _s7 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s4, _s4))));
     const V _s8 = lanes_mul(lanes_mul(K(0.5), _s6), _s7);
     const V _s9 = lanes_mul(_s7, _s7);
@@ -3442,25 +3147,17 @@ LANES(court_ring_parting)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, 
     const V _s34 = lanes_add(_s26, _s33);
     const V _s35 = lanes_add(lanes_add(lanes_mul(_s25, _s9), lanes_mul(lanes_mul(_s18, _s16), _s7)), lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(lanes_mul(_s10, _s10), _s8), lanes_mul(lanes_mul(_s10, _s16), _s7)), lanes_mul(lanes_mul(_s8, _s19), _s7))));
     const V _s36 = lanes_mul(K(0.5), lanes_add(lanes_add(lanes_add(_s26, lanes_mul(_s32, _s7)), _s34), lanes_add(_s34, lanes_add(lanes_mul(_s6, lanes_neg(_s35)), _s33))));
-    return (LANES(court_ring_parting_out)){ _s16, _s25, _s36 };
+    return (LANES(court_ring_separation_out)){ _s16, _s25, _s36 };
 }
 
-/* The constant terms, in the ring's coordinates.
+/* Constant terms, in the ring's coordinates.
    Routh's equations. 39 operations: 6 additions, 4 subtractions, 24 multiplications, 3 divisions, 2 square roots. */
 typedef struct {
-    V cosine_0;
-    V sine_0;
-    V climb_0;
-    V along_0;
-    V turn_rate_0;
-    V cos_0;
-    V sin_0;
-    V tilted_0;
-    V near_0;
+    V cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0, sin_0, tilted_0, near_0;
 } LANES(court_ring_round_start_out);
 
 LANES_INLINE LANES(court_ring_round_start_out)
-LANES(court_ring_round_start)(V per_reach, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z, V _c0, V _c1, V _c2)
+LANES(court_ring_round_start)(V x, V y, V z, V vx, V vy, V vz, V wx, V wy, V wz, V per_reach, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
     const V _s1 = lanes_sub(_s0, _c1);
@@ -3472,39 +3169,30 @@ LANES(court_ring_round_start)(V per_reach, V vx, V vy, V vz, V wx, V wy, V wz, V
     const V _s7 = lanes_mul(y, _s5);
     const V _s8 = lanes_sub(lanes_mul(vy, _s6), lanes_mul(vx, _s7));
     const V _s9 = lanes_mul(_c0, lanes_add(lanes_mul(wz, _s4), lanes_mul(_s3, lanes_add(lanes_mul(wx, _s6), lanes_mul(wy, _s7)))));
-    return (LANES(court_ring_round_start_out)){ _s3, _s4, lanes_mul(per_reach, lanes_sub(lanes_mul(vz, _s3), lanes_mul(_s4, lanes_add(lanes_mul(vx, _s6), lanes_mul(vy, _s7))))), _s8, _s9, _s6, _s7, lanes_sub(lanes_mul(_s4, _s8), lanes_mul(K(0.4), lanes_mul(_s9, _s3))), lanes_div(K(1.0), lanes_add(_c1, lanes_mul(_s3, _c2))) };
+    return (LANES(court_ring_round_start_out)){ _s3, _s4, lanes_mul(per_reach, lanes_sub(lanes_mul(vz, _s3), lanes_mul(_s4, lanes_add(lanes_mul(vx, _s6), lanes_mul(vy, _s7))))), _s8, _s9, _s6, _s7, lanes_sub(lanes_mul(_s4, _s8), lanes_mul(_c2, lanes_mul(_s9, _s3))), lanes_div(K(1.0), lanes_add(_c1, lanes_mul(_s3, _c3))) };
 }
 
-/* Where a ball that rolls on the ring is at time t.
+/* State of a ball that rolls on the ring at time t.
    Routh's equations. 221 operations: 82 additions, 10 subtractions, 126 multiplications, 1 division, 1 square root, 1 negation. */
 typedef struct {
-    V x;
-    V y;
-    V z;
-    V vx;
-    V vy;
-    V vz;
-    V wx;
-    V wy;
-    V wz;
-    V climb;
+    V x, y, z, vx, vy, vz, wx, wy, wz, climb;
 } LANES(court_ring_round_moved_out);
 
 LANES_INLINE LANES(court_ring_round_moved_out)
-LANES(court_ring_round_moved)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_12, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V omega_0, V omega_1, V omega_10, V omega_11, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V sin_0, V sine_0, V sine_1, V sine_10, V sine_11, V sine_12, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V t, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_12, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2)
+LANES(court_ring_round_moved)(V t, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V turn_rate_10, V turn_rate_11, V turn_rate_12, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V climb_10, V climb_11, V climb_12, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V cosine_10, V cosine_11, V cosine_12, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V sine_10, V sine_11, V sine_12, V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V along_10, V along_11, V along_12, V cos_0, V sin_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V omega_10, V omega_11, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_add(cosine_9, lanes_mul(t, lanes_add(cosine_10, lanes_mul(t, lanes_add(cosine_11, lanes_mul(cosine_12, t))))));
+    const V _s0 = lanes_add(cosine_9, lanes_mul(t, lanes_add(cosine_10, lanes_mul(t, lanes_add(cosine_11, lanes_mul(t, cosine_12))))));
     const V _s1 = lanes_add(cosine_6, lanes_mul(t, lanes_add(cosine_7, lanes_mul(t, lanes_add(cosine_8, lanes_mul(t, _s0))))));
     const V _s2 = lanes_add(cosine_3, lanes_mul(t, lanes_add(cosine_4, lanes_mul(t, lanes_add(cosine_5, lanes_mul(t, _s1))))));
     const V _s3 = lanes_add(cosine_0, lanes_mul(t, lanes_add(cosine_1, lanes_mul(t, lanes_add(cosine_2, lanes_mul(t, _s2))))));
-    const V _s4 = lanes_add(sine_9, lanes_mul(t, lanes_add(sine_10, lanes_mul(t, lanes_add(sine_11, lanes_mul(sine_12, t))))));
+    const V _s4 = lanes_add(sine_9, lanes_mul(t, lanes_add(sine_10, lanes_mul(t, lanes_add(sine_11, lanes_mul(t, sine_12))))));
     const V _s5 = lanes_add(sine_6, lanes_mul(t, lanes_add(sine_7, lanes_mul(t, lanes_add(sine_8, lanes_mul(t, _s4))))));
     const V _s6 = lanes_add(sine_3, lanes_mul(t, lanes_add(sine_4, lanes_mul(t, lanes_add(sine_5, lanes_mul(t, _s5))))));
     const V _s7 = lanes_add(sine_0, lanes_mul(t, lanes_add(sine_1, lanes_mul(t, lanes_add(sine_2, lanes_mul(t, _s6))))));
     const V _s8 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s7, _s7))));
     const V _s9 = lanes_mul(_s3, _s8);
     const V _s10 = lanes_add(_c0, lanes_mul(_s9, _c1));
-    const V _s11 = lanes_mul(t, lanes_add(lanes_mul(K(0.1), omega_9), lanes_mul(t, lanes_add(lanes_mul(K(0.09090909090909091), omega_10), lanes_mul(lanes_mul(K(0.08333333333333333), omega_11), t)))));
+    const V _s11 = lanes_mul(t, lanes_add(lanes_mul(K(0.1), omega_9), lanes_mul(t, lanes_add(lanes_mul(K(0.09090909090909091), omega_10), lanes_mul(lanes_mul(K(0.08333333333333333), t), omega_11)))));
     const V _s12 = lanes_add(lanes_mul(K(0.14285714285714285), omega_6), lanes_mul(t, lanes_add(lanes_mul(K(0.125), omega_7), lanes_mul(t, lanes_add(lanes_mul(K(0.1111111111111111), omega_8), _s11)))));
     const V _s13 = lanes_add(lanes_mul(K(0.25), omega_3), lanes_mul(t, lanes_add(lanes_mul(K(0.2), omega_4), lanes_mul(t, lanes_add(lanes_mul(K(0.16666666666666666), omega_5), lanes_mul(t, _s12))))));
     const V _s14 = lanes_add(omega_0, lanes_mul(t, lanes_add(lanes_mul(K(0.5), omega_1), lanes_mul(t, lanes_add(lanes_mul(K(0.3333333333333333), omega_2), lanes_mul(t, _s13))))));
@@ -3517,13 +3205,13 @@ LANES(court_ring_round_moved)(V along_0, V along_1, V along_10, V along_11, V al
     const V _s21 = lanes_sub(lanes_mul(cos_0, _s18), lanes_mul(sin_0, _s20));
     const V _s22 = lanes_add(lanes_mul(cos_0, _s20), lanes_mul(sin_0, _s18));
     const V _s23 = lanes_mul(_s7, _s8);
-    const V _s24 = lanes_add(climb_9, lanes_mul(t, lanes_add(climb_10, lanes_mul(t, lanes_add(climb_11, lanes_mul(climb_12, t))))));
+    const V _s24 = lanes_add(climb_9, lanes_mul(t, lanes_add(climb_10, lanes_mul(t, lanes_add(climb_11, lanes_mul(t, climb_12))))));
     const V _s25 = lanes_add(climb_6, lanes_mul(t, lanes_add(climb_7, lanes_mul(t, lanes_add(climb_8, lanes_mul(t, _s24))))));
     const V _s26 = lanes_add(climb_3, lanes_mul(t, lanes_add(climb_4, lanes_mul(t, lanes_add(climb_5, lanes_mul(t, _s25))))));
     const V _s27 = lanes_add(climb_0, lanes_mul(t, lanes_add(climb_1, lanes_mul(t, lanes_add(climb_2, lanes_mul(t, _s26))))));
     const V _s28 = lanes_mul(_c1, _s27);
     const V _s29 = lanes_neg(lanes_mul(_s28, _s23));
-    const V _s30 = lanes_add(along_9, lanes_mul(t, lanes_add(along_10, lanes_mul(t, lanes_add(along_11, lanes_mul(along_12, t))))));
+    const V _s30 = lanes_add(along_9, lanes_mul(t, lanes_add(along_10, lanes_mul(t, lanes_add(along_11, lanes_mul(t, along_12))))));
     const V _s31 = lanes_add(along_6, lanes_mul(t, lanes_add(along_7, lanes_mul(t, lanes_add(along_8, lanes_mul(t, _s30))))));
     const V _s32 = lanes_add(along_3, lanes_mul(t, lanes_add(along_4, lanes_mul(t, lanes_add(along_5, lanes_mul(t, _s31))))));
     const V _s33 = lanes_add(along_0, lanes_mul(t, lanes_add(along_1, lanes_mul(t, lanes_add(along_2, lanes_mul(t, _s32))))));
@@ -3535,35 +3223,24 @@ LANES(court_ring_round_moved)(V along_0, V along_1, V along_10, V along_11, V al
     return (LANES(court_ring_round_moved_out)){ lanes_mul(_s10, _s21), lanes_mul(_s10, _s22), lanes_mul(_s23, _c1), lanes_sub(lanes_mul(_s29, _s21), lanes_mul(_s33, _s22)), lanes_add(lanes_mul(_s29, _s22), lanes_mul(_s33, _s21)), lanes_mul(_s28, _s9), lanes_mul(_c2, lanes_add(lanes_mul(_s28, _s22), lanes_mul(_s21, _s38))), lanes_mul(_c2, lanes_sub(lanes_mul(_s22, _s38), lanes_mul(_s28, _s21))), lanes_mul(_c2, lanes_add(lanes_mul(_s9, _s33), lanes_mul(_s23, _s37))), _s27 };
 }
 
-/* A step of the series, and bounds of the motion in it.
+/* Length of a step of the series, and bounds in it.
    Routh's equations. 322 operations: 94 additions, 5 subtractions, 164 multiplications, 2 divisions, 7 square roots, 1 negation, 45 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
-    V stride;
-    V missed;
-    V strongest;
-    V fastest;
-    V sway;
-    V force;
-    V force_rate;
-    V force_bend;
-    V brace;
-    V vx_1;
-    V vy_1;
-    V vz_1;
+    V stride, missed, strongest, fastest, section_acceleration, force, force_rate, force_bend, friction_force_rate, vx_1, vy_1, vz_1;
 } LANES(court_ring_round_pace_out);
 
 LANES_INLINE LANES(court_ring_round_pace_out)
-LANES(court_ring_round_pace)(V along_0, V along_1, V along_10, V along_11, V along_12, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V climb_0, V climb_1, V climb_10, V climb_11, V climb_12, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cos_0, V cosine_0, V cosine_12, V omega_0, V omega_1, V omega_10, V omega_11, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V per_reach, V sin_0, V sine_0, V sine_12, V turn_rate_0, V turn_rate_11, V turn_rate_12, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+LANES(court_ring_round_pace)(V per_reach, V turn_rate_0, V turn_rate_11, V turn_rate_12, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V climb_10, V climb_11, V climb_12, V cosine_0, V cosine_12, V sine_0, V sine_12, V along_0, V along_1, V along_2, V along_3, V along_4, V along_5, V along_6, V along_7, V along_8, V along_9, V along_10, V along_11, V along_12, V cos_0, V sin_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V omega_10, V omega_11, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
     const V _s0 = lanes_abs(climb_0);
     const V _s1 = lanes_abs(along_0);
-    const V _s2 = lanes_add(lanes_mul(_s0, _c2), lanes_add(_s1, lanes_abs(turn_rate_0)));
+    const V _s2 = lanes_add(lanes_mul(_s0, _c2), lanes_add(lanes_abs(turn_rate_0), _s1));
     const V _s3 = lanes_add(_c1, _s2);
     const V _s4 = lanes_abs(climb_11);
     const V _s5 = lanes_abs(along_11);
     const V _s6 = lanes_abs(climb_12);
     const V _s7 = lanes_abs(along_12);
-    const V _s8 = lanes_add(lanes_mul(lanes_mul(K(0.25), lanes_add(lanes_mul(per_reach, _s2), lanes_sqrt(lanes_mul(_c0, per_reach)))), lanes_add(lanes_mul(_s4, _c2), lanes_add(_s5, lanes_abs(turn_rate_11)))), lanes_add(lanes_mul(_s6, _c2), lanes_add(_s7, lanes_abs(turn_rate_12))));
+    const V _s8 = lanes_add(lanes_mul(lanes_mul(K(0.25), lanes_add(lanes_mul(per_reach, _s2), lanes_sqrt(lanes_mul(_c0, per_reach)))), lanes_add(lanes_mul(_s4, _c2), lanes_add(lanes_abs(turn_rate_11), _s5))), lanes_add(lanes_mul(_s6, _c2), lanes_add(lanes_abs(turn_rate_12), _s7)));
     const V _s9 = lanes_abs(omega_0);
     const V _s10 = lanes_mul(omega_0, omega_0);
     const V _s11 = lanes_mul(lanes_mul(K(4.0), _s9), lanes_mul(K(16.0), _s10));
@@ -3638,33 +3315,30 @@ LANES(court_ring_round_pace)(V along_0, V along_1, V along_10, V along_11, V alo
     const V _s80 = lanes_mul(lanes_mul(_s53, lanes_add(lanes_mul(lanes_add(lanes_mul(_s77, _s19), lanes_mul(K(2.0), _s50)), _s19), _s52)), _s79);
     const V _s81 = lanes_mul(_c4, lanes_mul(_s53, _s53));
     const V _s82 = lanes_add(lanes_abs(cosine_0), _s78);
-    const V _s83 = lanes_add(lanes_mul(lanes_add(lanes_mul(_c5, _s80), lanes_mul(_s37, lanes_add(lanes_mul(_c3, _s79), lanes_mul(_s81, _s82)))), _s37), lanes_mul(_s33, lanes_add(lanes_mul(_c3, _s82), lanes_mul(_s81, _s79))));
-    const V _s84 = lanes_neg(lanes_add(lanes_add(_s74, lanes_mul(cosine_0, _s73)), lanes_mul(lanes_mul(climb_1, sine_0), _c2)));
+    const V _s83 = lanes_add(lanes_mul(lanes_add(lanes_mul(_c5, _s80), lanes_mul(_s37, lanes_add(lanes_mul(_s81, _s82), lanes_mul(_c3, _s79)))), _s37), lanes_mul(_s33, lanes_add(lanes_mul(_s81, _s79), lanes_mul(_c3, _s82))));
+    const V _s84 = lanes_neg(lanes_add(lanes_add(lanes_mul(cosine_0, _s73), _s74), lanes_mul(lanes_mul(climb_1, sine_0), _c2)));
     const V _s85 = lanes_sub(along_1, lanes_mul(omega_0, lanes_mul(lanes_mul(climb_0, sine_0), _c2)));
     return (LANES(court_ring_round_pace_out)){ _s19, lanes_mul(K(5.684341886080802e-14), _s3), lanes_add(_s38, lanes_add(lanes_mul(_s53, _s68), _s72)), _s68, _s38, lanes_sub(lanes_sub(lanes_mul(_c0, sine_0), _s73), lanes_mul(cosine_0, _s74)), lanes_mul(climb_0, lanes_add(lanes_mul(cosine_0, _c3), lanes_mul(sine_0, lanes_mul(_c4, _s10)))), _s83, lanes_mul(_c6, lanes_mul(climb_0, cosine_0)), lanes_sub(lanes_mul(cos_0, _s84), lanes_mul(sin_0, _s85)), lanes_add(lanes_mul(cos_0, _s85), lanes_mul(sin_0, _s84)), lanes_sub(lanes_mul(lanes_mul(climb_1, cosine_0), _c2), lanes_mul(sine_0, _s73)) };
 }
 
-/* The square of the friction that rolling on the ring takes, and its rate.
+/* Square of the friction that rolling on the ring takes, and its rate.
    Routh's equations. 24 operations: 6 additions, 18 multiplications. */
 typedef struct {
-    V drag;
-    V drag_rate;
-    V strain;
-    V strain_rate;
+    V rolling_friction, rolling_friction_rate, grip_deficit, grip_deficit_rate;
 } LANES(court_ring_round_pulled_out);
 
 LANES_INLINE LANES(court_ring_round_pulled_out)
-LANES(court_ring_round_pulled)(V climb_0, V climb_1, V cosine_0, V cosine_1, V omega_0, V omega_1, V turn_rate_0, V turn_rate_1, V _c0)
+LANES(court_ring_round_pulled)(V turn_rate_0, V turn_rate_1, V climb_0, V climb_1, V cosine_0, V cosine_1, V omega_0, V omega_1, V _c0, V _c1)
 {
-    const V _s0 = lanes_mul(K(0.4), lanes_mul(climb_0, turn_rate_0));
-    const V _s1 = lanes_add(_c0, lanes_mul(omega_0, turn_rate_0));
-    const V _s2 = lanes_mul(K(0.4), lanes_mul(cosine_0, _s1));
-    const V _s3 = lanes_mul(_s2, lanes_mul(K(0.4), lanes_add(lanes_mul(cosine_0, lanes_add(lanes_mul(omega_0, turn_rate_1), lanes_mul(omega_1, turn_rate_0))), lanes_mul(cosine_1, _s1))));
-    const V _s4 = lanes_mul(K(2.0), lanes_add(lanes_mul(_s0, lanes_mul(K(0.4), lanes_add(lanes_mul(climb_0, turn_rate_1), lanes_mul(climb_1, turn_rate_0)))), _s3));
+    const V _s0 = lanes_mul(_c1, lanes_mul(turn_rate_0, climb_0));
+    const V _s1 = lanes_add(_c0, lanes_mul(turn_rate_0, omega_0));
+    const V _s2 = lanes_mul(_c1, lanes_mul(cosine_0, _s1));
+    const V _s3 = lanes_mul(_s2, lanes_mul(_c1, lanes_add(lanes_mul(cosine_0, lanes_add(lanes_mul(turn_rate_0, omega_1), lanes_mul(turn_rate_1, omega_0))), lanes_mul(cosine_1, _s1))));
+    const V _s4 = lanes_mul(K(2.0), lanes_add(lanes_mul(_s0, lanes_mul(_c1, lanes_add(lanes_mul(turn_rate_0, climb_1), lanes_mul(turn_rate_1, climb_0)))), _s3));
     return (LANES(court_ring_round_pulled_out)){ lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s2, _s2)), _s4, K(-INFINITY), K(0.0) };
 }
 
-/* Whether it is certain to roll for ever.
+/* Whether the ball certainly rolls on the ring for ever.
    Routh's equations. 41 operations: 3 additions, 3 subtractions, 15 multiplications, 1 absolute value, 8 comparisons, 6 conjunctions, 1 complement, 4 selections. */
 typedef struct {
     V circled;
@@ -3673,152 +3347,110 @@ typedef struct {
 } LANES(court_ring_swung_out);
 
 LANES_INLINE LANES(court_ring_swung_out)
-LANES(court_ring_swung)(V berth, V circled, V climb, V climb_0, V doubt, V fastest, V force, V force_bend, V force_rate, V position_error, V stride, V sway, V velocity_error, V which, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+LANES(court_ring_swung)(V which, V doubt, V position_error, V velocity_error, V force, V force_rate, V force_bend, V stride, V fastest, V circled, V climb, V climb_0, V section_acceleration, V azimuth_clearance, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
     const V _s0 = lanes_mul(stride, stride);
-    const M _s1 = lanes_both(lanes_less(_c2, lanes_sub(berth, lanes_mul(lanes_mul(K(0.125), sway), _s0))), lanes_less(_c3, lanes_sub(lanes_add(force, lanes_mul(stride, lanes_min(force_rate, K(0.0)))), lanes_mul(lanes_mul(K(0.5), force_bend), _s0))));
+    const M _s1 = lanes_both(lanes_less(_c2, lanes_sub(azimuth_clearance, lanes_mul(lanes_mul(K(0.125), section_acceleration), _s0))), lanes_less(_c3, lanes_sub(lanes_add(force, lanes_mul(stride, lanes_min(force_rate, K(0.0)))), lanes_mul(lanes_mul(K(0.5), force_bend), _s0))));
     const M _s2 = lanes_both(_s1, lanes_equal(which, K(-1.0)));
     const M _s3 = lanes_both(lanes_less(lanes_mul(climb, climb_0), K(0.0)), lanes_less(lanes_mul(_c4, stride), lanes_mul(lanes_abs(lanes_sub(climb, climb_0)), _c1)));
     const M _s4 = lanes_both(lanes_both(_s2, _s3), lanes_less(K(0.0), circled));
     const V _s5 = lanes_add(_c0, lanes_mul(lanes_mul(fastest, fastest), _c5));
-    const M _s6 = lanes_not(lanes_less(lanes_mul(_s5, lanes_mul(K(512.0), lanes_add(lanes_mul(fastest, velocity_error), lanes_mul(position_error, _s5)))), _c6));
+    const M _s6 = lanes_not(lanes_less(lanes_mul(_s5, lanes_mul(K(512.0), lanes_add(lanes_mul(position_error, _s5), lanes_mul(velocity_error, fastest)))), _c6));
     return (LANES(court_ring_swung_out)){ lanes_select(_s2, lanes_select(_s3, K(1.0), circled), K(0.0)), _s4, lanes_select(lanes_both(_s4, _s6), K(0.0), doubt) };
 }
 
-/* The terms of order 1, from those before.
+/* Coefficients of order 1, from those of lower order.
    Routh's equations. 21 operations: 2 additions, 1 subtraction, 16 multiplications, 2 negations. */
 typedef struct {
-    V omega_0;
-    V around_0;
-    V cosine_1;
-    V sine_1;
-    V climb_1;
-    V along_1;
-    V turn_rate_1;
-    V tilted_1;
+    V omega_0, around_0, cosine_1, sine_1, climb_1, along_1, turn_rate_1, tilted_1;
 } LANES(court_ring_round_0_out);
 
 LANES_INLINE LANES(court_ring_round_0_out)
-LANES(court_ring_round_0)(V along_0, V climb_0, V cosine_0, V near_0, V per_reach, V sine_0, V tilted_0, V turn_rate_0, V _c0, V _c1, V _c2, V _c3)
+LANES(court_ring_round_0)(V per_reach, V turn_rate_0, V near_0, V climb_0, V cosine_0, V sine_0, V along_0, V tilted_0, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_mul(along_0, near_0);
+    const V _s0 = lanes_mul(near_0, along_0);
     const V _s1 = lanes_mul(climb_0, _s0);
-    return (LANES(court_ring_round_0_out)){ _s0, _s1, lanes_neg(lanes_mul(climb_0, sine_0)), lanes_mul(climb_0, cosine_0), lanes_neg(lanes_mul(per_reach, lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_0), _c0), lanes_mul(tilted_0, _s0)))), lanes_sub(lanes_mul(lanes_mul(sine_0, _s1), _c2), lanes_mul(K(0.4), lanes_mul(climb_0, turn_rate_0))), lanes_mul(_c1, _s1), lanes_add(lanes_mul(_c3, lanes_mul(cosine_0, _s1)), lanes_mul(_s1, _c2)) };
+    return (LANES(court_ring_round_0_out)){ _s0, _s1, lanes_neg(lanes_mul(climb_0, sine_0)), lanes_mul(climb_0, cosine_0), lanes_neg(lanes_mul(per_reach, lanes_add(lanes_mul(lanes_mul(_c0, cosine_0), _c2), lanes_mul(tilted_0, _s0)))), lanes_sub(lanes_mul(lanes_mul(sine_0, _s1), _c3), lanes_mul(_c4, lanes_mul(turn_rate_0, climb_0))), lanes_mul(_c1, _s1), lanes_add(lanes_mul(_c5, lanes_mul(cosine_0, _s1)), lanes_mul(_s1, _c3)) };
 }
 
-/* The terms of order 2, from those before.
+/* Coefficients of order 2, from those of lower order.
    Routh's equations. 43 operations: 9 additions, 2 subtractions, 30 multiplications, 2 negations. */
 typedef struct {
-    V omega_1;
-    V around_1;
-    V cosine_2;
-    V sine_2;
-    V climb_2;
-    V along_2;
-    V turn_rate_2;
-    V tilted_2;
+    V omega_1, around_1, cosine_2, sine_2, climb_2, along_2, turn_rate_2, tilted_2;
 } LANES(court_ring_round_1_out);
 
 LANES_INLINE LANES(court_ring_round_1_out)
-LANES(court_ring_round_1)(V along_1, V around_0, V climb_0, V climb_1, V cosine_0, V cosine_1, V near_0, V omega_0, V per_reach, V sine_0, V sine_1, V tilted_0, V tilted_1, V turn_rate_0, V turn_rate_1, V _c0, V _c1, V _c2, V _c3)
+LANES(court_ring_round_1)(V per_reach, V turn_rate_0, V turn_rate_1, V near_0, V climb_0, V climb_1, V cosine_0, V cosine_1, V sine_0, V sine_1, V along_1, V omega_0, V around_0, V tilted_0, V tilted_1, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_mul(near_0, lanes_sub(along_1, lanes_mul(lanes_mul(cosine_1, omega_0), _c1)));
     const V _s1 = lanes_add(lanes_mul(climb_0, _s0), lanes_mul(climb_1, omega_0));
-    return (LANES(court_ring_round_1_out)){ _s0, _s1, lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, sine_1), lanes_mul(climb_1, sine_0)))), lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, cosine_1), lanes_mul(climb_1, cosine_0))), lanes_neg(lanes_mul(lanes_mul(K(0.5), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_1), _c0), lanes_add(lanes_mul(omega_0, tilted_1), lanes_mul(tilted_0, _s0))))), lanes_mul(K(0.5), lanes_sub(lanes_mul(_c1, lanes_add(lanes_mul(around_0, sine_1), lanes_mul(sine_0, _s1))), lanes_mul(K(0.4), lanes_add(lanes_mul(climb_0, turn_rate_1), lanes_mul(climb_1, turn_rate_0))))), lanes_mul(_c2, _s1), lanes_mul(K(0.5), lanes_add(lanes_mul(_c3, lanes_add(lanes_mul(around_0, cosine_1), lanes_mul(cosine_0, _s1))), lanes_mul(_c1, _s1))) };
+    return (LANES(court_ring_round_1_out)){ _s0, _s1, lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, sine_1), lanes_mul(climb_1, sine_0)))), lanes_mul(K(0.5), lanes_add(lanes_mul(climb_0, cosine_1), lanes_mul(climb_1, cosine_0))), lanes_neg(lanes_mul(lanes_mul(K(0.5), per_reach), lanes_add(lanes_mul(lanes_mul(_c0, cosine_1), _c2), lanes_add(lanes_mul(omega_0, tilted_1), lanes_mul(tilted_0, _s0))))), lanes_mul(K(0.5), lanes_sub(lanes_mul(_c1, lanes_add(lanes_mul(sine_0, _s1), lanes_mul(sine_1, around_0))), lanes_mul(_c3, lanes_add(lanes_mul(turn_rate_0, climb_1), lanes_mul(turn_rate_1, climb_0))))), lanes_mul(_c4, _s1), lanes_mul(K(0.5), lanes_add(lanes_mul(_c5, lanes_add(lanes_mul(cosine_0, _s1), lanes_mul(cosine_1, around_0))), lanes_mul(_c1, _s1))) };
 }
 
-/* The terms of order 3, from those before.
+/* Coefficients of order 3, from those of lower order.
    Routh's equations. 59 operations: 17 additions, 2 subtractions, 38 multiplications, 2 negations. */
 typedef struct {
-    V omega_2;
-    V around_2;
-    V cosine_3;
-    V sine_3;
-    V climb_3;
-    V along_3;
-    V turn_rate_3;
-    V tilted_3;
+    V omega_2, around_2, cosine_3, sine_3, climb_3, along_3, turn_rate_3, tilted_3;
 } LANES(court_ring_round_2_out);
 
 LANES_INLINE LANES(court_ring_round_2_out)
-LANES(court_ring_round_2)(V along_2, V around_0, V around_1, V climb_0, V climb_1, V climb_2, V cosine_0, V cosine_1, V cosine_2, V near_0, V omega_0, V omega_1, V per_reach, V sine_0, V sine_1, V sine_2, V tilted_0, V tilted_1, V tilted_2, V turn_rate_0, V turn_rate_1, V turn_rate_2, V _c0, V _c1, V _c2, V _c3)
+LANES(court_ring_round_2)(V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V near_0, V climb_0, V climb_1, V climb_2, V cosine_0, V cosine_1, V cosine_2, V sine_0, V sine_1, V sine_2, V along_2, V omega_0, V omega_1, V around_0, V around_1, V tilted_0, V tilted_1, V tilted_2, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_mul(near_0, lanes_sub(along_2, lanes_mul(_c1, lanes_add(lanes_mul(cosine_1, omega_1), lanes_mul(cosine_2, omega_0)))));
     const V _s1 = lanes_add(lanes_add(lanes_mul(climb_0, _s0), lanes_mul(climb_1, omega_1)), lanes_mul(climb_2, omega_0));
-    const V _s2 = lanes_neg(lanes_mul(lanes_mul(K(0.3333333333333333), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_2), _c0), lanes_add(lanes_add(lanes_mul(omega_0, tilted_2), lanes_mul(omega_1, tilted_1)), lanes_mul(tilted_0, _s0)))));
-    const V _s3 = lanes_mul(K(0.3333333333333333), lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_mul(around_0, sine_2), lanes_mul(around_1, sine_1)), lanes_mul(sine_0, _s1))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_2), lanes_mul(climb_1, turn_rate_1)), lanes_mul(climb_2, turn_rate_0)))));
-    const V _s4 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_mul(_c3, lanes_add(lanes_add(lanes_mul(around_0, cosine_2), lanes_mul(around_1, cosine_1)), lanes_mul(cosine_0, _s1))), lanes_mul(_c1, _s1)));
-    return (LANES(court_ring_round_2_out)){ _s0, _s1, lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, sine_2), lanes_mul(climb_1, sine_1)), lanes_mul(climb_2, sine_0)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, cosine_2), lanes_mul(climb_1, cosine_1)), lanes_mul(climb_2, cosine_0))), _s2, _s3, lanes_mul(_c2, _s1), _s4 };
+    const V _s2 = lanes_neg(lanes_mul(lanes_mul(K(0.3333333333333333), per_reach), lanes_add(lanes_mul(lanes_mul(_c0, cosine_2), _c2), lanes_add(lanes_add(lanes_mul(omega_0, tilted_2), lanes_mul(omega_1, tilted_1)), lanes_mul(tilted_0, _s0)))));
+    const V _s3 = lanes_mul(K(0.3333333333333333), lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_mul(sine_0, _s1), lanes_mul(sine_1, around_1)), lanes_mul(sine_2, around_0))), lanes_mul(_c3, lanes_add(lanes_add(lanes_mul(turn_rate_0, climb_2), lanes_mul(turn_rate_1, climb_1)), lanes_mul(turn_rate_2, climb_0)))));
+    const V _s4 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_mul(_c5, lanes_add(lanes_add(lanes_mul(cosine_0, _s1), lanes_mul(cosine_1, around_1)), lanes_mul(cosine_2, around_0))), lanes_mul(_c1, _s1)));
+    return (LANES(court_ring_round_2_out)){ _s0, _s1, lanes_neg(lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, sine_2), lanes_mul(climb_1, sine_1)), lanes_mul(climb_2, sine_0)))), lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_mul(climb_0, cosine_2), lanes_mul(climb_1, cosine_1)), lanes_mul(climb_2, cosine_0))), _s2, _s3, lanes_mul(_c4, _s1), _s4 };
 }
 
-/* The terms of order 4, from those before.
+/* Coefficients of order 4, from those of lower order.
    Routh's equations. 75 operations: 25 additions, 2 subtractions, 46 multiplications, 2 negations. */
 typedef struct {
-    V omega_3;
-    V around_3;
-    V cosine_4;
-    V sine_4;
-    V climb_4;
-    V along_4;
-    V turn_rate_4;
-    V tilted_4;
+    V omega_3, around_3, cosine_4, sine_4, climb_4, along_4, turn_rate_4, tilted_4;
 } LANES(court_ring_round_3_out);
 
 LANES_INLINE LANES(court_ring_round_3_out)
-LANES(court_ring_round_3)(V along_3, V around_0, V around_1, V around_2, V climb_0, V climb_1, V climb_2, V climb_3, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V near_0, V omega_0, V omega_1, V omega_2, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V _c0, V _c1, V _c2, V _c3)
+LANES(court_ring_round_3)(V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V near_0, V climb_0, V climb_1, V climb_2, V climb_3, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V sine_0, V sine_1, V sine_2, V sine_3, V along_3, V omega_0, V omega_1, V omega_2, V around_0, V around_1, V around_2, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_mul(near_0, lanes_sub(along_3, lanes_mul(_c1, lanes_add(lanes_add(lanes_mul(cosine_1, omega_2), lanes_mul(cosine_2, omega_1)), lanes_mul(cosine_3, omega_0)))));
     const V _s1 = lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s0), lanes_mul(climb_1, omega_2)), lanes_mul(climb_2, omega_1)), lanes_mul(climb_3, omega_0));
     const V _s2 = lanes_neg(lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_3), lanes_mul(climb_1, sine_2)), lanes_mul(climb_2, sine_1)), lanes_mul(climb_3, sine_0))));
-    const V _s3 = lanes_mul(lanes_mul(K(0.25), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_3), _c0), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_3), lanes_mul(omega_1, tilted_2)), lanes_mul(omega_2, tilted_1)), lanes_mul(tilted_0, _s0))));
-    const V _s4 = lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_3), lanes_mul(around_1, sine_2)), lanes_mul(around_2, sine_1)), lanes_mul(sine_0, _s1))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_3), lanes_mul(climb_1, turn_rate_2)), lanes_mul(climb_2, turn_rate_1)), lanes_mul(climb_3, turn_rate_0))));
-    const V _s5 = lanes_add(lanes_mul(_c3, lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_3), lanes_mul(around_1, cosine_2)), lanes_mul(around_2, cosine_1)), lanes_mul(cosine_0, _s1))), lanes_mul(_c1, _s1));
-    return (LANES(court_ring_round_3_out)){ _s0, _s1, _s2, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_3), lanes_mul(climb_1, cosine_2)), lanes_mul(climb_2, cosine_1)), lanes_mul(climb_3, cosine_0))), lanes_neg(_s3), lanes_mul(K(0.25), _s4), lanes_mul(_c2, _s1), lanes_mul(K(0.25), _s5) };
+    const V _s3 = lanes_mul(lanes_mul(K(0.25), per_reach), lanes_add(lanes_mul(lanes_mul(_c0, cosine_3), _c2), lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_3), lanes_mul(omega_1, tilted_2)), lanes_mul(omega_2, tilted_1)), lanes_mul(tilted_0, _s0))));
+    const V _s4 = lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_mul(sine_0, _s1), lanes_mul(sine_1, around_2)), lanes_mul(sine_2, around_1)), lanes_mul(sine_3, around_0))), lanes_mul(_c3, lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, climb_3), lanes_mul(turn_rate_1, climb_2)), lanes_mul(turn_rate_2, climb_1)), lanes_mul(turn_rate_3, climb_0))));
+    const V _s5 = lanes_add(lanes_mul(_c5, lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, _s1), lanes_mul(cosine_1, around_2)), lanes_mul(cosine_2, around_1)), lanes_mul(cosine_3, around_0))), lanes_mul(_c1, _s1));
+    return (LANES(court_ring_round_3_out)){ _s0, _s1, _s2, lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_3), lanes_mul(climb_1, cosine_2)), lanes_mul(climb_2, cosine_1)), lanes_mul(climb_3, cosine_0))), lanes_neg(_s3), lanes_mul(K(0.25), _s4), lanes_mul(_c4, _s1), lanes_mul(K(0.25), _s5) };
 }
 
-/* The terms of order 5, from those before.
+/* Coefficients of order 5, from those of lower order.
    Routh's equations. 91 operations: 33 additions, 2 subtractions, 54 multiplications, 2 negations. */
 typedef struct {
-    V omega_4;
-    V around_4;
-    V cosine_5;
-    V sine_5;
-    V climb_5;
-    V along_5;
-    V turn_rate_5;
-    V tilted_5;
+    V omega_4, around_4, cosine_5, sine_5, climb_5, along_5, turn_rate_5, tilted_5;
 } LANES(court_ring_round_4_out);
 
 LANES_INLINE LANES(court_ring_round_4_out)
-LANES(court_ring_round_4)(V along_4, V around_0, V around_1, V around_2, V around_3, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V _c0, V _c1, V _c2, V _c3)
+LANES(court_ring_round_4)(V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V near_0, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V along_4, V omega_0, V omega_1, V omega_2, V omega_3, V around_0, V around_1, V around_2, V around_3, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_sub(along_4, lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_3), lanes_mul(cosine_2, omega_2)), lanes_mul(cosine_3, omega_1)), lanes_mul(cosine_4, omega_0))));
     const V _s1 = lanes_mul(near_0, _s0);
     const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s1), lanes_mul(climb_1, omega_3)), lanes_mul(climb_2, omega_2)), lanes_mul(climb_3, omega_1)), lanes_mul(climb_4, omega_0));
     const V _s3 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_4), lanes_mul(climb_1, sine_3)), lanes_mul(climb_2, sine_2)), lanes_mul(climb_3, sine_1)), lanes_mul(climb_4, sine_0)));
     const V _s4 = lanes_mul(K(0.2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_4), lanes_mul(climb_1, cosine_3)), lanes_mul(climb_2, cosine_2)), lanes_mul(climb_3, cosine_1)), lanes_mul(climb_4, cosine_0)));
-    const V _s5 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_4), _c0), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_4), lanes_mul(omega_1, tilted_3)), lanes_mul(omega_2, tilted_2)), lanes_mul(omega_3, tilted_1)), lanes_mul(tilted_0, _s1)));
-    const V _s6 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_4), lanes_mul(around_1, sine_3)), lanes_mul(around_2, sine_2)), lanes_mul(around_3, sine_1)), lanes_mul(sine_0, _s2)));
-    const V _s7 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_4), lanes_mul(climb_1, turn_rate_3)), lanes_mul(climb_2, turn_rate_2)), lanes_mul(climb_3, turn_rate_1)), lanes_mul(climb_4, turn_rate_0)));
-    const V _s8 = lanes_mul(_c3, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_4), lanes_mul(around_1, cosine_3)), lanes_mul(around_2, cosine_2)), lanes_mul(around_3, cosine_1)), lanes_mul(cosine_0, _s2)));
-    return (LANES(court_ring_round_4_out)){ _s1, _s2, lanes_neg(_s3), _s4, lanes_neg(lanes_mul(lanes_mul(K(0.2), per_reach), _s5)), lanes_mul(K(0.2), lanes_sub(_s6, _s7)), lanes_mul(_c2, _s2), lanes_mul(K(0.2), lanes_add(_s8, lanes_mul(_c1, _s2))) };
+    const V _s5 = lanes_add(lanes_mul(lanes_mul(_c0, cosine_4), _c2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_4), lanes_mul(omega_1, tilted_3)), lanes_mul(omega_2, tilted_2)), lanes_mul(omega_3, tilted_1)), lanes_mul(tilted_0, _s1)));
+    const V _s6 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sine_0, _s2), lanes_mul(sine_1, around_3)), lanes_mul(sine_2, around_2)), lanes_mul(sine_3, around_1)), lanes_mul(sine_4, around_0)));
+    const V _s7 = lanes_mul(_c3, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, climb_4), lanes_mul(turn_rate_1, climb_3)), lanes_mul(turn_rate_2, climb_2)), lanes_mul(turn_rate_3, climb_1)), lanes_mul(turn_rate_4, climb_0)));
+    const V _s8 = lanes_mul(_c5, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, _s2), lanes_mul(cosine_1, around_3)), lanes_mul(cosine_2, around_2)), lanes_mul(cosine_3, around_1)), lanes_mul(cosine_4, around_0)));
+    return (LANES(court_ring_round_4_out)){ _s1, _s2, lanes_neg(_s3), _s4, lanes_neg(lanes_mul(lanes_mul(K(0.2), per_reach), _s5)), lanes_mul(K(0.2), lanes_sub(_s6, _s7)), lanes_mul(_c4, _s2), lanes_mul(K(0.2), lanes_add(_s8, lanes_mul(_c1, _s2))) };
 }
 
-/* The terms of order 6, from those before.
+/* Coefficients of order 6, from those of lower order.
    Routh's equations. 107 operations: 41 additions, 2 subtractions, 62 multiplications, 2 negations. */
 typedef struct {
-    V omega_5;
-    V around_5;
-    V cosine_6;
-    V sine_6;
-    V climb_6;
-    V along_6;
-    V turn_rate_6;
-    V tilted_6;
+    V omega_5, around_5, cosine_6, sine_6, climb_6, along_6, turn_rate_6, tilted_6;
 } LANES(court_ring_round_5_out);
 
 LANES_INLINE LANES(court_ring_round_5_out)
-LANES(court_ring_round_5)(V along_5, V around_0, V around_1, V around_2, V around_3, V around_4, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V _c0, V _c1, V _c2, V _c3)
+LANES(court_ring_round_5)(V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V near_0, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V along_5, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V around_0, V around_1, V around_2, V around_3, V around_4, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_4), lanes_mul(cosine_2, omega_3)), lanes_mul(cosine_3, omega_2)), lanes_mul(cosine_4, omega_1)), lanes_mul(cosine_5, omega_0)));
     const V _s1 = lanes_mul(near_0, lanes_sub(along_5, _s0));
@@ -3826,27 +3458,20 @@ LANES(court_ring_round_5)(V along_5, V around_0, V around_1, V around_2, V aroun
     const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_5), lanes_mul(climb_1, sine_4)), lanes_mul(climb_2, sine_3)), lanes_mul(climb_3, sine_2)), lanes_mul(climb_4, sine_1)), lanes_mul(climb_5, sine_0));
     const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_5), lanes_mul(climb_1, cosine_4)), lanes_mul(climb_2, cosine_3)), lanes_mul(climb_3, cosine_2)), lanes_mul(climb_4, cosine_1)), lanes_mul(climb_5, cosine_0));
     const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_5), lanes_mul(omega_1, tilted_4)), lanes_mul(omega_2, tilted_3)), lanes_mul(omega_3, tilted_2)), lanes_mul(omega_4, tilted_1)), lanes_mul(tilted_0, _s1));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_5), lanes_mul(around_1, sine_4)), lanes_mul(around_2, sine_3)), lanes_mul(around_3, sine_2)), lanes_mul(around_4, sine_1)), lanes_mul(sine_0, _s2));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_5), lanes_mul(climb_1, turn_rate_4)), lanes_mul(climb_2, turn_rate_3)), lanes_mul(climb_3, turn_rate_2)), lanes_mul(climb_4, turn_rate_1)), lanes_mul(climb_5, turn_rate_0));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_5), lanes_mul(around_1, cosine_4)), lanes_mul(around_2, cosine_3)), lanes_mul(around_3, cosine_2)), lanes_mul(around_4, cosine_1)), lanes_mul(cosine_0, _s2));
-    return (LANES(court_ring_round_5_out)){ _s1, _s2, lanes_neg(lanes_mul(K(0.16666666666666666), _s3)), lanes_mul(K(0.16666666666666666), _s4), lanes_neg(lanes_mul(lanes_mul(K(0.16666666666666666), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_5), _c0), _s5))), lanes_mul(K(0.16666666666666666), lanes_sub(lanes_mul(_c1, _s6), lanes_mul(K(0.4), _s7))), lanes_mul(_c2, _s2), lanes_mul(K(0.16666666666666666), lanes_add(lanes_mul(_c3, _s8), lanes_mul(_c1, _s2))) };
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sine_0, _s2), lanes_mul(sine_1, around_4)), lanes_mul(sine_2, around_3)), lanes_mul(sine_3, around_2)), lanes_mul(sine_4, around_1)), lanes_mul(sine_5, around_0));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, climb_5), lanes_mul(turn_rate_1, climb_4)), lanes_mul(turn_rate_2, climb_3)), lanes_mul(turn_rate_3, climb_2)), lanes_mul(turn_rate_4, climb_1)), lanes_mul(turn_rate_5, climb_0));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, _s2), lanes_mul(cosine_1, around_4)), lanes_mul(cosine_2, around_3)), lanes_mul(cosine_3, around_2)), lanes_mul(cosine_4, around_1)), lanes_mul(cosine_5, around_0));
+    return (LANES(court_ring_round_5_out)){ _s1, _s2, lanes_neg(lanes_mul(K(0.16666666666666666), _s3)), lanes_mul(K(0.16666666666666666), _s4), lanes_neg(lanes_mul(lanes_mul(K(0.16666666666666666), per_reach), lanes_add(lanes_mul(lanes_mul(_c0, cosine_5), _c2), _s5))), lanes_mul(K(0.16666666666666666), lanes_sub(lanes_mul(_c1, _s6), lanes_mul(_c3, _s7))), lanes_mul(_c4, _s2), lanes_mul(K(0.16666666666666666), lanes_add(lanes_mul(_c5, _s8), lanes_mul(_c1, _s2))) };
 }
 
-/* The terms of order 7, from those before.
+/* Coefficients of order 7, from those of lower order.
    Routh's equations. 123 operations: 49 additions, 2 subtractions, 70 multiplications, 2 negations. */
 typedef struct {
-    V omega_6;
-    V around_6;
-    V cosine_7;
-    V sine_7;
-    V climb_7;
-    V along_7;
-    V turn_rate_7;
-    V tilted_7;
+    V omega_6, around_6, cosine_7, sine_7, climb_7, along_7, turn_rate_7, tilted_7;
 } LANES(court_ring_round_6_out);
 
 LANES_INLINE LANES(court_ring_round_6_out)
-LANES(court_ring_round_6)(V along_6, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V _c0, V _c1, V _c2, V _c3)
+LANES(court_ring_round_6)(V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V near_0, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V along_6, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_5), lanes_mul(cosine_2, omega_4)), lanes_mul(cosine_3, omega_3)), lanes_mul(cosine_4, omega_2)), lanes_mul(cosine_5, omega_1)), lanes_mul(cosine_6, omega_0));
     const V _s1 = lanes_mul(near_0, lanes_sub(along_6, lanes_mul(_c1, _s0)));
@@ -3855,27 +3480,20 @@ LANES(court_ring_round_6)(V along_6, V around_0, V around_1, V around_2, V aroun
     const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_6), lanes_mul(climb_1, sine_5)), lanes_mul(climb_2, sine_4)), lanes_mul(climb_3, sine_3)), lanes_mul(climb_4, sine_2)), lanes_mul(climb_5, sine_1));
     const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_6), lanes_mul(climb_1, cosine_5)), lanes_mul(climb_2, cosine_4)), lanes_mul(climb_3, cosine_3)), lanes_mul(climb_4, cosine_2)), lanes_mul(climb_5, cosine_1));
     const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_6), lanes_mul(omega_1, tilted_5)), lanes_mul(omega_2, tilted_4)), lanes_mul(omega_3, tilted_3)), lanes_mul(omega_4, tilted_2)), lanes_mul(omega_5, tilted_1));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_6), lanes_mul(around_1, sine_5)), lanes_mul(around_2, sine_4)), lanes_mul(around_3, sine_3)), lanes_mul(around_4, sine_2)), lanes_mul(around_5, sine_1));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_6), lanes_mul(climb_1, turn_rate_5)), lanes_mul(climb_2, turn_rate_4)), lanes_mul(climb_3, turn_rate_3)), lanes_mul(climb_4, turn_rate_2)), lanes_mul(climb_5, turn_rate_1));
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_6), lanes_mul(around_1, cosine_5)), lanes_mul(around_2, cosine_4)), lanes_mul(around_3, cosine_3)), lanes_mul(around_4, cosine_2)), lanes_mul(around_5, cosine_1));
-    return (LANES(court_ring_round_6_out)){ _s1, _s3, lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s4, lanes_mul(climb_6, sine_0)))), lanes_mul(K(0.14285714285714285), lanes_add(_s5, lanes_mul(climb_6, cosine_0))), lanes_neg(lanes_mul(lanes_mul(K(0.14285714285714285), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_6), _c0), lanes_add(_s6, lanes_mul(tilted_0, _s1))))), lanes_mul(K(0.14285714285714285), lanes_sub(lanes_mul(_c1, lanes_add(_s7, lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(_s8, lanes_mul(climb_6, turn_rate_0))))), lanes_mul(_c2, _s3), lanes_mul(K(0.14285714285714285), lanes_add(lanes_mul(_c3, lanes_add(_s9, lanes_mul(cosine_0, _s3))), lanes_mul(_c1, _s3))) };
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sine_0, _s3), lanes_mul(sine_1, around_5)), lanes_mul(sine_2, around_4)), lanes_mul(sine_3, around_3)), lanes_mul(sine_4, around_2)), lanes_mul(sine_5, around_1));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, climb_6), lanes_mul(turn_rate_1, climb_5)), lanes_mul(turn_rate_2, climb_4)), lanes_mul(turn_rate_3, climb_3)), lanes_mul(turn_rate_4, climb_2)), lanes_mul(turn_rate_5, climb_1));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, _s3), lanes_mul(cosine_1, around_5)), lanes_mul(cosine_2, around_4)), lanes_mul(cosine_3, around_3)), lanes_mul(cosine_4, around_2)), lanes_mul(cosine_5, around_1));
+    return (LANES(court_ring_round_6_out)){ _s1, _s3, lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(_s4, lanes_mul(climb_6, sine_0)))), lanes_mul(K(0.14285714285714285), lanes_add(_s5, lanes_mul(climb_6, cosine_0))), lanes_neg(lanes_mul(lanes_mul(K(0.14285714285714285), per_reach), lanes_add(lanes_mul(lanes_mul(_c0, cosine_6), _c2), lanes_add(_s6, lanes_mul(tilted_0, _s1))))), lanes_mul(K(0.14285714285714285), lanes_sub(lanes_mul(_c1, lanes_add(_s7, lanes_mul(sine_6, around_0))), lanes_mul(_c3, lanes_add(_s8, lanes_mul(turn_rate_6, climb_0))))), lanes_mul(_c4, _s3), lanes_mul(K(0.14285714285714285), lanes_add(lanes_mul(_c5, lanes_add(_s9, lanes_mul(cosine_6, around_0))), lanes_mul(_c1, _s3))) };
 }
 
-/* The terms of order 8, from those before.
+/* Coefficients of order 8, from those of lower order.
    Routh's equations. 139 operations: 57 additions, 2 subtractions, 78 multiplications, 2 negations. */
 typedef struct {
-    V omega_7;
-    V around_7;
-    V cosine_8;
-    V sine_8;
-    V climb_8;
-    V along_8;
-    V turn_rate_8;
-    V tilted_8;
+    V omega_7, around_7, cosine_8, sine_8, climb_8, along_8, turn_rate_8, tilted_8;
 } LANES(court_ring_round_7_out);
 
 LANES_INLINE LANES(court_ring_round_7_out)
-LANES(court_ring_round_7)(V along_7, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V _c0, V _c1, V _c2, V _c3)
+LANES(court_ring_round_7)(V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V near_0, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V along_7, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_6), lanes_mul(cosine_2, omega_5)), lanes_mul(cosine_3, omega_4)), lanes_mul(cosine_4, omega_3)), lanes_mul(cosine_5, omega_2)), lanes_mul(cosine_6, omega_1));
     const V _s1 = lanes_mul(near_0, lanes_sub(along_7, lanes_mul(_c1, lanes_add(_s0, lanes_mul(cosine_7, omega_0)))));
@@ -3884,30 +3502,23 @@ LANES(court_ring_round_7)(V along_7, V around_0, V around_1, V around_2, V aroun
     const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_7), lanes_mul(climb_1, sine_6)), lanes_mul(climb_2, sine_5)), lanes_mul(climb_3, sine_4)), lanes_mul(climb_4, sine_3)), lanes_mul(climb_5, sine_2));
     const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_7), lanes_mul(climb_1, cosine_6)), lanes_mul(climb_2, cosine_5)), lanes_mul(climb_3, cosine_4)), lanes_mul(climb_4, cosine_3)), lanes_mul(climb_5, cosine_2));
     const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_7), lanes_mul(omega_1, tilted_6)), lanes_mul(omega_2, tilted_5)), lanes_mul(omega_3, tilted_4)), lanes_mul(omega_4, tilted_3)), lanes_mul(omega_5, tilted_2));
-    const V _s7 = lanes_neg(lanes_mul(lanes_mul(K(0.125), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_7), _c0), lanes_add(lanes_add(_s6, lanes_mul(omega_6, tilted_1)), lanes_mul(tilted_0, _s1)))));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_7), lanes_mul(around_1, sine_6)), lanes_mul(around_2, sine_5)), lanes_mul(around_3, sine_4)), lanes_mul(around_4, sine_3)), lanes_mul(around_5, sine_2));
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_7), lanes_mul(climb_1, turn_rate_6)), lanes_mul(climb_2, turn_rate_5)), lanes_mul(climb_3, turn_rate_4)), lanes_mul(climb_4, turn_rate_3)), lanes_mul(climb_5, turn_rate_2));
-    const V _s10 = lanes_mul(K(0.125), lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(_s8, lanes_mul(around_6, sine_1)), lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(lanes_add(_s9, lanes_mul(climb_6, turn_rate_1)), lanes_mul(climb_7, turn_rate_0)))));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_7), lanes_mul(around_1, cosine_6)), lanes_mul(around_2, cosine_5)), lanes_mul(around_3, cosine_4)), lanes_mul(around_4, cosine_3)), lanes_mul(around_5, cosine_2));
-    const V _s12 = lanes_mul(K(0.125), lanes_add(lanes_mul(_c3, lanes_add(lanes_add(_s11, lanes_mul(around_6, cosine_1)), lanes_mul(cosine_0, _s3))), lanes_mul(_c1, _s3)));
-    return (LANES(court_ring_round_7_out)){ _s1, _s3, lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s4, lanes_mul(climb_6, sine_1)), lanes_mul(climb_7, sine_0)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s5, lanes_mul(climb_6, cosine_1)), lanes_mul(climb_7, cosine_0))), _s7, _s10, lanes_mul(_c2, _s3), _s12 };
+    const V _s7 = lanes_neg(lanes_mul(lanes_mul(K(0.125), per_reach), lanes_add(lanes_mul(lanes_mul(_c0, cosine_7), _c2), lanes_add(lanes_add(_s6, lanes_mul(omega_6, tilted_1)), lanes_mul(tilted_0, _s1)))));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sine_0, _s3), lanes_mul(sine_1, around_6)), lanes_mul(sine_2, around_5)), lanes_mul(sine_3, around_4)), lanes_mul(sine_4, around_3)), lanes_mul(sine_5, around_2));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, climb_7), lanes_mul(turn_rate_1, climb_6)), lanes_mul(turn_rate_2, climb_5)), lanes_mul(turn_rate_3, climb_4)), lanes_mul(turn_rate_4, climb_3)), lanes_mul(turn_rate_5, climb_2));
+    const V _s10 = lanes_mul(K(0.125), lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(_s8, lanes_mul(sine_6, around_1)), lanes_mul(sine_7, around_0))), lanes_mul(_c3, lanes_add(lanes_add(_s9, lanes_mul(turn_rate_6, climb_1)), lanes_mul(turn_rate_7, climb_0)))));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, _s3), lanes_mul(cosine_1, around_6)), lanes_mul(cosine_2, around_5)), lanes_mul(cosine_3, around_4)), lanes_mul(cosine_4, around_3)), lanes_mul(cosine_5, around_2));
+    const V _s12 = lanes_mul(K(0.125), lanes_add(lanes_mul(_c5, lanes_add(lanes_add(_s11, lanes_mul(cosine_6, around_1)), lanes_mul(cosine_7, around_0))), lanes_mul(_c1, _s3)));
+    return (LANES(court_ring_round_7_out)){ _s1, _s3, lanes_neg(lanes_mul(K(0.125), lanes_add(lanes_add(_s4, lanes_mul(climb_6, sine_1)), lanes_mul(climb_7, sine_0)))), lanes_mul(K(0.125), lanes_add(lanes_add(_s5, lanes_mul(climb_6, cosine_1)), lanes_mul(climb_7, cosine_0))), _s7, _s10, lanes_mul(_c4, _s3), _s12 };
 }
 
-/* The terms of order 9, from those before.
+/* Coefficients of order 9, from those of lower order.
    Routh's equations. 155 operations: 65 additions, 2 subtractions, 86 multiplications, 2 negations. */
 typedef struct {
-    V omega_8;
-    V around_8;
-    V cosine_9;
-    V sine_9;
-    V climb_9;
-    V along_9;
-    V turn_rate_9;
-    V tilted_9;
+    V omega_8, around_8, cosine_9, sine_9, climb_9, along_9, turn_rate_9, tilted_9;
 } LANES(court_ring_round_8_out);
 
 LANES_INLINE LANES(court_ring_round_8_out)
-LANES(court_ring_round_8)(V along_8, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V _c0, V _c1, V _c2, V _c3)
+LANES(court_ring_round_8)(V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V near_0, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V along_8, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_7), lanes_mul(cosine_2, omega_6)), lanes_mul(cosine_3, omega_5)), lanes_mul(cosine_4, omega_4)), lanes_mul(cosine_5, omega_3)), lanes_mul(cosine_6, omega_2));
     const V _s1 = lanes_mul(near_0, lanes_sub(along_8, lanes_mul(_c1, lanes_add(lanes_add(_s0, lanes_mul(cosine_7, omega_1)), lanes_mul(cosine_8, omega_0)))));
@@ -3917,30 +3528,23 @@ LANES(court_ring_round_8)(V along_8, V around_0, V around_1, V around_2, V aroun
     const V _s5 = lanes_neg(lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s4, lanes_mul(climb_6, sine_2)), lanes_mul(climb_7, sine_1)), lanes_mul(climb_8, sine_0))));
     const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_8), lanes_mul(climb_1, cosine_7)), lanes_mul(climb_2, cosine_6)), lanes_mul(climb_3, cosine_5)), lanes_mul(climb_4, cosine_4)), lanes_mul(climb_5, cosine_3));
     const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_8), lanes_mul(omega_1, tilted_7)), lanes_mul(omega_2, tilted_6)), lanes_mul(omega_3, tilted_5)), lanes_mul(omega_4, tilted_4)), lanes_mul(omega_5, tilted_3));
-    const V _s8 = lanes_mul(lanes_mul(K(0.1111111111111111), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_8), _c0), lanes_add(lanes_add(lanes_add(_s7, lanes_mul(omega_6, tilted_2)), lanes_mul(omega_7, tilted_1)), lanes_mul(tilted_0, _s1))));
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_8), lanes_mul(around_1, sine_7)), lanes_mul(around_2, sine_6)), lanes_mul(around_3, sine_5)), lanes_mul(around_4, sine_4)), lanes_mul(around_5, sine_3));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_8), lanes_mul(climb_1, turn_rate_7)), lanes_mul(climb_2, turn_rate_6)), lanes_mul(climb_3, turn_rate_5)), lanes_mul(climb_4, turn_rate_4)), lanes_mul(climb_5, turn_rate_3));
-    const V _s11 = lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_add(_s9, lanes_mul(around_6, sine_2)), lanes_mul(around_7, sine_1)), lanes_mul(sine_0, _s3))), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(_s10, lanes_mul(climb_6, turn_rate_2)), lanes_mul(climb_7, turn_rate_1)), lanes_mul(climb_8, turn_rate_0))));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_8), lanes_mul(around_1, cosine_7)), lanes_mul(around_2, cosine_6)), lanes_mul(around_3, cosine_5)), lanes_mul(around_4, cosine_4)), lanes_mul(around_5, cosine_3));
-    const V _s13 = lanes_add(lanes_mul(_c3, lanes_add(lanes_add(lanes_add(_s12, lanes_mul(around_6, cosine_2)), lanes_mul(around_7, cosine_1)), lanes_mul(cosine_0, _s3))), lanes_mul(_c1, _s3));
-    return (LANES(court_ring_round_8_out)){ _s1, _s3, _s5, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s6, lanes_mul(climb_6, cosine_2)), lanes_mul(climb_7, cosine_1)), lanes_mul(climb_8, cosine_0))), lanes_neg(_s8), lanes_mul(K(0.1111111111111111), _s11), lanes_mul(_c2, _s3), lanes_mul(K(0.1111111111111111), _s13) };
+    const V _s8 = lanes_mul(lanes_mul(K(0.1111111111111111), per_reach), lanes_add(lanes_mul(lanes_mul(_c0, cosine_8), _c2), lanes_add(lanes_add(lanes_add(_s7, lanes_mul(omega_6, tilted_2)), lanes_mul(omega_7, tilted_1)), lanes_mul(tilted_0, _s1))));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sine_0, _s3), lanes_mul(sine_1, around_7)), lanes_mul(sine_2, around_6)), lanes_mul(sine_3, around_5)), lanes_mul(sine_4, around_4)), lanes_mul(sine_5, around_3));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, climb_8), lanes_mul(turn_rate_1, climb_7)), lanes_mul(turn_rate_2, climb_6)), lanes_mul(turn_rate_3, climb_5)), lanes_mul(turn_rate_4, climb_4)), lanes_mul(turn_rate_5, climb_3));
+    const V _s11 = lanes_sub(lanes_mul(_c1, lanes_add(lanes_add(lanes_add(_s9, lanes_mul(sine_6, around_2)), lanes_mul(sine_7, around_1)), lanes_mul(sine_8, around_0))), lanes_mul(_c3, lanes_add(lanes_add(lanes_add(_s10, lanes_mul(turn_rate_6, climb_2)), lanes_mul(turn_rate_7, climb_1)), lanes_mul(turn_rate_8, climb_0))));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, _s3), lanes_mul(cosine_1, around_7)), lanes_mul(cosine_2, around_6)), lanes_mul(cosine_3, around_5)), lanes_mul(cosine_4, around_4)), lanes_mul(cosine_5, around_3));
+    const V _s13 = lanes_add(lanes_mul(_c5, lanes_add(lanes_add(lanes_add(_s12, lanes_mul(cosine_6, around_2)), lanes_mul(cosine_7, around_1)), lanes_mul(cosine_8, around_0))), lanes_mul(_c1, _s3));
+    return (LANES(court_ring_round_8_out)){ _s1, _s3, _s5, lanes_mul(K(0.1111111111111111), lanes_add(lanes_add(lanes_add(_s6, lanes_mul(climb_6, cosine_2)), lanes_mul(climb_7, cosine_1)), lanes_mul(climb_8, cosine_0))), lanes_neg(_s8), lanes_mul(K(0.1111111111111111), _s11), lanes_mul(_c4, _s3), lanes_mul(K(0.1111111111111111), _s13) };
 }
 
-/* The terms of order 10, from those before.
+/* Coefficients of order 10, from those of lower order.
    Routh's equations. 171 operations: 73 additions, 2 subtractions, 94 multiplications, 2 negations. */
 typedef struct {
-    V omega_9;
-    V around_9;
-    V cosine_10;
-    V sine_10;
-    V climb_10;
-    V along_10;
-    V turn_rate_10;
-    V tilted_10;
+    V omega_9, around_9, cosine_10, sine_10, climb_10, along_10, turn_rate_10, tilted_10;
 } LANES(court_ring_round_9_out);
 
 LANES_INLINE LANES(court_ring_round_9_out)
-LANES(court_ring_round_9)(V along_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V per_reach, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2, V _c3)
+LANES(court_ring_round_9)(V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V near_0, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V along_9, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_8), lanes_mul(cosine_2, omega_7)), lanes_mul(cosine_3, omega_6)), lanes_mul(cosine_4, omega_5)), lanes_mul(cosine_5, omega_4)), lanes_mul(cosine_6, omega_3));
     const V _s1 = lanes_sub(along_9, lanes_mul(_c1, lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_7, omega_2)), lanes_mul(cosine_8, omega_1)), lanes_mul(cosine_9, omega_0))));
@@ -3952,99 +3556,84 @@ LANES(court_ring_round_9)(V along_9, V around_0, V around_1, V around_2, V aroun
     const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_9), lanes_mul(climb_1, cosine_8)), lanes_mul(climb_2, cosine_7)), lanes_mul(climb_3, cosine_6)), lanes_mul(climb_4, cosine_5)), lanes_mul(climb_5, cosine_4));
     const V _s8 = lanes_mul(K(0.1), lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(climb_6, cosine_3)), lanes_mul(climb_7, cosine_2)), lanes_mul(climb_8, cosine_1)), lanes_mul(climb_9, cosine_0)));
     const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_9), lanes_mul(omega_1, tilted_8)), lanes_mul(omega_2, tilted_7)), lanes_mul(omega_3, tilted_6)), lanes_mul(omega_4, tilted_5)), lanes_mul(omega_5, tilted_4));
-    const V _s10 = lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_9), _c0), lanes_add(lanes_add(lanes_add(lanes_add(_s9, lanes_mul(omega_6, tilted_3)), lanes_mul(omega_7, tilted_2)), lanes_mul(omega_8, tilted_1)), lanes_mul(tilted_0, _s2)));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_9), lanes_mul(around_1, sine_8)), lanes_mul(around_2, sine_7)), lanes_mul(around_3, sine_6)), lanes_mul(around_4, sine_5)), lanes_mul(around_5, sine_4));
-    const V _s12 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(_s11, lanes_mul(around_6, sine_3)), lanes_mul(around_7, sine_2)), lanes_mul(around_8, sine_1)), lanes_mul(sine_0, _s4)));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_9), lanes_mul(climb_1, turn_rate_8)), lanes_mul(climb_2, turn_rate_7)), lanes_mul(climb_3, turn_rate_6)), lanes_mul(climb_4, turn_rate_5)), lanes_mul(climb_5, turn_rate_4));
-    const V _s14 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(_s13, lanes_mul(climb_6, turn_rate_3)), lanes_mul(climb_7, turn_rate_2)), lanes_mul(climb_8, turn_rate_1)), lanes_mul(climb_9, turn_rate_0)));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_9), lanes_mul(around_1, cosine_8)), lanes_mul(around_2, cosine_7)), lanes_mul(around_3, cosine_6)), lanes_mul(around_4, cosine_5)), lanes_mul(around_5, cosine_4));
-    const V _s16 = lanes_mul(_c3, lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(around_6, cosine_3)), lanes_mul(around_7, cosine_2)), lanes_mul(around_8, cosine_1)), lanes_mul(cosine_0, _s4)));
-    return (LANES(court_ring_round_9_out)){ _s2, _s4, lanes_neg(_s6), _s8, lanes_neg(lanes_mul(lanes_mul(K(0.1), per_reach), _s10)), lanes_mul(K(0.1), lanes_sub(_s12, _s14)), lanes_mul(_c2, _s4), lanes_mul(K(0.1), lanes_add(_s16, lanes_mul(_c1, _s4))) };
+    const V _s10 = lanes_add(lanes_mul(lanes_mul(_c0, cosine_9), _c2), lanes_add(lanes_add(lanes_add(lanes_add(_s9, lanes_mul(omega_6, tilted_3)), lanes_mul(omega_7, tilted_2)), lanes_mul(omega_8, tilted_1)), lanes_mul(tilted_0, _s2)));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sine_0, _s4), lanes_mul(sine_1, around_8)), lanes_mul(sine_2, around_7)), lanes_mul(sine_3, around_6)), lanes_mul(sine_4, around_5)), lanes_mul(sine_5, around_4));
+    const V _s12 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(_s11, lanes_mul(sine_6, around_3)), lanes_mul(sine_7, around_2)), lanes_mul(sine_8, around_1)), lanes_mul(sine_9, around_0)));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, climb_9), lanes_mul(turn_rate_1, climb_8)), lanes_mul(turn_rate_2, climb_7)), lanes_mul(turn_rate_3, climb_6)), lanes_mul(turn_rate_4, climb_5)), lanes_mul(turn_rate_5, climb_4));
+    const V _s14 = lanes_mul(_c3, lanes_add(lanes_add(lanes_add(lanes_add(_s13, lanes_mul(turn_rate_6, climb_3)), lanes_mul(turn_rate_7, climb_2)), lanes_mul(turn_rate_8, climb_1)), lanes_mul(turn_rate_9, climb_0)));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, _s4), lanes_mul(cosine_1, around_8)), lanes_mul(cosine_2, around_7)), lanes_mul(cosine_3, around_6)), lanes_mul(cosine_4, around_5)), lanes_mul(cosine_5, around_4));
+    const V _s16 = lanes_mul(_c5, lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(cosine_6, around_3)), lanes_mul(cosine_7, around_2)), lanes_mul(cosine_8, around_1)), lanes_mul(cosine_9, around_0)));
+    return (LANES(court_ring_round_9_out)){ _s2, _s4, lanes_neg(_s6), _s8, lanes_neg(lanes_mul(lanes_mul(K(0.1), per_reach), _s10)), lanes_mul(K(0.1), lanes_sub(_s12, _s14)), lanes_mul(_c4, _s4), lanes_mul(K(0.1), lanes_add(_s16, lanes_mul(_c1, _s4))) };
 }
 
-/* The terms of order 11, from those before.
+/* Coefficients of order 11, from those of lower order.
    Routh's equations. 187 operations: 81 additions, 2 subtractions, 102 multiplications, 2 negations. */
 typedef struct {
-    V omega_10;
-    V around_10;
-    V cosine_11;
-    V sine_11;
-    V climb_11;
-    V along_11;
-    V turn_rate_11;
-    V tilted_11;
+    V omega_10, around_10, cosine_11, sine_11, climb_11, along_11, turn_rate_11, tilted_11;
 } LANES(court_ring_round_10_out);
 
 LANES_INLINE LANES(court_ring_round_10_out)
-LANES(court_ring_round_10)(V along_10, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V climb_0, V climb_1, V climb_10, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cosine_0, V cosine_1, V cosine_10, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V near_0, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V per_reach, V sine_0, V sine_1, V sine_10, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_10, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2, V _c3)
+LANES(court_ring_round_10)(V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V turn_rate_10, V near_0, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V climb_10, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V cosine_10, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V sine_10, V along_10, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V tilted_10, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_9), lanes_mul(cosine_10, omega_0)), lanes_mul(cosine_2, omega_8)), lanes_mul(cosine_3, omega_7)), lanes_mul(cosine_4, omega_6)), lanes_mul(cosine_5, omega_5));
-    const V _s1 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_6, omega_4)), lanes_mul(cosine_7, omega_3)), lanes_mul(cosine_8, omega_2)), lanes_mul(cosine_9, omega_1)));
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_9), lanes_mul(cosine_2, omega_8)), lanes_mul(cosine_3, omega_7)), lanes_mul(cosine_4, omega_6)), lanes_mul(cosine_5, omega_5)), lanes_mul(cosine_6, omega_4));
+    const V _s1 = lanes_mul(_c1, lanes_add(lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_7, omega_3)), lanes_mul(cosine_8, omega_2)), lanes_mul(cosine_9, omega_1)), lanes_mul(cosine_10, omega_0)));
     const V _s2 = lanes_mul(near_0, lanes_sub(along_10, _s1));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_9)), lanes_mul(climb_10, omega_0)), lanes_mul(climb_2, omega_8)), lanes_mul(climb_3, omega_7)), lanes_mul(climb_4, omega_6));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(climb_5, omega_5)), lanes_mul(climb_6, omega_4)), lanes_mul(climb_7, omega_3)), lanes_mul(climb_8, omega_2)), lanes_mul(climb_9, omega_1));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_10), lanes_mul(climb_1, sine_9)), lanes_mul(climb_10, sine_0)), lanes_mul(climb_2, sine_8)), lanes_mul(climb_3, sine_7)), lanes_mul(climb_4, sine_6));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s5, lanes_mul(climb_5, sine_5)), lanes_mul(climb_6, sine_4)), lanes_mul(climb_7, sine_3)), lanes_mul(climb_8, sine_2)), lanes_mul(climb_9, sine_1));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_10), lanes_mul(climb_1, cosine_9)), lanes_mul(climb_10, cosine_0)), lanes_mul(climb_2, cosine_8)), lanes_mul(climb_3, cosine_7)), lanes_mul(climb_4, cosine_6));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(climb_5, cosine_5)), lanes_mul(climb_6, cosine_4)), lanes_mul(climb_7, cosine_3)), lanes_mul(climb_8, cosine_2)), lanes_mul(climb_9, cosine_1));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_9)), lanes_mul(climb_2, omega_8)), lanes_mul(climb_3, omega_7)), lanes_mul(climb_4, omega_6)), lanes_mul(climb_5, omega_5));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(climb_6, omega_4)), lanes_mul(climb_7, omega_3)), lanes_mul(climb_8, omega_2)), lanes_mul(climb_9, omega_1)), lanes_mul(climb_10, omega_0));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_10), lanes_mul(climb_1, sine_9)), lanes_mul(climb_2, sine_8)), lanes_mul(climb_3, sine_7)), lanes_mul(climb_4, sine_6)), lanes_mul(climb_5, sine_5));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s5, lanes_mul(climb_6, sine_4)), lanes_mul(climb_7, sine_3)), lanes_mul(climb_8, sine_2)), lanes_mul(climb_9, sine_1)), lanes_mul(climb_10, sine_0));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_10), lanes_mul(climb_1, cosine_9)), lanes_mul(climb_2, cosine_8)), lanes_mul(climb_3, cosine_7)), lanes_mul(climb_4, cosine_6)), lanes_mul(climb_5, cosine_5));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s7, lanes_mul(climb_6, cosine_4)), lanes_mul(climb_7, cosine_3)), lanes_mul(climb_8, cosine_2)), lanes_mul(climb_9, cosine_1)), lanes_mul(climb_10, cosine_0));
     const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_10), lanes_mul(omega_1, tilted_9)), lanes_mul(omega_2, tilted_8)), lanes_mul(omega_3, tilted_7)), lanes_mul(omega_4, tilted_6)), lanes_mul(omega_5, tilted_5));
     const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s9, lanes_mul(omega_6, tilted_4)), lanes_mul(omega_7, tilted_3)), lanes_mul(omega_8, tilted_2)), lanes_mul(omega_9, tilted_1)), lanes_mul(tilted_0, _s2));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_10), lanes_mul(around_1, sine_9)), lanes_mul(around_2, sine_8)), lanes_mul(around_3, sine_7)), lanes_mul(around_4, sine_6)), lanes_mul(around_5, sine_5));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s11, lanes_mul(around_6, sine_4)), lanes_mul(around_7, sine_3)), lanes_mul(around_8, sine_2)), lanes_mul(around_9, sine_1)), lanes_mul(sine_0, _s4));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_10), lanes_mul(climb_1, turn_rate_9)), lanes_mul(climb_10, turn_rate_0)), lanes_mul(climb_2, turn_rate_8)), lanes_mul(climb_3, turn_rate_7)), lanes_mul(climb_4, turn_rate_6));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s13, lanes_mul(climb_5, turn_rate_5)), lanes_mul(climb_6, turn_rate_4)), lanes_mul(climb_7, turn_rate_3)), lanes_mul(climb_8, turn_rate_2)), lanes_mul(climb_9, turn_rate_1));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_10), lanes_mul(around_1, cosine_9)), lanes_mul(around_2, cosine_8)), lanes_mul(around_3, cosine_7)), lanes_mul(around_4, cosine_6)), lanes_mul(around_5, cosine_5));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(around_6, cosine_4)), lanes_mul(around_7, cosine_3)), lanes_mul(around_8, cosine_2)), lanes_mul(around_9, cosine_1)), lanes_mul(cosine_0, _s4));
-    return (LANES(court_ring_round_10_out)){ _s2, _s4, lanes_neg(lanes_mul(K(0.09090909090909091), _s6)), lanes_mul(K(0.09090909090909091), _s8), lanes_neg(lanes_mul(lanes_mul(K(0.09090909090909091), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_10), _c0), _s10))), lanes_mul(K(0.09090909090909091), lanes_sub(lanes_mul(_c1, _s12), lanes_mul(K(0.4), _s14))), lanes_mul(_c2, _s4), lanes_mul(K(0.09090909090909091), lanes_add(lanes_mul(_c3, _s16), lanes_mul(_c1, _s4))) };
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sine_0, _s4), lanes_mul(sine_1, around_9)), lanes_mul(sine_2, around_8)), lanes_mul(sine_3, around_7)), lanes_mul(sine_4, around_6)), lanes_mul(sine_5, around_5));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s11, lanes_mul(sine_6, around_4)), lanes_mul(sine_7, around_3)), lanes_mul(sine_8, around_2)), lanes_mul(sine_9, around_1)), lanes_mul(sine_10, around_0));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, climb_10), lanes_mul(turn_rate_1, climb_9)), lanes_mul(turn_rate_2, climb_8)), lanes_mul(turn_rate_3, climb_7)), lanes_mul(turn_rate_4, climb_6)), lanes_mul(turn_rate_5, climb_5));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s13, lanes_mul(turn_rate_6, climb_4)), lanes_mul(turn_rate_7, climb_3)), lanes_mul(turn_rate_8, climb_2)), lanes_mul(turn_rate_9, climb_1)), lanes_mul(turn_rate_10, climb_0));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, _s4), lanes_mul(cosine_1, around_9)), lanes_mul(cosine_2, around_8)), lanes_mul(cosine_3, around_7)), lanes_mul(cosine_4, around_6)), lanes_mul(cosine_5, around_5));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_mul(cosine_6, around_4)), lanes_mul(cosine_7, around_3)), lanes_mul(cosine_8, around_2)), lanes_mul(cosine_9, around_1)), lanes_mul(cosine_10, around_0));
+    return (LANES(court_ring_round_10_out)){ _s2, _s4, lanes_neg(lanes_mul(K(0.09090909090909091), _s6)), lanes_mul(K(0.09090909090909091), _s8), lanes_neg(lanes_mul(lanes_mul(K(0.09090909090909091), per_reach), lanes_add(lanes_mul(lanes_mul(_c0, cosine_10), _c2), _s10))), lanes_mul(K(0.09090909090909091), lanes_sub(lanes_mul(_c1, _s12), lanes_mul(_c3, _s14))), lanes_mul(_c4, _s4), lanes_mul(K(0.09090909090909091), lanes_add(lanes_mul(_c5, _s16), lanes_mul(_c1, _s4))) };
 }
 
-/* The terms of order 12, from those before.
+/* Coefficients of order 12, from those of lower order.
    Routh's equations. 203 operations: 89 additions, 2 subtractions, 110 multiplications, 2 negations. */
 typedef struct {
-    V omega_11;
-    V around_11;
-    V cosine_12;
-    V sine_12;
-    V climb_12;
-    V along_12;
-    V turn_rate_12;
-    V tilted_12;
+    V omega_11, around_11, cosine_12, sine_12, climb_12, along_12, turn_rate_12, tilted_12;
 } LANES(court_ring_round_11_out);
 
 LANES_INLINE LANES(court_ring_round_11_out)
-LANES(court_ring_round_11)(V along_11, V around_0, V around_1, V around_10, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V climb_0, V climb_1, V climb_10, V climb_11, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V cosine_0, V cosine_1, V cosine_10, V cosine_11, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V near_0, V omega_0, V omega_1, V omega_10, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V per_reach, V sine_0, V sine_1, V sine_10, V sine_11, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V tilted_0, V tilted_1, V tilted_10, V tilted_11, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V turn_rate_0, V turn_rate_1, V turn_rate_10, V turn_rate_11, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V _c0, V _c1, V _c2, V _c3)
+LANES(court_ring_round_11)(V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V turn_rate_9, V turn_rate_10, V turn_rate_11, V near_0, V climb_0, V climb_1, V climb_2, V climb_3, V climb_4, V climb_5, V climb_6, V climb_7, V climb_8, V climb_9, V climb_10, V climb_11, V cosine_0, V cosine_1, V cosine_2, V cosine_3, V cosine_4, V cosine_5, V cosine_6, V cosine_7, V cosine_8, V cosine_9, V cosine_10, V cosine_11, V sine_0, V sine_1, V sine_2, V sine_3, V sine_4, V sine_5, V sine_6, V sine_7, V sine_8, V sine_9, V sine_10, V sine_11, V along_11, V omega_0, V omega_1, V omega_2, V omega_3, V omega_4, V omega_5, V omega_6, V omega_7, V omega_8, V omega_9, V omega_10, V around_0, V around_1, V around_2, V around_3, V around_4, V around_5, V around_6, V around_7, V around_8, V around_9, V around_10, V tilted_0, V tilted_1, V tilted_2, V tilted_3, V tilted_4, V tilted_5, V tilted_6, V tilted_7, V tilted_8, V tilted_9, V tilted_10, V tilted_11, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_10), lanes_mul(cosine_10, omega_1)), lanes_mul(cosine_11, omega_0)), lanes_mul(cosine_2, omega_9)), lanes_mul(cosine_3, omega_8)), lanes_mul(cosine_4, omega_7));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_5, omega_6)), lanes_mul(cosine_6, omega_5)), lanes_mul(cosine_7, omega_4)), lanes_mul(cosine_8, omega_3)), lanes_mul(cosine_9, omega_2));
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_1, omega_10), lanes_mul(cosine_2, omega_9)), lanes_mul(cosine_3, omega_8)), lanes_mul(cosine_4, omega_7)), lanes_mul(cosine_5, omega_6)), lanes_mul(cosine_6, omega_5));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s0, lanes_mul(cosine_7, omega_4)), lanes_mul(cosine_8, omega_3)), lanes_mul(cosine_9, omega_2)), lanes_mul(cosine_10, omega_1)), lanes_mul(cosine_11, omega_0));
     const V _s2 = lanes_mul(near_0, lanes_sub(along_11, lanes_mul(_c1, _s1)));
-    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_10)), lanes_mul(climb_10, omega_1)), lanes_mul(climb_11, omega_0)), lanes_mul(climb_2, omega_9)), lanes_mul(climb_3, omega_8));
-    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(climb_4, omega_7)), lanes_mul(climb_5, omega_6)), lanes_mul(climb_6, omega_5)), lanes_mul(climb_7, omega_4)), lanes_mul(climb_8, omega_3));
-    const V _s5 = lanes_add(_s4, lanes_mul(climb_9, omega_2));
-    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_11), lanes_mul(climb_1, sine_10)), lanes_mul(climb_10, sine_1)), lanes_mul(climb_11, sine_0)), lanes_mul(climb_2, sine_9)), lanes_mul(climb_3, sine_8));
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(climb_4, sine_7)), lanes_mul(climb_5, sine_6)), lanes_mul(climb_6, sine_5)), lanes_mul(climb_7, sine_4)), lanes_mul(climb_8, sine_3));
-    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_11), lanes_mul(climb_1, cosine_10)), lanes_mul(climb_10, cosine_1)), lanes_mul(climb_11, cosine_0)), lanes_mul(climb_2, cosine_9)), lanes_mul(climb_3, cosine_8));
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s8, lanes_mul(climb_4, cosine_7)), lanes_mul(climb_5, cosine_6)), lanes_mul(climb_6, cosine_5)), lanes_mul(climb_7, cosine_4)), lanes_mul(climb_8, cosine_3));
-    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_11), lanes_mul(omega_1, tilted_10)), lanes_mul(omega_10, tilted_1)), lanes_mul(omega_2, tilted_9)), lanes_mul(omega_3, tilted_8)), lanes_mul(omega_4, tilted_7));
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(omega_5, tilted_6)), lanes_mul(omega_6, tilted_5)), lanes_mul(omega_7, tilted_4)), lanes_mul(omega_8, tilted_3)), lanes_mul(omega_9, tilted_2));
-    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, sine_11), lanes_mul(around_1, sine_10)), lanes_mul(around_10, sine_1)), lanes_mul(around_2, sine_9)), lanes_mul(around_3, sine_8)), lanes_mul(around_4, sine_7));
-    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s12, lanes_mul(around_5, sine_6)), lanes_mul(around_6, sine_5)), lanes_mul(around_7, sine_4)), lanes_mul(around_8, sine_3)), lanes_mul(around_9, sine_2));
-    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, turn_rate_11), lanes_mul(climb_1, turn_rate_10)), lanes_mul(climb_10, turn_rate_1)), lanes_mul(climb_11, turn_rate_0)), lanes_mul(climb_2, turn_rate_9)), lanes_mul(climb_3, turn_rate_8));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s14, lanes_mul(climb_4, turn_rate_7)), lanes_mul(climb_5, turn_rate_6)), lanes_mul(climb_6, turn_rate_5)), lanes_mul(climb_7, turn_rate_4)), lanes_mul(climb_8, turn_rate_3));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(around_0, cosine_11), lanes_mul(around_1, cosine_10)), lanes_mul(around_10, cosine_1)), lanes_mul(around_2, cosine_9)), lanes_mul(around_3, cosine_8)), lanes_mul(around_4, cosine_7));
-    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s16, lanes_mul(around_5, cosine_6)), lanes_mul(around_6, cosine_5)), lanes_mul(around_7, cosine_4)), lanes_mul(around_8, cosine_3)), lanes_mul(around_9, cosine_2));
-    return (LANES(court_ring_round_11_out)){ _s2, _s5, lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s7, lanes_mul(climb_9, sine_2)))), lanes_mul(K(0.08333333333333333), lanes_add(_s9, lanes_mul(climb_9, cosine_2))), lanes_neg(lanes_mul(lanes_mul(K(0.08333333333333333), per_reach), lanes_add(lanes_mul(lanes_mul(K(0.6), cosine_11), _c0), lanes_add(_s11, lanes_mul(tilted_0, _s2))))), lanes_mul(K(0.08333333333333333), lanes_sub(lanes_mul(_c1, lanes_add(_s13, lanes_mul(sine_0, _s5))), lanes_mul(K(0.4), lanes_add(_s15, lanes_mul(climb_9, turn_rate_2))))), lanes_mul(_c2, _s5), lanes_mul(K(0.08333333333333333), lanes_add(lanes_mul(_c3, lanes_add(_s17, lanes_mul(cosine_0, _s5))), lanes_mul(_c1, _s5))) };
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, _s2), lanes_mul(climb_1, omega_10)), lanes_mul(climb_2, omega_9)), lanes_mul(climb_3, omega_8)), lanes_mul(climb_4, omega_7)), lanes_mul(climb_5, omega_6));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s3, lanes_mul(climb_6, omega_5)), lanes_mul(climb_7, omega_4)), lanes_mul(climb_8, omega_3)), lanes_mul(climb_9, omega_2)), lanes_mul(climb_10, omega_1));
+    const V _s5 = lanes_add(_s4, lanes_mul(climb_11, omega_0));
+    const V _s6 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, sine_11), lanes_mul(climb_1, sine_10)), lanes_mul(climb_2, sine_9)), lanes_mul(climb_3, sine_8)), lanes_mul(climb_4, sine_7)), lanes_mul(climb_5, sine_6));
+    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s6, lanes_mul(climb_6, sine_5)), lanes_mul(climb_7, sine_4)), lanes_mul(climb_8, sine_3)), lanes_mul(climb_9, sine_2)), lanes_mul(climb_10, sine_1));
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(climb_0, cosine_11), lanes_mul(climb_1, cosine_10)), lanes_mul(climb_2, cosine_9)), lanes_mul(climb_3, cosine_8)), lanes_mul(climb_4, cosine_7)), lanes_mul(climb_5, cosine_6));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s8, lanes_mul(climb_6, cosine_5)), lanes_mul(climb_7, cosine_4)), lanes_mul(climb_8, cosine_3)), lanes_mul(climb_9, cosine_2)), lanes_mul(climb_10, cosine_1));
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(omega_0, tilted_11), lanes_mul(omega_1, tilted_10)), lanes_mul(omega_2, tilted_9)), lanes_mul(omega_3, tilted_8)), lanes_mul(omega_4, tilted_7)), lanes_mul(omega_5, tilted_6));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(omega_6, tilted_5)), lanes_mul(omega_7, tilted_4)), lanes_mul(omega_8, tilted_3)), lanes_mul(omega_9, tilted_2)), lanes_mul(omega_10, tilted_1));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sine_0, _s5), lanes_mul(sine_1, around_10)), lanes_mul(sine_2, around_9)), lanes_mul(sine_3, around_8)), lanes_mul(sine_4, around_7)), lanes_mul(sine_5, around_6));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s12, lanes_mul(sine_6, around_5)), lanes_mul(sine_7, around_4)), lanes_mul(sine_8, around_3)), lanes_mul(sine_9, around_2)), lanes_mul(sine_10, around_1));
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, climb_11), lanes_mul(turn_rate_1, climb_10)), lanes_mul(turn_rate_2, climb_9)), lanes_mul(turn_rate_3, climb_8)), lanes_mul(turn_rate_4, climb_7)), lanes_mul(turn_rate_5, climb_6));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s14, lanes_mul(turn_rate_6, climb_5)), lanes_mul(turn_rate_7, climb_4)), lanes_mul(turn_rate_8, climb_3)), lanes_mul(turn_rate_9, climb_2)), lanes_mul(turn_rate_10, climb_1));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cosine_0, _s5), lanes_mul(cosine_1, around_10)), lanes_mul(cosine_2, around_9)), lanes_mul(cosine_3, around_8)), lanes_mul(cosine_4, around_7)), lanes_mul(cosine_5, around_6));
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s16, lanes_mul(cosine_6, around_5)), lanes_mul(cosine_7, around_4)), lanes_mul(cosine_8, around_3)), lanes_mul(cosine_9, around_2)), lanes_mul(cosine_10, around_1));
+    return (LANES(court_ring_round_11_out)){ _s2, _s5, lanes_neg(lanes_mul(K(0.08333333333333333), lanes_add(_s7, lanes_mul(climb_11, sine_0)))), lanes_mul(K(0.08333333333333333), lanes_add(_s9, lanes_mul(climb_11, cosine_0))), lanes_neg(lanes_mul(lanes_mul(K(0.08333333333333333), per_reach), lanes_add(lanes_mul(lanes_mul(_c0, cosine_11), _c2), lanes_add(_s11, lanes_mul(tilted_0, _s2))))), lanes_mul(K(0.08333333333333333), lanes_sub(lanes_mul(_c1, lanes_add(_s13, lanes_mul(sine_11, around_0))), lanes_mul(_c3, lanes_add(_s15, lanes_mul(turn_rate_11, climb_0))))), lanes_mul(_c4, _s5), lanes_mul(K(0.08333333333333333), lanes_add(lanes_mul(_c5, lanes_add(_s17, lanes_mul(cosine_11, around_0))), lanes_mul(_c1, _s5))) };
 }
 
-/* The first window that ends later than a time, if there is one, from then on.
+/* First window that ends later than a time, from then on.
    Table 1. 18 operations: 6 comparisons, 3 disjunctions, 9 selections. */
 typedef struct {
-    V t;
-    V end;
+    V t, end;
     M searching;
 } LANES(court_ring_enter_out);
 
 LANES_INLINE LANES(court_ring_enter_out)
-LANES(court_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low1, V low2, V t)
+LANES(court_ring_enter)(V t, V end, V after, V low0, V low1, V low2, V high0, V high1, V high2)
 {
     const V _s0 = lanes_max(after, low0);
     const M _s1 = lanes_less(_s0, high0);
@@ -4052,15 +3641,13 @@ LANES(court_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low
     const M _s3 = lanes_less(_s2, high1);
     const V _s4 = lanes_max(after, low2);
     const M _s5 = lanes_less(_s4, high2);
-    return (LANES(court_ring_enter_out)){ lanes_select(_s1, _s0, lanes_select(_s3, _s2, lanes_select(_s5, _s4, t))), lanes_select(_s1, high0, lanes_select(_s3, high1, lanes_select(_s5, high2, end))), lanes_either(lanes_either(lanes_either(lanes_nowhere(), _s5), _s3), _s1) };
+    return (LANES(court_ring_enter_out)){ lanes_select(_s1, _s0, lanes_select(_s3, _s2, lanes_select(_s5, _s4, t))), lanes_select(_s1, high0, lanes_select(_s3, high1, lanes_select(_s5, high2, end))), lanes_either(lanes_either(lanes_either(mask_none(), _s5), _s3), _s1) };
 }
 
 /* Outward unit normal n3 at a contact.
    Table 2. 26 operations: 3 additions, 6 subtractions, 3 multiplications, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
-    V nx;
-    V ny;
-    V nz;
+    V nx, ny, nz;
 } LANES(court_backboard_normal_out);
 
 LANES_INLINE LANES(court_backboard_normal_out)
@@ -4090,10 +3677,7 @@ LANES(court_backboard_curvature)(V _c0)
 /* Error of the normal, from that of the position.
    derivative of Table 2's normal. 30 operations: 3 additions, 6 subtractions, 4 multiplications, 5 negations, 6 comparisons, 6 selections. */
 typedef struct {
-    V dnx;
-    V dny;
-    V dnz;
-    V turn;
+    V dnx, dny, dnz, turn;
 } LANES(court_backboard_carry_normal_out);
 
 LANES_INLINE LANES(court_backboard_carry_normal_out)
@@ -4104,16 +3688,10 @@ LANES(court_backboard_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V 
     return (LANES(court_backboard_carry_normal_out)){ _s0, _s1, lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(z, _c3), K(0.0)), K(0.0), dz), lanes_select(lanes_less(lanes_sub(_c2, z), K(0.0)), K(0.0), lanes_neg(dz)))), lanes_mul(shift, _c4) };
 }
 
-/* Constants and windows of the search along a flight, and the errors it allows for.
+/* Constants and windows of the search along a flight, and its error budget.
    bounds of the event condition. 102 operations: 18 additions, 8 subtractions, 19 multiplications, 4 divisions, 3 square roots, 4 negations, 2 absolute values, 21 comparisons, 23 selections. */
 typedef struct {
-    V low0;
-    V high0;
-    V low1;
-    V high1;
-    V ceiling;
-    V latest;
-    V lost;
+    V low0, high0, low1, high1, ceiling, latest, budget_exceeded;
 } LANES(court_backboard_prepare_out);
 
 LANES_INLINE LANES(court_backboard_prepare_out)
@@ -4161,9 +3739,7 @@ LANES(court_backboard_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V ext
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
    running error analysis. 52 operations: 25 additions, 27 multiplications. */
 typedef struct {
-    V margin;
-    V leaving_margin;
-    V rate_margin;
+    V margin, leaving_margin, rate_margin;
 } LANES(court_backboard_margins_out);
 
 LANES_INLINE LANES(court_backboard_margins_out)
@@ -4178,28 +3754,26 @@ LANES(court_backboard_margins)(V horizon, V extent, V speed, V position_error, V
     const V _s6 = lanes_add(lanes_add(_c6, _s2), _s3);
     const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_c1, lanes_mul(_c4, _s4)), lanes_mul(_c4, _s5)), lanes_mul(_c4, _s6)), lanes_mul(lanes_mul(lanes_mul(K(1.3335686721571705e-15), horizon), _c2), _s0)), _c7);
     const V _s8 = lanes_mul(K(4.00390625), _s0);
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_mul(_c8, lanes_add(velocity_error, lanes_mul(K(3.3306690738754696e-16), _s0))), lanes_mul(_c9, _s0)), lanes_mul(_s8, _s4)), lanes_mul(_s8, _s5));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_mul(_c8, _s0), lanes_mul(_c9, lanes_add(velocity_error, lanes_mul(K(3.3306690738754696e-16), _s0)))), lanes_mul(_s8, _s4)), lanes_mul(_s8, _s5));
     const V _s10 = lanes_mul(K(2.001953125), _s0);
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_mul(_c10, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s0))), lanes_mul(_c11, _s0)), lanes_mul(_s10, _s4)), lanes_mul(_s10, _s5));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_mul(_c10, _s0), lanes_mul(_c11, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s0)))), lanes_mul(_s10, _s4)), lanes_mul(_s10, _s5));
     return (LANES(court_backboard_margins_out)){ _s7, lanes_add(_s9, lanes_mul(_s8, _s6)), lanes_add(_s11, lanes_mul(_s10, _s6)) };
 }
 
 /* Newton's next value of a root near t, and gap and rate there.
    Newton's method. 98 operations: 18 additions, 19 subtractions, 24 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections. */
 typedef struct {
-    V time;
-    V gap;
-    V rate;
+    V time, gap, rate;
 } LANES(court_backboard_refine_out);
 
 LANES_INLINE LANES(court_backboard_refine_out)
 LANES(court_backboard_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7)
 {
-    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s0 = lanes_add(x, lanes_mul(vx, t));
     const V _s1 = lanes_add(_c0, _s0);
     const V _s2 = lanes_neg(lanes_add(_c5, _s0));
     const V _s3 = lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s2, K(0.0)));
-    const V _s4 = lanes_add(y, lanes_mul(t, vy));
+    const V _s4 = lanes_add(y, lanes_mul(vy, t));
     const V _s5 = lanes_sub(_s4, _c1);
     const V _s6 = lanes_neg(lanes_add(_c1, _s4));
     const V _s7 = lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)));
@@ -4209,68 +3783,63 @@ LANES(court_backboard_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V
     const V _s11 = lanes_sub(_c2, _s9);
     const V _s12 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
     const V _s13 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s3), lanes_mul(vy, _s7)), lanes_mul(lanes_sub(vz, lanes_mul(_c4, t)), _s12)));
-    const V _s14 = lanes_sub(z, _c3);
-    const V _s15 = lanes_sub(_c2, z);
+    const V _s14 = lanes_add(_c0, x);
+    const V _s15 = lanes_neg(lanes_add(_c5, x));
     const V _s16 = lanes_sub(lanes_max(_s14, K(0.0)), lanes_max(_s15, K(0.0)));
-    const V _s17 = lanes_mul(_s12, _s12);
-    const V _s18 = lanes_add(_c0, x);
-    const V _s19 = lanes_neg(lanes_add(_c5, x));
+    const V _s17 = lanes_mul(_s3, _s3);
+    const V _s18 = lanes_sub(y, _c1);
+    const V _s19 = lanes_neg(lanes_add(_c1, y));
     const V _s20 = lanes_sub(lanes_max(_s18, K(0.0)), lanes_max(_s19, K(0.0)));
-    const V _s21 = lanes_mul(_s3, _s3);
-    const V _s22 = lanes_sub(y, _c1);
-    const V _s23 = lanes_neg(lanes_add(_c1, y));
+    const V _s21 = lanes_mul(_s7, _s7);
+    const V _s22 = lanes_sub(z, _c3);
+    const V _s23 = lanes_sub(_c2, z);
     const V _s24 = lanes_sub(lanes_max(_s22, K(0.0)), lanes_max(_s23, K(0.0)));
-    const V _s25 = lanes_mul(_s7, _s7);
-    const V _s26 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s16, _s12)), lanes_mul(t, lanes_mul(_s8, lanes_add(_s16, _s12))), lanes_sub(_s17, lanes_mul(_s16, _s16))), lanes_select(lanes_less(K(0.0), lanes_mul(_s20, _s3)), lanes_mul(t, lanes_mul(vx, lanes_add(_s20, _s3))), lanes_sub(_s21, lanes_mul(_s20, _s20)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s24, _s7)), lanes_mul(t, lanes_mul(vy, lanes_add(_s24, _s7))), lanes_sub(_s25, lanes_mul(_s24, _s24))));
+    const V _s25 = lanes_mul(_s12, _s12);
+    const V _s26 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s16, _s3)), lanes_mul(t, lanes_mul(vx, lanes_add(_s16, _s3))), lanes_sub(_s17, lanes_mul(_s16, _s16))), lanes_select(lanes_less(K(0.0), lanes_mul(_s20, _s7)), lanes_mul(t, lanes_mul(vy, lanes_add(_s20, _s7))), lanes_sub(_s21, lanes_mul(_s20, _s20)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s24, _s12)), lanes_mul(t, lanes_mul(_s8, lanes_add(_s24, _s12))), lanes_sub(_s25, lanes_mul(_s24, _s24))));
     const V _s27 = lanes_select(lanes_less(K(0.0), leaving), _s26, lanes_sub(lanes_add(lanes_add(_s17, _s21), _s25), _c7));
     return (LANES(court_backboard_refine_out)){ lanes_sub(t, lanes_div(_s27, _s13)), _s27, _s13 };
 }
 
-/* Gap, rate, bend, a step without a root, its end, and the clearance of a root.
+/* Gap, rate, second derivative, a step without a root, its end, and the clearance.
    Newton from the left under a curvature bound. 171 operations: 28 additions, 24 subtractions, 42 multiplications, 2 divisions, 1 square root, 7 negations, 4 absolute values, 30 comparisons, 33 selections. */
 typedef struct {
-    V gap;
-    V rate;
-    V bend;
-    V step;
-    V next;
-    V clearance;
+    V gap, rate, bend, step, next, clearance;
 } LANES(court_backboard_advance_out);
 
 LANES_INLINE LANES(court_backboard_advance_out)
 LANES(court_backboard_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10)
 {
-    const V _s0 = lanes_sub(z, _c3);
-    const V _s1 = lanes_sub(_c2, z);
+    const V _s0 = lanes_add(_c0, x);
+    const V _s1 = lanes_neg(lanes_add(_c5, x));
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_sub(vz, lanes_mul(_c5, t));
-    const V _s4 = lanes_add(z, lanes_mul(t, _s3));
-    const V _s5 = lanes_sub(_s4, _c3);
-    const V _s6 = lanes_sub(_c2, _s4);
-    const V _s7 = lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)));
-    const V _s8 = lanes_mul(_s7, _s7);
-    const V _s9 = lanes_add(_c0, x);
-    const V _s10 = lanes_neg(lanes_add(_c6, x));
-    const V _s11 = lanes_sub(lanes_max(_s9, K(0.0)), lanes_max(_s10, K(0.0)));
-    const V _s12 = lanes_add(x, lanes_mul(t, vx));
-    const V _s13 = lanes_add(_c0, _s12);
-    const V _s14 = lanes_neg(lanes_add(_c6, _s12));
-    const V _s15 = lanes_sub(lanes_max(_s13, K(0.0)), lanes_max(_s14, K(0.0)));
-    const V _s16 = lanes_mul(_s15, _s15);
-    const V _s17 = lanes_sub(y, _c1);
-    const V _s18 = lanes_neg(lanes_add(_c1, y));
-    const V _s19 = lanes_sub(lanes_max(_s17, K(0.0)), lanes_max(_s18, K(0.0)));
-    const V _s20 = lanes_add(y, lanes_mul(t, vy));
-    const V _s21 = lanes_sub(_s20, _c1);
-    const V _s22 = lanes_neg(lanes_add(_c1, _s20));
+    const V _s3 = lanes_add(x, lanes_mul(vx, t));
+    const V _s4 = lanes_add(_c0, _s3);
+    const V _s5 = lanes_neg(lanes_add(_c5, _s3));
+    const V _s6 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
+    const V _s7 = lanes_mul(_s6, _s6);
+    const V _s8 = lanes_sub(y, _c1);
+    const V _s9 = lanes_neg(lanes_add(_c1, y));
+    const V _s10 = lanes_sub(lanes_max(_s8, K(0.0)), lanes_max(_s9, K(0.0)));
+    const V _s11 = lanes_add(y, lanes_mul(vy, t));
+    const V _s12 = lanes_sub(_s11, _c1);
+    const V _s13 = lanes_neg(lanes_add(_c1, _s11));
+    const V _s14 = lanes_sub(lanes_max(_s12, K(0.0)), lanes_max(_s13, K(0.0)));
+    const V _s15 = lanes_mul(_s14, _s14);
+    const V _s16 = lanes_sub(z, _c3);
+    const V _s17 = lanes_sub(_c2, z);
+    const V _s18 = lanes_sub(lanes_max(_s16, K(0.0)), lanes_max(_s17, K(0.0)));
+    const V _s19 = lanes_sub(vz, lanes_mul(_c6, t));
+    const V _s20 = lanes_add(z, lanes_mul(t, _s19));
+    const V _s21 = lanes_sub(_s20, _c3);
+    const V _s22 = lanes_sub(_c2, _s20);
     const V _s23 = lanes_sub(lanes_max(_s21, K(0.0)), lanes_max(_s22, K(0.0)));
     const V _s24 = lanes_mul(_s23, _s23);
-    const V _s25 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s2, _s7)), lanes_mul(t, lanes_mul(_s3, lanes_add(_s2, _s7))), lanes_sub(_s8, lanes_mul(_s2, _s2))), lanes_select(lanes_less(K(0.0), lanes_mul(_s11, _s15)), lanes_mul(t, lanes_mul(vx, lanes_add(_s11, _s15))), lanes_sub(_s16, lanes_mul(_s11, _s11)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s19, _s23)), lanes_mul(t, lanes_mul(vy, lanes_add(_s19, _s23))), lanes_sub(_s24, lanes_mul(_s19, _s19))));
-    const V _s26 = lanes_select(lanes_less(K(0.0), leaving), _s25, lanes_sub(lanes_add(lanes_add(_s8, _s16), _s24), _c7));
+    const V _s25 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s2, _s6)), lanes_mul(t, lanes_mul(vx, lanes_add(_s2, _s6))), lanes_sub(_s7, lanes_mul(_s2, _s2))), lanes_select(lanes_less(K(0.0), lanes_mul(_s10, _s14)), lanes_mul(t, lanes_mul(vy, lanes_add(_s10, _s14))), lanes_sub(_s15, lanes_mul(_s10, _s10)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s18, _s23)), lanes_mul(t, lanes_mul(_s19, lanes_add(_s18, _s23))), lanes_sub(_s24, lanes_mul(_s18, _s18))));
+    const V _s26 = lanes_select(lanes_less(K(0.0), leaving), _s25, lanes_sub(lanes_add(lanes_add(_s7, _s15), _s24), _c7));
     const V _s27 = lanes_sub(vz, lanes_mul(_c4, t));
-    const V _s28 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s15), lanes_mul(vy, _s23)), lanes_mul(_s27, _s7)));
-    const V _s29 = lanes_abs(_s7);
-    const V _s30 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), _s29), lanes_sub(lanes_mul(_s27, _s27), lanes_mul(_c4, _s7)), K(0.0)), lanes_select(lanes_less(K(0.0), lanes_abs(_s15)), lanes_mul(vx, vx), K(0.0))), lanes_select(lanes_less(K(0.0), lanes_abs(_s23)), lanes_mul(vy, vy), K(0.0))));
+    const V _s28 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s6), lanes_mul(vy, _s14)), lanes_mul(_s27, _s23)));
+    const V _s29 = lanes_abs(_s23);
+    const V _s30 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_abs(_s6)), lanes_mul(vx, vx), K(0.0)), lanes_select(lanes_less(K(0.0), lanes_abs(_s14)), lanes_mul(vy, vy), K(0.0))), lanes_select(lanes_less(K(0.0), _s29), lanes_sub(lanes_mul(_s27, _s27), lanes_mul(_c4, _s23)), K(0.0))));
     const V _s31 = lanes_sub(_s28, rate_margin);
     const V _s32 = lanes_sub(_s26, margin);
     const V _s33 = lanes_max(_s32, K(0.0));
@@ -4290,8 +3859,8 @@ LANES(court_backboard_advance)(V t, V end, V leaving, V margin, V rate_margin, V
     return (LANES(court_backboard_advance_out)){ _s26, _s28, _s30, _s45, lanes_add(t, _s45), lanes_select(lanes_less(K(0.0), _s46), lanes_sub(lanes_mul(_s46, _s46), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s36))), _s46) };
 }
 
-/* Where a flight may reach the box of a surface at all.
-   boxes that do not meet. 50 operations: 10 additions, 10 subtractions, 6 multiplications, 2 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
+/* Whether a flight may reach the box of a surface at all.
+   disjoint boxes. 50 operations: 10 additions, 10 subtractions, 6 multiplications, 2 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
 typedef struct {
     M near;
 } LANES(court_backboard_near_out);
@@ -4315,107 +3884,99 @@ LANES(court_backboard_near)(V middle_x, V middle_y, V middle_z, V reach_x, V rea
     return (LANES(court_backboard_near_out)){ _s12 };
 }
 
-/* The distance, its rate, and how fast it bends down at most, by the squared speed.
+/* Distance, its rate, and a bound on how fast it bends down, by the squared speed.
    Table 2. 58 operations: 7 additions, 10 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections. */
 typedef struct {
-    V gap;
-    V nearing;
-    V dent;
+    V gap, nearing, gap_curvature;
 } LANES(court_backboard_beside_out);
 
 LANES_INLINE LANES(court_backboard_beside_out)
-LANES(court_backboard_beside)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
+LANES(court_backboard_beside)(V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_sub(z, _c4);
-    const V _s1 = lanes_sub(_c1, z);
+    const V _s0 = lanes_add(_c2, x);
+    const V _s1 = lanes_neg(lanes_add(_c5, x));
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_add(_c2, x);
-    const V _s4 = lanes_neg(lanes_add(_c5, x));
+    const V _s3 = lanes_sub(y, _c3);
+    const V _s4 = lanes_neg(lanes_add(_c3, y));
     const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
-    const V _s6 = lanes_sub(y, _c3);
-    const V _s7 = lanes_neg(lanes_add(_c3, y));
+    const V _s6 = lanes_sub(z, _c4);
+    const V _s7 = lanes_sub(_c1, z);
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
     const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
-    const V _s10 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s3, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s4, K(0.0)), K(0.0), lanes_neg(vx)))), _s5));
-    const V _s11 = lanes_add(_s10, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s6, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s7, K(0.0)), K(0.0), lanes_neg(vy)))), _s8));
+    const V _s10 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vx)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s3, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s4, K(0.0)), K(0.0), lanes_neg(vy)))), _s5));
+    const V _s11 = lanes_add(_s10, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s6, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s7, K(0.0)), K(0.0), lanes_neg(vz)))), _s8));
     return (LANES(court_backboard_beside_out)){ lanes_sub(_s9, _c0), lanes_div(lanes_mul(K(0.5), _s11), _s9), K(0.0) };
 }
 
-/* The distance, its rate and its second derivative, of a ball that rolls on something else.
+/* Distance of a ball that rolls on another surface, and its first two derivatives.
    derivatives of Table 2's distance. 114 operations: 15 additions, 16 subtractions, 33 multiplications, 1 division, 1 square root, 12 negations, 12 comparisons, 24 selections. */
 typedef struct {
-    V gap;
-    V nearing;
-    V swerve;
-    V facing;
+    V gap, nearing, rolling_gap_acceleration, normal_cosine;
 } LANES(court_backboard_closing_out);
 
 LANES_INLINE LANES(court_backboard_closing_out)
-LANES(court_backboard_closing)(V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V thrust_x, V thrust_y, V thrust_z, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
+LANES(court_backboard_closing)(V x, V y, V z, V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V rolling_acceleration_x, V rolling_acceleration_y, V rolling_acceleration_z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_sub(z, _c4);
-    const V _s1 = lanes_sub(_c1, z);
+    const V _s0 = lanes_add(_c2, x);
+    const V _s1 = lanes_neg(lanes_add(_c5, x));
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_add(_c2, x);
-    const V _s4 = lanes_neg(lanes_add(_c5, x));
+    const V _s3 = lanes_sub(y, _c3);
+    const V _s4 = lanes_neg(lanes_add(_c3, y));
     const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
-    const V _s6 = lanes_sub(y, _c3);
-    const V _s7 = lanes_neg(lanes_add(_c3, y));
+    const V _s6 = lanes_sub(z, _c4);
+    const V _s7 = lanes_sub(_c1, z);
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
     const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
     const M _s10 = lanes_less(_s0, K(0.0));
     const M _s11 = lanes_less(_s1, K(0.0));
-    const V _s12 = lanes_sub(lanes_select(_s10, K(0.0), rolled_z), lanes_select(_s11, K(0.0), lanes_neg(rolled_z)));
+    const V _s12 = lanes_sub(lanes_select(_s10, K(0.0), rolled_x), lanes_select(_s11, K(0.0), lanes_neg(rolled_x)));
     const M _s13 = lanes_less(_s3, K(0.0));
     const M _s14 = lanes_less(_s4, K(0.0));
-    const V _s15 = lanes_sub(lanes_select(_s13, K(0.0), rolled_x), lanes_select(_s14, K(0.0), lanes_neg(rolled_x)));
+    const V _s15 = lanes_sub(lanes_select(_s13, K(0.0), rolled_y), lanes_select(_s14, K(0.0), lanes_neg(rolled_y)));
     const M _s16 = lanes_less(_s6, K(0.0));
     const M _s17 = lanes_less(_s7, K(0.0));
-    const V _s18 = lanes_sub(lanes_select(_s16, K(0.0), rolled_y), lanes_select(_s17, K(0.0), lanes_neg(rolled_y)));
+    const V _s18 = lanes_sub(lanes_select(_s16, K(0.0), rolled_z), lanes_select(_s17, K(0.0), lanes_neg(rolled_z)));
     const V _s19 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s12), _s2), lanes_mul(lanes_mul(K(2.0), _s15), _s5)), lanes_mul(lanes_mul(K(2.0), _s18), _s8));
     const V _s20 = lanes_div(K(1.0), _s9);
     const V _s21 = lanes_mul(lanes_mul(K(0.5), _s19), _s20);
-    const V _s22 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s10, K(0.0), thrust_z), lanes_select(_s11, K(0.0), lanes_neg(thrust_z))), _s2), lanes_mul(_s12, _s12)));
-    const V _s23 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s13, K(0.0), thrust_x), lanes_select(_s14, K(0.0), lanes_neg(thrust_x))), _s5), lanes_mul(_s15, _s15)));
-    const V _s24 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s16, K(0.0), thrust_y), lanes_select(_s17, K(0.0), lanes_neg(thrust_y))), _s8), lanes_mul(_s18, _s18)));
+    const V _s22 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s10, K(0.0), rolling_acceleration_x), lanes_select(_s11, K(0.0), lanes_neg(rolling_acceleration_x))), _s2), lanes_mul(_s12, _s12)));
+    const V _s23 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s13, K(0.0), rolling_acceleration_y), lanes_select(_s14, K(0.0), lanes_neg(rolling_acceleration_y))), _s5), lanes_mul(_s15, _s15)));
+    const V _s24 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s16, K(0.0), rolling_acceleration_z), lanes_select(_s17, K(0.0), lanes_neg(rolling_acceleration_z))), _s8), lanes_mul(_s18, _s18)));
     const V _s25 = lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_neg(lanes_mul(_s21, lanes_mul(_s20, _s20))), _s19), lanes_mul(lanes_add(lanes_add(_s22, _s23), _s24), _s20)));
-    const V _s26 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s10, K(0.0), nz), lanes_select(_s11, K(0.0), lanes_neg(nz)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s13, K(0.0), nx), lanes_select(_s14, K(0.0), lanes_neg(nx)))), _s5));
-    const V _s27 = lanes_add(_s26, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s16, K(0.0), ny), lanes_select(_s17, K(0.0), lanes_neg(ny)))), _s8));
+    const V _s26 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s10, K(0.0), nx), lanes_select(_s11, K(0.0), lanes_neg(nx)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s13, K(0.0), ny), lanes_select(_s14, K(0.0), lanes_neg(ny)))), _s5));
+    const V _s27 = lanes_add(_s26, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s16, K(0.0), nz), lanes_select(_s17, K(0.0), lanes_neg(nz)))), _s8));
     return (LANES(court_backboard_closing_out)){ lanes_sub(_s9, _c0), _s21, _s25, lanes_mul(lanes_mul(K(0.5), _s27), _s20) };
 }
 
-/* The distance.
+/* Distance from the surface.
    Table 2. 30 operations: 5 additions, 7 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V gap;
-} LANES(court_backboard_off_out);
+} LANES(court_backboard_distance_out);
 
-LANES_INLINE LANES(court_backboard_off_out)
-LANES(court_backboard_off)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
+LANES_INLINE LANES(court_backboard_distance_out)
+LANES(court_backboard_distance)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_sub(z, _c4);
-    const V _s1 = lanes_sub(_c1, z);
+    const V _s0 = lanes_add(_c2, x);
+    const V _s1 = lanes_neg(lanes_add(_c5, x));
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_add(_c2, x);
-    const V _s4 = lanes_neg(lanes_add(_c5, x));
+    const V _s3 = lanes_sub(y, _c3);
+    const V _s4 = lanes_neg(lanes_add(_c3, y));
     const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
-    const V _s6 = lanes_sub(y, _c3);
-    const V _s7 = lanes_neg(lanes_add(_c3, y));
+    const V _s6 = lanes_sub(z, _c4);
+    const V _s7 = lanes_sub(_c1, z);
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
-    return (LANES(court_backboard_off_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8))), _c0) };
+    return (LANES(court_backboard_distance_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8))), _c0) };
 }
 
-/* What a ball that stays on it rolls on.
+/* Curvature of the surface that the centre of a rolling ball stays on.
    Table 2. 47 operations: 3 additions, 3 subtractions, 5 negations, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections. */
 typedef struct {
-    V bent_x;
-    V bent_y;
-    V bent_z;
-    V per_reach;
-} LANES(court_backboard_tube_out);
+    V bent_x, bent_y, bent_z, per_reach;
+} LANES(court_backboard_rolling_surface_out);
 
-LANES_INLINE LANES(court_backboard_tube_out)
-LANES(court_backboard_tube)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11)
+LANES_INLINE LANES(court_backboard_rolling_surface_out)
+LANES(court_backboard_rolling_surface)(V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11)
 {
     const V _s0 = lanes_add(_c1, x);
     const V _s1 = lanes_neg(lanes_add(_c6, x));
@@ -4426,62 +3987,58 @@ LANES(court_backboard_tube)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2
     const V _s6 = lanes_sub(z, _c3);
     const V _s7 = lanes_sub(_c0, z);
     const V _s8 = lanes_select(lanes_either(lanes_either(lanes_less(_c9, _s6), lanes_both(lanes_less(_c10, _s6), lanes_less(K(0.0), vz))), lanes_either(lanes_less(_c9, _s7), lanes_both(lanes_less(_c10, _s7), lanes_less(K(0.0), lanes_neg(vz))))), K(1.0), K(0.0));
-    return (LANES(court_backboard_tube_out)){ _s2, _s5, _s8, _c11 };
+    return (LANES(court_backboard_rolling_surface_out)){ _s2, _s5, _s8, _c11 };
 }
 
-/* The rate at which the normal turns.
+/* Rate of the normal.
    derivative of Table 2's normal. 29 operations: 3 additions, 6 subtractions, 3 multiplications, 5 negations, 6 comparisons, 6 selections. */
 typedef struct {
-    V turning_x;
-    V turning_y;
-    V turning_z;
+    V turning_x, turning_y, turning_z;
 } LANES(court_backboard_turning_out);
 
 LANES_INLINE LANES(court_backboard_turning_out)
-LANES(court_backboard_turning)(V rolled_x, V rolled_y, V rolled_z, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
+LANES(court_backboard_turning)(V x, V y, V z, V rolled_x, V rolled_y, V rolled_z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_add(_c1, x), K(0.0)), K(0.0), rolled_x), lanes_select(lanes_less(lanes_neg(lanes_add(_c5, x)), K(0.0)), K(0.0), lanes_neg(rolled_x))));
     const V _s1 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(y, _c2), K(0.0)), K(0.0), rolled_y), lanes_select(lanes_less(lanes_neg(lanes_add(_c2, y)), K(0.0)), K(0.0), lanes_neg(rolled_y))));
     return (LANES(court_backboard_turning_out)){ _s0, _s1, lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(z, _c3), K(0.0)), K(0.0), rolled_z), lanes_select(lanes_less(lanes_sub(_c0, z), K(0.0)), K(0.0), lanes_neg(rolled_z)))) };
 }
 
-/* The second to the fourth derivative of the distance along a flight.
+/* Second to fourth derivative of the distance along a flight.
    derivatives of Table 2's distance. 125 operations: 26 additions, 10 subtractions, 53 multiplications, 1 division, 1 square root, 8 negations, 12 comparisons, 14 selections. */
 typedef struct {
-    V lift;
-    V surge;
-    V snap;
-} LANES(court_backboard_parting_out);
+    V lift, gap_jerk, gap_snap;
+} LANES(court_backboard_separation_out);
 
-LANES_INLINE LANES(court_backboard_parting_out)
-LANES(court_backboard_parting)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+LANES_INLINE LANES(court_backboard_separation_out)
+LANES(court_backboard_separation)(V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
-    const V _s0 = lanes_sub(z, _c3);
-    const M _s1 = lanes_less(_s0, K(0.0));
-    const V _s2 = lanes_sub(_c0, z);
-    const M _s3 = lanes_less(_s2, K(0.0));
-    const V _s4 = lanes_sub(lanes_select(_s1, K(0.0), vz), lanes_select(_s3, K(0.0), lanes_neg(vz)));
-    const V _s5 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s2, K(0.0)));
-    const V _s6 = lanes_add(_c1, x);
-    const V _s7 = lanes_neg(lanes_add(_c5, x));
-    const V _s8 = lanes_sub(lanes_select(lanes_less(_s6, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s7, K(0.0)), K(0.0), lanes_neg(vx)));
-    const V _s9 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
-    const V _s10 = lanes_sub(y, _c2);
-    const V _s11 = lanes_neg(lanes_add(_c2, y));
-    const V _s12 = lanes_sub(lanes_select(lanes_less(_s10, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s11, K(0.0)), K(0.0), lanes_neg(vy)));
-    const V _s13 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
-    const V _s14 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s5), lanes_mul(lanes_mul(K(2.0), _s8), _s9)), lanes_mul(lanes_mul(K(2.0), _s12), _s13));
-    const V _s15 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s9, _s9)), lanes_mul(_s13, _s13))));
+    const V _s0 = lanes_add(_c1, x);
+    const V _s1 = lanes_neg(lanes_add(_c5, x));
+    const V _s2 = lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vx)));
+    const V _s3 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s4 = lanes_sub(y, _c2);
+    const V _s5 = lanes_neg(lanes_add(_c2, y));
+    const V _s6 = lanes_sub(lanes_select(lanes_less(_s4, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s5, K(0.0)), K(0.0), lanes_neg(vy)));
+    const V _s7 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
+    const V _s8 = lanes_sub(z, _c3);
+    const M _s9 = lanes_less(_s8, K(0.0));
+    const V _s10 = lanes_sub(_c0, z);
+    const M _s11 = lanes_less(_s10, K(0.0));
+    const V _s12 = lanes_sub(lanes_select(_s9, K(0.0), vz), lanes_select(_s11, K(0.0), lanes_neg(vz)));
+    const V _s13 = lanes_sub(lanes_max(_s8, K(0.0)), lanes_max(_s10, K(0.0)));
+    const V _s14 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s2), _s3), lanes_mul(lanes_mul(K(2.0), _s6), _s7)), lanes_mul(lanes_mul(K(2.0), _s12), _s13));
+    const V _s15 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s7, _s7)), lanes_mul(_s13, _s13))));
     const V _s16 = lanes_mul(lanes_mul(K(0.5), _s14), _s15);
     const V _s17 = lanes_mul(_s15, _s15);
     const V _s18 = lanes_neg(lanes_mul(_s16, _s17));
-    const V _s19 = lanes_sub(lanes_select(_s1, K(0.0), _c6), lanes_select(_s3, K(0.0), _c4));
-    const V _s20 = lanes_add(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(_s19, _s5), lanes_mul(_s4, _s4))), lanes_mul(K(2.0), lanes_mul(_s8, _s8))), lanes_mul(K(2.0), lanes_mul(_s12, _s12)));
+    const V _s19 = lanes_sub(lanes_select(_s9, K(0.0), _c6), lanes_select(_s11, K(0.0), _c4));
+    const V _s20 = lanes_add(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(_s19, _s13), lanes_mul(_s12, _s12))), lanes_mul(K(2.0), lanes_mul(_s2, _s2))), lanes_mul(K(2.0), lanes_mul(_s6, _s6)));
     const V _s21 = lanes_mul(K(0.5), lanes_add(lanes_mul(_s18, _s14), lanes_mul(_s20, _s15)));
     const V _s22 = lanes_mul(_s18, _s20);
     const V _s23 = lanes_mul(K(2.0), _s18);
     const V _s24 = lanes_neg(lanes_add(lanes_mul(_s21, _s17), lanes_mul(lanes_mul(_s23, _s16), _s15)));
-    const V _s25 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(2.0), _s19), _s4), lanes_mul(_s19, _s4)));
+    const V _s25 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(2.0), _s19), _s12), lanes_mul(_s19, _s12)));
     const V _s26 = lanes_mul(K(0.5), lanes_add(lanes_add(_s22, lanes_mul(_s14, _s24)), lanes_add(_s22, lanes_mul(_s25, _s15))));
     const V _s27 = lanes_mul(_s18, _s25);
     const V _s28 = lanes_mul(_s20, _s24);
@@ -4489,102 +4046,89 @@ LANES(court_backboard_parting)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V 
     const V _s30 = lanes_add(_s29, lanes_add(_s27, lanes_mul(_s15, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(_s19, _s19))))));
     const V _s31 = lanes_add(lanes_add(lanes_mul(_s26, _s17), lanes_mul(lanes_mul(_s23, _s21), _s15)), lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(lanes_mul(_s18, _s18), _s16), lanes_mul(lanes_mul(_s18, _s21), _s15)), lanes_mul(lanes_mul(_s16, _s24), _s15))));
     const V _s32 = lanes_mul(K(0.5), lanes_add(_s30, lanes_add(_s29, lanes_add(lanes_mul(_s14, lanes_neg(_s31)), _s28))));
-    return (LANES(court_backboard_parting_out)){ _s21, _s26, _s32 };
+    return (LANES(court_backboard_separation_out)){ _s21, _s26, _s32 };
 }
 
-/* How far the ball is from a seam of the surface, and how fast.
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
    Table 2. 1 operation: 1 addition. */
 typedef struct {
-    V gap;
-    V nearing;
-    V near;
+    V gap, nearing, near;
 } LANES(court_backboard_seam0_out);
 
 LANES_INLINE LANES(court_backboard_seam0_out)
-LANES(court_backboard_seam0)(V vx, V x, V _c0, V _c1)
+LANES(court_backboard_seam0)(V x, V vx, V _c0, V _c1)
 {
     return (LANES(court_backboard_seam0_out)){ lanes_add(_c0, x), vx, _c1 };
 }
 
-/* How far the ball is from a seam of the surface, and how fast.
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
    Table 2. 1 operation: 1 addition. */
 typedef struct {
-    V gap;
-    V nearing;
-    V near;
+    V gap, nearing, near;
 } LANES(court_backboard_seam1_out);
 
 LANES_INLINE LANES(court_backboard_seam1_out)
-LANES(court_backboard_seam1)(V vx, V x, V _c0, V _c1)
+LANES(court_backboard_seam1)(V x, V vx, V _c0, V _c1)
 {
     return (LANES(court_backboard_seam1_out)){ lanes_add(_c0, x), vx, _c1 };
 }
 
-/* How far the ball is from a seam of the surface, and how fast.
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
    Table 2. 1 operation: 1 addition. */
 typedef struct {
-    V gap;
-    V nearing;
-    V near;
+    V gap, nearing, near;
 } LANES(court_backboard_seam2_out);
 
 LANES_INLINE LANES(court_backboard_seam2_out)
-LANES(court_backboard_seam2)(V vy, V y, V _c0, V _c1)
+LANES(court_backboard_seam2)(V y, V vy, V _c0, V _c1)
 {
     return (LANES(court_backboard_seam2_out)){ lanes_add(_c0, y), vy, _c1 };
 }
 
-/* How far the ball is from a seam of the surface, and how fast.
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
    Table 2. 1 operation: 1 subtraction. */
 typedef struct {
-    V gap;
-    V nearing;
-    V near;
+    V gap, nearing, near;
 } LANES(court_backboard_seam3_out);
 
 LANES_INLINE LANES(court_backboard_seam3_out)
-LANES(court_backboard_seam3)(V vy, V y, V _c0, V _c1)
+LANES(court_backboard_seam3)(V y, V vy, V _c0, V _c1)
 {
     return (LANES(court_backboard_seam3_out)){ lanes_sub(y, _c0), vy, _c1 };
 }
 
-/* How far the ball is from a seam of the surface, and how fast.
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
    Table 2. 1 operation: 1 subtraction. */
 typedef struct {
-    V gap;
-    V nearing;
-    V near;
+    V gap, nearing, near;
 } LANES(court_backboard_seam4_out);
 
 LANES_INLINE LANES(court_backboard_seam4_out)
-LANES(court_backboard_seam4)(V vz, V z, V _c0, V _c1)
+LANES(court_backboard_seam4)(V z, V vz, V _c0, V _c1)
 {
     return (LANES(court_backboard_seam4_out)){ lanes_sub(z, _c0), vz, _c1 };
 }
 
-/* How far the ball is from a seam of the surface, and how fast.
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
    Table 2. 1 operation: 1 subtraction. */
 typedef struct {
-    V gap;
-    V nearing;
-    V near;
+    V gap, nearing, near;
 } LANES(court_backboard_seam5_out);
 
 LANES_INLINE LANES(court_backboard_seam5_out)
-LANES(court_backboard_seam5)(V vz, V z, V _c0, V _c1)
+LANES(court_backboard_seam5)(V z, V vz, V _c0, V _c1)
 {
     return (LANES(court_backboard_seam5_out)){ lanes_sub(z, _c0), vz, _c1 };
 }
 
-/* A bound below the distance from all places at this height and distance from the axis.
+/* Bound below the distance at this height and distance from the axis, and its rate.
    Table 2. 43 operations: 4 additions, 6 subtractions, 15 multiplications, 2 divisions, 2 square roots, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
-    V gap;
-    V nearing;
+    V gap, nearing;
 } LANES(court_backboard_around_out);
 
 LANES_INLINE LANES(court_backboard_around_out)
-LANES(court_backboard_around)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3)
+LANES(court_backboard_around)(V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_sub(z, _c2);
     const V _s1 = lanes_sub(_c1, z);
@@ -4593,35 +4137,32 @@ LANES(court_backboard_around)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _
     const V _s4 = lanes_sub(_c3, _s3);
     const V _s5 = lanes_max(K(0.0), _s4);
     const V _s6 = lanes_sqrt(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)));
-    const V _s7 = lanes_neg(lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), lanes_div(K(1.0), _s3)));
+    const V _s7 = lanes_neg(lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), x), vx), lanes_mul(lanes_mul(K(2.0), y), vy))), lanes_div(K(1.0), _s3)));
     const V _s8 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), _s5), lanes_select(lanes_less(K(0.0), _s4), _s7, K(0.0))));
     return (LANES(court_backboard_around_out)){ lanes_sub(_s6, _c0), lanes_div(lanes_mul(K(0.5), _s8), _s6) };
 }
 
-/* The first window that ends later than a time, if there is one, from then on.
+/* First window that ends later than a time, from then on.
    Table 1. 12 operations: 4 comparisons, 2 disjunctions, 6 selections. */
 typedef struct {
-    V t;
-    V end;
+    V t, end;
     M searching;
 } LANES(court_backboard_enter_out);
 
 LANES_INLINE LANES(court_backboard_enter_out)
-LANES(court_backboard_enter)(V after, V end, V high0, V high1, V low0, V low1, V t)
+LANES(court_backboard_enter)(V t, V end, V after, V low0, V low1, V high0, V high1)
 {
     const V _s0 = lanes_max(after, low0);
     const M _s1 = lanes_less(_s0, high0);
     const V _s2 = lanes_max(after, low1);
     const M _s3 = lanes_less(_s2, high1);
-    return (LANES(court_backboard_enter_out)){ lanes_select(_s1, _s0, lanes_select(_s3, _s2, t)), lanes_select(_s1, high0, lanes_select(_s3, high1, end)), lanes_either(lanes_either(lanes_nowhere(), _s3), _s1) };
+    return (LANES(court_backboard_enter_out)){ lanes_select(_s1, _s0, lanes_select(_s3, _s2, t)), lanes_select(_s1, high0, lanes_select(_s3, high1, end)), lanes_either(lanes_either(mask_none(), _s3), _s1) };
 }
 
 /* Outward unit normal n3 at a contact.
    Table 2. 26 operations: 3 additions, 6 subtractions, 3 multiplications, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
-    V nx;
-    V ny;
-    V nz;
+    V nx, ny, nz;
 } LANES(court_bridge_normal_out);
 
 LANES_INLINE LANES(court_bridge_normal_out)
@@ -4651,10 +4192,7 @@ LANES(court_bridge_curvature)(V _c0)
 /* Error of the normal, from that of the position.
    derivative of Table 2's normal. 30 operations: 3 additions, 6 subtractions, 4 multiplications, 5 negations, 6 comparisons, 6 selections. */
 typedef struct {
-    V dnx;
-    V dny;
-    V dnz;
-    V turn;
+    V dnx, dny, dnz, turn;
 } LANES(court_bridge_carry_normal_out);
 
 LANES_INLINE LANES(court_bridge_carry_normal_out)
@@ -4665,66 +4203,58 @@ LANES(court_bridge_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V _c0
     return (LANES(court_bridge_carry_normal_out)){ _s0, _s1, lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(z, _c1), K(0.0)), K(0.0), dz), lanes_select(lanes_less(lanes_sub(_c5, z), K(0.0)), K(0.0), lanes_neg(dz)))), lanes_mul(shift, _c4) };
 }
 
-/* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 103 operations: 20 additions, 7 subtractions, 19 multiplications, 4 divisions, 3 square roots, 4 negations, 2 absolute values, 21 comparisons, 23 selections. */
+/* Constants and windows of the search along a flight, and its error budget.
+   bounds of the event condition. 102 operations: 19 additions, 7 subtractions, 19 multiplications, 4 divisions, 3 square roots, 4 negations, 2 absolute values, 21 comparisons, 23 selections. */
 typedef struct {
-    V low0;
-    V high0;
-    V low1;
-    V high1;
-    V ceiling;
-    V latest;
-    V lost;
+    V low0, high0, low1, high1, ceiling, latest, budget_exceeded;
 } LANES(court_bridge_prepare_out);
 
 LANES_INLINE LANES(court_bridge_prepare_out)
-LANES(court_bridge_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14, V _c15, V _c16)
+LANES(court_bridge_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14)
 {
     const V _s0 = lanes_abs(vx);
-    const V _s1 = lanes_add(_c7, x);
+    const V _s1 = lanes_add(_c5, x);
     const V _s2 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s1), _s1);
-    const V _s3 = lanes_div(lanes_neg(lanes_add(_c6, _s2)), _s0);
+    const V _s3 = lanes_div(lanes_neg(lanes_add(_c4, _s2)), _s0);
     const V _s4 = lanes_max(K(0.0), _s3);
     const V _s5 = lanes_abs(vy);
     const V _s6 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
-    const V _s7 = lanes_div(lanes_neg(lanes_add(_c8, _s6)), _s5);
+    const V _s7 = lanes_div(lanes_neg(lanes_add(_c6, _s6)), _s5);
     const V _s8 = lanes_max(_s4, _s7);
     const V _s9 = lanes_mul(vz, vz);
-    const V _s10 = lanes_sub(lanes_add(_c3, z), _c0);
-    const V _s11 = lanes_add(_s9, lanes_mul(_c10, lanes_add(_c9, _s10)));
+    const V _s10 = lanes_sub(lanes_add(_c2, z), _c0);
+    const V _s11 = lanes_add(_s9, lanes_mul(_c8, lanes_add(_c7, _s10)));
     const V _s12 = lanes_sqrt(_s11);
     const M _s13 = lanes_at_most(K(0.0), _s11);
-    const V _s14 = lanes_select(_s13, lanes_mul(_c11, lanes_sub(vz, _s12)), K(INFINITY));
+    const V _s14 = lanes_select(_s13, lanes_mul(_c9, lanes_sub(vz, _s12)), K(INFINITY));
     const V _s15 = lanes_max(_s8, _s14);
-    const V _s16 = lanes_add(_s9, lanes_mul(_c10, lanes_sub(_s10, _c9)));
+    const V _s16 = lanes_add(_s9, lanes_mul(_c8, lanes_sub(_s10, _c7)));
     const V _s17 = lanes_sqrt(lanes_max(_s16, K(0.0)));
-    const V _s18 = lanes_select(_s13, lanes_mul(_c11, lanes_add(vz, _s12)), K(-INFINITY));
+    const V _s18 = lanes_select(_s13, lanes_mul(_c9, lanes_add(vz, _s12)), K(-INFINITY));
     const M _s19 = lanes_less(K(0.0), _s16);
-    const V _s20 = lanes_select(_s19, lanes_mul(_c11, lanes_sub(vz, _s17)), _s18);
-    const V _s21 = lanes_div(lanes_sub(_c8, _s6), _s5);
-    const V _s22 = lanes_div(lanes_sub(_c6, _s2), _s0);
+    const V _s20 = lanes_select(_s19, lanes_mul(_c9, lanes_sub(vz, _s17)), _s18);
+    const V _s21 = lanes_div(lanes_sub(_c6, _s6), _s5);
+    const V _s22 = lanes_div(lanes_sub(_c4, _s2), _s0);
     const V _s23 = lanes_min(_s22, K(INFINITY));
     const V _s24 = lanes_min(_s21, _s23);
     const V _s25 = lanes_min(_s20, _s24);
-    const V _s26 = lanes_select(_s19, lanes_mul(_c11, lanes_add(vz, _s17)), K(INFINITY));
+    const V _s26 = lanes_select(_s19, lanes_mul(_c9, lanes_add(vz, _s17)), K(INFINITY));
     const V _s27 = lanes_max(_s8, _s26);
     const V _s28 = lanes_min(_s18, _s24);
     const V _s29 = lanes_max(K(0.0), _s25);
     const V _s30 = lanes_max(_s29, _s28);
     const V _s31 = lanes_min(_s30, horizon);
     const V _s32 = lanes_add(speed, lanes_mul(_c1, _s31));
-    const V _s33 = lanes_add(lanes_add(lanes_add(lanes_add(_c2, extent), _c4), _c14), _c15);
-    const V _s34 = lanes_add(lanes_mul(_c13, lanes_sqrt(lanes_mul(_c11, lanes_add(_s33, _c5)))), lanes_mul(lanes_mul(K(2.0), speed), _c11));
-    const V _s35 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s34, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _c11), _s33))), _c16);
-    return (LANES(court_bridge_prepare_out)){ lanes_max(K(0.0), _s15), lanes_min(_s25, horizon), lanes_max(K(0.0), _s27), lanes_min(_s28, horizon), lanes_mul(K(2.0), lanes_add(_c12, lanes_mul(K(3.0), lanes_mul(_s32, _s32)))), _s31, _s35 };
+    const V _s33 = lanes_add(lanes_add(lanes_add(_c5, extent), _c12), _c13);
+    const V _s34 = lanes_add(lanes_mul(_c11, lanes_sqrt(lanes_mul(_c9, lanes_add(_s33, _c3)))), lanes_mul(lanes_mul(K(2.0), speed), _c9));
+    const V _s35 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s34, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _c9), _s33))), _c14);
+    return (LANES(court_bridge_prepare_out)){ lanes_max(K(0.0), _s15), lanes_min(_s25, horizon), lanes_max(K(0.0), _s27), lanes_min(_s28, horizon), lanes_mul(K(2.0), lanes_add(_c10, lanes_mul(K(3.0), lanes_mul(_s32, _s32)))), _s31, _s35 };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
    running error analysis. 52 operations: 25 additions, 27 multiplications. */
 typedef struct {
-    V margin;
-    V leaving_margin;
-    V rate_margin;
+    V margin, leaving_margin, rate_margin;
 } LANES(court_bridge_margins_out);
 
 LANES_INLINE LANES(court_bridge_margins_out)
@@ -4739,28 +4269,26 @@ LANES(court_bridge_margins)(V horizon, V extent, V speed, V position_error, V ve
     const V _s6 = lanes_add(lanes_add(_c6, lanes_mul(K(3.3306690738754696e-16), _s1)), _s3);
     const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_c1, lanes_mul(_c4, _s4)), lanes_mul(_c4, _s5)), lanes_mul(_c4, _s6)), lanes_mul(lanes_mul(lanes_mul(K(1.3335686721571705e-15), horizon), _c2), _s0)), _c7);
     const V _s8 = lanes_mul(K(4.00390625), _s0);
-    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_mul(_c8, lanes_add(velocity_error, lanes_mul(K(3.3306690738754696e-16), _s0))), lanes_mul(_c9, _s0)), lanes_mul(_s8, _s4)), lanes_mul(_s8, _s5));
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_mul(_c8, _s0), lanes_mul(_c9, lanes_add(velocity_error, lanes_mul(K(3.3306690738754696e-16), _s0)))), lanes_mul(_s8, _s4)), lanes_mul(_s8, _s5));
     const V _s10 = lanes_mul(K(2.001953125), _s0);
-    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_mul(_c10, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s0))), lanes_mul(_c11, _s0)), lanes_mul(_s10, _s4)), lanes_mul(_s10, _s5));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_mul(_c10, _s0), lanes_mul(_c11, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s0)))), lanes_mul(_s10, _s4)), lanes_mul(_s10, _s5));
     return (LANES(court_bridge_margins_out)){ _s7, lanes_add(_s9, lanes_mul(_s8, _s6)), lanes_add(_s11, lanes_mul(_s10, _s6)) };
 }
 
 /* Newton's next value of a root near t, and gap and rate there.
    Newton's method. 98 operations: 18 additions, 19 subtractions, 24 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections. */
 typedef struct {
-    V time;
-    V gap;
-    V rate;
+    V time, gap, rate;
 } LANES(court_bridge_refine_out);
 
 LANES_INLINE LANES(court_bridge_refine_out)
 LANES(court_bridge_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7)
 {
-    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s0 = lanes_add(x, lanes_mul(vx, t));
     const V _s1 = lanes_add(_c0, _s0);
     const V _s2 = lanes_neg(lanes_add(_c2, _s0));
     const V _s3 = lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s2, K(0.0)));
-    const V _s4 = lanes_add(y, lanes_mul(t, vy));
+    const V _s4 = lanes_add(y, lanes_mul(vy, t));
     const V _s5 = lanes_sub(_s4, _c3);
     const V _s6 = lanes_neg(lanes_add(_c3, _s4));
     const V _s7 = lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)));
@@ -4774,28 +4302,23 @@ LANES(court_bridge_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V _c
     const V _s15 = lanes_neg(lanes_add(_c2, x));
     const V _s16 = lanes_sub(lanes_max(_s14, K(0.0)), lanes_max(_s15, K(0.0)));
     const V _s17 = lanes_mul(_s3, _s3);
-    const V _s18 = lanes_sub(y, _c3);
-    const V _s19 = lanes_neg(lanes_add(_c3, y));
+    const V _s18 = lanes_sub(z, _c1);
+    const V _s19 = lanes_sub(_c6, z);
     const V _s20 = lanes_sub(lanes_max(_s18, K(0.0)), lanes_max(_s19, K(0.0)));
-    const V _s21 = lanes_mul(_s7, _s7);
-    const V _s22 = lanes_sub(z, _c1);
-    const V _s23 = lanes_sub(_c6, z);
+    const V _s21 = lanes_mul(_s12, _s12);
+    const V _s22 = lanes_sub(y, _c3);
+    const V _s23 = lanes_neg(lanes_add(_c3, y));
     const V _s24 = lanes_sub(lanes_max(_s22, K(0.0)), lanes_max(_s23, K(0.0)));
-    const V _s25 = lanes_mul(_s12, _s12);
-    const V _s26 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s16, _s3)), lanes_mul(t, lanes_mul(vx, lanes_add(_s16, _s3))), lanes_sub(_s17, lanes_mul(_s16, _s16))), lanes_select(lanes_less(K(0.0), lanes_mul(_s20, _s7)), lanes_mul(t, lanes_mul(vy, lanes_add(_s20, _s7))), lanes_sub(_s21, lanes_mul(_s20, _s20)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s24, _s12)), lanes_mul(t, lanes_mul(_s8, lanes_add(_s24, _s12))), lanes_sub(_s25, lanes_mul(_s24, _s24))));
+    const V _s25 = lanes_mul(_s7, _s7);
+    const V _s26 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s16, _s3)), lanes_mul(t, lanes_mul(vx, lanes_add(_s16, _s3))), lanes_sub(_s17, lanes_mul(_s16, _s16))), lanes_select(lanes_less(K(0.0), lanes_mul(_s20, _s12)), lanes_mul(t, lanes_mul(_s8, lanes_add(_s20, _s12))), lanes_sub(_s21, lanes_mul(_s20, _s20)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s24, _s7)), lanes_mul(t, lanes_mul(vy, lanes_add(_s24, _s7))), lanes_sub(_s25, lanes_mul(_s24, _s24))));
     const V _s27 = lanes_select(lanes_less(K(0.0), leaving), _s26, lanes_sub(lanes_add(lanes_add(_s17, _s21), _s25), _c7));
     return (LANES(court_bridge_refine_out)){ lanes_sub(t, lanes_div(_s27, _s13)), _s27, _s13 };
 }
 
-/* Gap, rate, bend, a step without a root, its end, and the clearance of a root.
+/* Gap, rate, second derivative, a step without a root, its end, and the clearance.
    Newton from the left under a curvature bound. 171 operations: 28 additions, 24 subtractions, 42 multiplications, 2 divisions, 1 square root, 7 negations, 4 absolute values, 30 comparisons, 33 selections. */
 typedef struct {
-    V gap;
-    V rate;
-    V bend;
-    V step;
-    V next;
-    V clearance;
+    V gap, rate, bend, step, next, clearance;
 } LANES(court_bridge_advance_out);
 
 LANES_INLINE LANES(court_bridge_advance_out)
@@ -4804,34 +4327,34 @@ LANES(court_bridge_advance)(V t, V end, V leaving, V margin, V rate_margin, V ce
     const V _s0 = lanes_add(_c0, x);
     const V _s1 = lanes_neg(lanes_add(_c2, x));
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_add(x, lanes_mul(t, vx));
+    const V _s3 = lanes_add(x, lanes_mul(vx, t));
     const V _s4 = lanes_add(_c0, _s3);
     const V _s5 = lanes_neg(lanes_add(_c2, _s3));
     const V _s6 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
     const V _s7 = lanes_mul(_s6, _s6);
-    const V _s8 = lanes_sub(y, _c3);
-    const V _s9 = lanes_neg(lanes_add(_c3, y));
+    const V _s8 = lanes_sub(z, _c1);
+    const V _s9 = lanes_sub(_c5, z);
     const V _s10 = lanes_sub(lanes_max(_s8, K(0.0)), lanes_max(_s9, K(0.0)));
-    const V _s11 = lanes_add(y, lanes_mul(t, vy));
-    const V _s12 = lanes_sub(_s11, _c3);
-    const V _s13 = lanes_neg(lanes_add(_c3, _s11));
-    const V _s14 = lanes_sub(lanes_max(_s12, K(0.0)), lanes_max(_s13, K(0.0)));
-    const V _s15 = lanes_mul(_s14, _s14);
-    const V _s16 = lanes_sub(z, _c1);
-    const V _s17 = lanes_sub(_c5, z);
-    const V _s18 = lanes_sub(lanes_max(_s16, K(0.0)), lanes_max(_s17, K(0.0)));
-    const V _s19 = lanes_sub(vz, lanes_mul(_c6, t));
-    const V _s20 = lanes_add(z, lanes_mul(t, _s19));
-    const V _s21 = lanes_sub(_s20, _c1);
-    const V _s22 = lanes_sub(_c5, _s20);
+    const V _s11 = lanes_sub(vz, lanes_mul(_c6, t));
+    const V _s12 = lanes_add(z, lanes_mul(t, _s11));
+    const V _s13 = lanes_sub(_s12, _c1);
+    const V _s14 = lanes_sub(_c5, _s12);
+    const V _s15 = lanes_sub(lanes_max(_s13, K(0.0)), lanes_max(_s14, K(0.0)));
+    const V _s16 = lanes_mul(_s15, _s15);
+    const V _s17 = lanes_sub(y, _c3);
+    const V _s18 = lanes_neg(lanes_add(_c3, y));
+    const V _s19 = lanes_sub(lanes_max(_s17, K(0.0)), lanes_max(_s18, K(0.0)));
+    const V _s20 = lanes_add(y, lanes_mul(vy, t));
+    const V _s21 = lanes_sub(_s20, _c3);
+    const V _s22 = lanes_neg(lanes_add(_c3, _s20));
     const V _s23 = lanes_sub(lanes_max(_s21, K(0.0)), lanes_max(_s22, K(0.0)));
     const V _s24 = lanes_mul(_s23, _s23);
-    const V _s25 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s2, _s6)), lanes_mul(t, lanes_mul(vx, lanes_add(_s2, _s6))), lanes_sub(_s7, lanes_mul(_s2, _s2))), lanes_select(lanes_less(K(0.0), lanes_mul(_s10, _s14)), lanes_mul(t, lanes_mul(vy, lanes_add(_s10, _s14))), lanes_sub(_s15, lanes_mul(_s10, _s10)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s18, _s23)), lanes_mul(t, lanes_mul(_s19, lanes_add(_s18, _s23))), lanes_sub(_s24, lanes_mul(_s18, _s18))));
-    const V _s26 = lanes_select(lanes_less(K(0.0), leaving), _s25, lanes_sub(lanes_add(lanes_add(_s7, _s15), _s24), _c7));
+    const V _s25 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s2, _s6)), lanes_mul(t, lanes_mul(vx, lanes_add(_s2, _s6))), lanes_sub(_s7, lanes_mul(_s2, _s2))), lanes_select(lanes_less(K(0.0), lanes_mul(_s10, _s15)), lanes_mul(t, lanes_mul(_s11, lanes_add(_s10, _s15))), lanes_sub(_s16, lanes_mul(_s10, _s10)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s19, _s23)), lanes_mul(t, lanes_mul(vy, lanes_add(_s19, _s23))), lanes_sub(_s24, lanes_mul(_s19, _s19))));
+    const V _s26 = lanes_select(lanes_less(K(0.0), leaving), _s25, lanes_sub(lanes_add(lanes_add(_s7, _s16), _s24), _c7));
     const V _s27 = lanes_sub(vz, lanes_mul(_c4, t));
-    const V _s28 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s6), lanes_mul(vy, _s14)), lanes_mul(_s27, _s23)));
-    const V _s29 = lanes_abs(_s23);
-    const V _s30 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_abs(_s6)), lanes_mul(vx, vx), K(0.0)), lanes_select(lanes_less(K(0.0), lanes_abs(_s14)), lanes_mul(vy, vy), K(0.0))), lanes_select(lanes_less(K(0.0), _s29), lanes_sub(lanes_mul(_s27, _s27), lanes_mul(_c4, _s23)), K(0.0))));
+    const V _s28 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s6), lanes_mul(vy, _s23)), lanes_mul(_s27, _s15)));
+    const V _s29 = lanes_abs(_s15);
+    const V _s30 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_abs(_s6)), lanes_mul(vx, vx), K(0.0)), lanes_select(lanes_less(K(0.0), _s29), lanes_sub(lanes_mul(_s27, _s27), lanes_mul(_c4, _s15)), K(0.0))), lanes_select(lanes_less(K(0.0), lanes_abs(_s23)), lanes_mul(vy, vy), K(0.0))));
     const V _s31 = lanes_sub(_s28, rate_margin);
     const V _s32 = lanes_sub(_s26, margin);
     const V _s33 = lanes_max(_s32, K(0.0));
@@ -4851,8 +4374,8 @@ LANES(court_bridge_advance)(V t, V end, V leaving, V margin, V rate_margin, V ce
     return (LANES(court_bridge_advance_out)){ _s26, _s28, _s30, _s45, lanes_add(t, _s45), lanes_select(lanes_less(K(0.0), _s46), lanes_sub(lanes_mul(_s46, _s46), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s36))), _s46) };
 }
 
-/* Where a flight may reach the box of a surface at all.
-   boxes that do not meet. 50 operations: 10 additions, 10 subtractions, 6 multiplications, 2 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
+/* Whether a flight may reach the box of a surface at all.
+   disjoint boxes. 50 operations: 10 additions, 10 subtractions, 6 multiplications, 2 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
 typedef struct {
     M near;
 } LANES(court_bridge_near_out);
@@ -4876,52 +4399,47 @@ LANES(court_bridge_near)(V middle_x, V middle_y, V middle_z, V reach_x, V reach_
     return (LANES(court_bridge_near_out)){ _s12 };
 }
 
-/* The distance, its rate, and how fast it bends down at most, by the squared speed.
+/* Distance, its rate, and a bound on how fast it bends down, by the squared speed.
    Table 2. 58 operations: 7 additions, 10 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections. */
 typedef struct {
-    V gap;
-    V nearing;
-    V dent;
+    V gap, nearing, gap_curvature;
 } LANES(court_bridge_beside_out);
 
 LANES_INLINE LANES(court_bridge_beside_out)
-LANES(court_bridge_beside)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
+LANES(court_bridge_beside)(V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_add(_c3, x);
     const V _s1 = lanes_neg(lanes_add(_c1, x));
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_sub(y, _c2);
-    const V _s4 = lanes_neg(lanes_add(_c2, y));
+    const V _s3 = lanes_sub(z, _c4);
+    const V _s4 = lanes_sub(_c5, z);
     const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
-    const V _s6 = lanes_sub(z, _c4);
-    const V _s7 = lanes_sub(_c5, z);
+    const V _s6 = lanes_sub(y, _c2);
+    const V _s7 = lanes_neg(lanes_add(_c2, y));
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
     const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
-    const V _s10 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vx)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s3, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s4, K(0.0)), K(0.0), lanes_neg(vy)))), _s5));
-    const V _s11 = lanes_add(_s10, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s6, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s7, K(0.0)), K(0.0), lanes_neg(vz)))), _s8));
+    const V _s10 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vx)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s3, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s4, K(0.0)), K(0.0), lanes_neg(vz)))), _s5));
+    const V _s11 = lanes_add(_s10, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s6, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s7, K(0.0)), K(0.0), lanes_neg(vy)))), _s8));
     return (LANES(court_bridge_beside_out)){ lanes_sub(_s9, _c0), lanes_div(lanes_mul(K(0.5), _s11), _s9), K(0.0) };
 }
 
-/* The distance, its rate and its second derivative, of a ball that rolls on something else.
+/* Distance of a ball that rolls on another surface, and its first two derivatives.
    derivatives of Table 2's distance. 114 operations: 15 additions, 16 subtractions, 33 multiplications, 1 division, 1 square root, 12 negations, 12 comparisons, 24 selections. */
 typedef struct {
-    V gap;
-    V nearing;
-    V swerve;
-    V facing;
+    V gap, nearing, rolling_gap_acceleration, normal_cosine;
 } LANES(court_bridge_closing_out);
 
 LANES_INLINE LANES(court_bridge_closing_out)
-LANES(court_bridge_closing)(V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V thrust_x, V thrust_y, V thrust_z, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
+LANES(court_bridge_closing)(V x, V y, V z, V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V rolling_acceleration_x, V rolling_acceleration_y, V rolling_acceleration_z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_add(_c3, x);
     const V _s1 = lanes_neg(lanes_add(_c1, x));
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_sub(y, _c2);
-    const V _s4 = lanes_neg(lanes_add(_c2, y));
+    const V _s3 = lanes_sub(z, _c4);
+    const V _s4 = lanes_sub(_c5, z);
     const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
-    const V _s6 = lanes_sub(z, _c4);
-    const V _s7 = lanes_sub(_c5, z);
+    const V _s6 = lanes_sub(y, _c2);
+    const V _s7 = lanes_neg(lanes_add(_c2, y));
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
     const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
     const M _s10 = lanes_less(_s0, K(0.0));
@@ -4929,54 +4447,51 @@ LANES(court_bridge_closing)(V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z
     const V _s12 = lanes_sub(lanes_select(_s10, K(0.0), rolled_x), lanes_select(_s11, K(0.0), lanes_neg(rolled_x)));
     const M _s13 = lanes_less(_s3, K(0.0));
     const M _s14 = lanes_less(_s4, K(0.0));
-    const V _s15 = lanes_sub(lanes_select(_s13, K(0.0), rolled_y), lanes_select(_s14, K(0.0), lanes_neg(rolled_y)));
+    const V _s15 = lanes_sub(lanes_select(_s13, K(0.0), rolled_z), lanes_select(_s14, K(0.0), lanes_neg(rolled_z)));
     const M _s16 = lanes_less(_s6, K(0.0));
     const M _s17 = lanes_less(_s7, K(0.0));
-    const V _s18 = lanes_sub(lanes_select(_s16, K(0.0), rolled_z), lanes_select(_s17, K(0.0), lanes_neg(rolled_z)));
+    const V _s18 = lanes_sub(lanes_select(_s16, K(0.0), rolled_y), lanes_select(_s17, K(0.0), lanes_neg(rolled_y)));
     const V _s19 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s12), _s2), lanes_mul(lanes_mul(K(2.0), _s15), _s5)), lanes_mul(lanes_mul(K(2.0), _s18), _s8));
     const V _s20 = lanes_div(K(1.0), _s9);
     const V _s21 = lanes_mul(lanes_mul(K(0.5), _s19), _s20);
-    const V _s22 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s10, K(0.0), thrust_x), lanes_select(_s11, K(0.0), lanes_neg(thrust_x))), _s2), lanes_mul(_s12, _s12)));
-    const V _s23 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s13, K(0.0), thrust_y), lanes_select(_s14, K(0.0), lanes_neg(thrust_y))), _s5), lanes_mul(_s15, _s15)));
-    const V _s24 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s16, K(0.0), thrust_z), lanes_select(_s17, K(0.0), lanes_neg(thrust_z))), _s8), lanes_mul(_s18, _s18)));
+    const V _s22 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s10, K(0.0), rolling_acceleration_x), lanes_select(_s11, K(0.0), lanes_neg(rolling_acceleration_x))), _s2), lanes_mul(_s12, _s12)));
+    const V _s23 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s13, K(0.0), rolling_acceleration_z), lanes_select(_s14, K(0.0), lanes_neg(rolling_acceleration_z))), _s5), lanes_mul(_s15, _s15)));
+    const V _s24 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_sub(lanes_select(_s16, K(0.0), rolling_acceleration_y), lanes_select(_s17, K(0.0), lanes_neg(rolling_acceleration_y))), _s8), lanes_mul(_s18, _s18)));
     const V _s25 = lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_neg(lanes_mul(_s21, lanes_mul(_s20, _s20))), _s19), lanes_mul(lanes_add(lanes_add(_s22, _s23), _s24), _s20)));
-    const V _s26 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s10, K(0.0), nx), lanes_select(_s11, K(0.0), lanes_neg(nx)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s13, K(0.0), ny), lanes_select(_s14, K(0.0), lanes_neg(ny)))), _s5));
-    const V _s27 = lanes_add(_s26, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s16, K(0.0), nz), lanes_select(_s17, K(0.0), lanes_neg(nz)))), _s8));
+    const V _s26 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s10, K(0.0), nx), lanes_select(_s11, K(0.0), lanes_neg(nx)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s13, K(0.0), nz), lanes_select(_s14, K(0.0), lanes_neg(nz)))), _s5));
+    const V _s27 = lanes_add(_s26, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(_s16, K(0.0), ny), lanes_select(_s17, K(0.0), lanes_neg(ny)))), _s8));
     return (LANES(court_bridge_closing_out)){ lanes_sub(_s9, _c0), _s21, _s25, lanes_mul(lanes_mul(K(0.5), _s27), _s20) };
 }
 
-/* The distance.
+/* Distance from the surface.
    Table 2. 30 operations: 5 additions, 7 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
     V gap;
-} LANES(court_bridge_off_out);
+} LANES(court_bridge_distance_out);
 
-LANES_INLINE LANES(court_bridge_off_out)
-LANES(court_bridge_off)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
+LANES_INLINE LANES(court_bridge_distance_out)
+LANES(court_bridge_distance)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_add(_c3, x);
     const V _s1 = lanes_neg(lanes_add(_c1, x));
     const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s3 = lanes_sub(y, _c2);
-    const V _s4 = lanes_neg(lanes_add(_c2, y));
+    const V _s3 = lanes_sub(z, _c4);
+    const V _s4 = lanes_sub(_c5, z);
     const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
-    const V _s6 = lanes_sub(z, _c4);
-    const V _s7 = lanes_sub(_c5, z);
+    const V _s6 = lanes_sub(y, _c2);
+    const V _s7 = lanes_neg(lanes_add(_c2, y));
     const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
-    return (LANES(court_bridge_off_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8))), _c0) };
+    return (LANES(court_bridge_distance_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8))), _c0) };
 }
 
-/* What a ball that stays on it rolls on.
+/* Curvature of the surface that the centre of a rolling ball stays on.
    Table 2. 47 operations: 3 additions, 3 subtractions, 5 negations, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections. */
 typedef struct {
-    V bent_x;
-    V bent_y;
-    V bent_z;
-    V per_reach;
-} LANES(court_bridge_tube_out);
+    V bent_x, bent_y, bent_z, per_reach;
+} LANES(court_bridge_rolling_surface_out);
 
-LANES_INLINE LANES(court_bridge_tube_out)
-LANES(court_bridge_tube)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11)
+LANES_INLINE LANES(court_bridge_rolling_surface_out)
+LANES(court_bridge_rolling_surface)(V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11)
 {
     const V _s0 = lanes_add(_c2, x);
     const V _s1 = lanes_neg(lanes_add(_c0, x));
@@ -4987,62 +4502,58 @@ LANES(court_bridge_tube)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V
     const V _s6 = lanes_sub(z, _c3);
     const V _s7 = lanes_sub(_c10, z);
     const V _s8 = lanes_select(lanes_either(lanes_either(lanes_less(_c8, _s6), lanes_both(lanes_less(_c9, _s6), lanes_less(K(0.0), vz))), lanes_either(lanes_less(_c8, _s7), lanes_both(lanes_less(_c9, _s7), lanes_less(K(0.0), lanes_neg(vz))))), K(1.0), K(0.0));
-    return (LANES(court_bridge_tube_out)){ _s2, _s5, _s8, _c11 };
+    return (LANES(court_bridge_rolling_surface_out)){ _s2, _s5, _s8, _c11 };
 }
 
-/* The rate at which the normal turns.
+/* Rate of the normal.
    derivative of Table 2's normal. 29 operations: 3 additions, 6 subtractions, 3 multiplications, 5 negations, 6 comparisons, 6 selections. */
 typedef struct {
-    V turning_x;
-    V turning_y;
-    V turning_z;
+    V turning_x, turning_y, turning_z;
 } LANES(court_bridge_turning_out);
 
 LANES_INLINE LANES(court_bridge_turning_out)
-LANES(court_bridge_turning)(V rolled_x, V rolled_y, V rolled_z, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
+LANES(court_bridge_turning)(V x, V y, V z, V rolled_x, V rolled_y, V rolled_z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
     const V _s0 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_add(_c2, x), K(0.0)), K(0.0), rolled_x), lanes_select(lanes_less(lanes_neg(lanes_add(_c0, x)), K(0.0)), K(0.0), lanes_neg(rolled_x))));
     const V _s1 = lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(y, _c1), K(0.0)), K(0.0), rolled_y), lanes_select(lanes_less(lanes_neg(lanes_add(_c1, y)), K(0.0)), K(0.0), lanes_neg(rolled_y))));
     return (LANES(court_bridge_turning_out)){ _s0, _s1, lanes_mul(_c4, lanes_sub(lanes_select(lanes_less(lanes_sub(z, _c3), K(0.0)), K(0.0), rolled_z), lanes_select(lanes_less(lanes_sub(_c5, z), K(0.0)), K(0.0), lanes_neg(rolled_z)))) };
 }
 
-/* The second to the fourth derivative of the distance along a flight.
+/* Second to fourth derivative of the distance along a flight.
    derivatives of Table 2's distance. 125 operations: 26 additions, 10 subtractions, 53 multiplications, 1 division, 1 square root, 8 negations, 12 comparisons, 14 selections. */
 typedef struct {
-    V lift;
-    V surge;
-    V snap;
-} LANES(court_bridge_parting_out);
+    V lift, gap_jerk, gap_snap;
+} LANES(court_bridge_separation_out);
 
-LANES_INLINE LANES(court_bridge_parting_out)
-LANES(court_bridge_parting)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+LANES_INLINE LANES(court_bridge_separation_out)
+LANES(court_bridge_separation)(V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
 {
     const V _s0 = lanes_add(_c3, x);
     const V _s1 = lanes_neg(lanes_add(_c0, x));
     const V _s2 = lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vx)));
     const V _s3 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
-    const V _s4 = lanes_sub(y, _c1);
-    const V _s5 = lanes_neg(lanes_add(_c1, y));
-    const V _s6 = lanes_sub(lanes_select(lanes_less(_s4, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s5, K(0.0)), K(0.0), lanes_neg(vy)));
-    const V _s7 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
-    const V _s8 = lanes_sub(z, _c4);
-    const M _s9 = lanes_less(_s8, K(0.0));
-    const V _s10 = lanes_sub(_c5, z);
-    const M _s11 = lanes_less(_s10, K(0.0));
-    const V _s12 = lanes_sub(lanes_select(_s9, K(0.0), vz), lanes_select(_s11, K(0.0), lanes_neg(vz)));
-    const V _s13 = lanes_sub(lanes_max(_s8, K(0.0)), lanes_max(_s10, K(0.0)));
-    const V _s14 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s2), _s3), lanes_mul(lanes_mul(K(2.0), _s6), _s7)), lanes_mul(lanes_mul(K(2.0), _s12), _s13));
-    const V _s15 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s7, _s7)), lanes_mul(_s13, _s13))));
+    const V _s4 = lanes_sub(z, _c4);
+    const M _s5 = lanes_less(_s4, K(0.0));
+    const V _s6 = lanes_sub(_c5, z);
+    const M _s7 = lanes_less(_s6, K(0.0));
+    const V _s8 = lanes_sub(lanes_select(_s5, K(0.0), vz), lanes_select(_s7, K(0.0), lanes_neg(vz)));
+    const V _s9 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s6, K(0.0)));
+    const V _s10 = lanes_sub(y, _c1);
+    const V _s11 = lanes_neg(lanes_add(_c1, y));
+    const V _s12 = lanes_sub(lanes_select(lanes_less(_s10, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s11, K(0.0)), K(0.0), lanes_neg(vy)));
+    const V _s13 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
+    const V _s14 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s2), _s3), lanes_mul(lanes_mul(K(2.0), _s8), _s9)), lanes_mul(lanes_mul(K(2.0), _s12), _s13));
+    const V _s15 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s9, _s9)), lanes_mul(_s13, _s13))));
     const V _s16 = lanes_mul(lanes_mul(K(0.5), _s14), _s15);
     const V _s17 = lanes_mul(_s15, _s15);
     const V _s18 = lanes_neg(lanes_mul(_s16, _s17));
-    const V _s19 = lanes_sub(lanes_select(_s9, K(0.0), _c6), lanes_select(_s11, K(0.0), _c2));
-    const V _s20 = lanes_add(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(_s19, _s13), lanes_mul(_s12, _s12))), lanes_mul(K(2.0), lanes_mul(_s2, _s2))), lanes_mul(K(2.0), lanes_mul(_s6, _s6)));
+    const V _s19 = lanes_sub(lanes_select(_s5, K(0.0), _c6), lanes_select(_s7, K(0.0), _c2));
+    const V _s20 = lanes_add(lanes_add(lanes_mul(K(2.0), lanes_add(lanes_mul(_s19, _s9), lanes_mul(_s8, _s8))), lanes_mul(K(2.0), lanes_mul(_s2, _s2))), lanes_mul(K(2.0), lanes_mul(_s12, _s12)));
     const V _s21 = lanes_mul(K(0.5), lanes_add(lanes_mul(_s18, _s14), lanes_mul(_s20, _s15)));
     const V _s22 = lanes_mul(_s18, _s20);
     const V _s23 = lanes_mul(K(2.0), _s18);
     const V _s24 = lanes_neg(lanes_add(lanes_mul(_s21, _s17), lanes_mul(lanes_mul(_s23, _s16), _s15)));
-    const V _s25 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(2.0), _s19), _s12), lanes_mul(_s19, _s12)));
+    const V _s25 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(2.0), _s19), _s8), lanes_mul(_s19, _s8)));
     const V _s26 = lanes_mul(K(0.5), lanes_add(lanes_add(_s22, lanes_mul(_s14, _s24)), lanes_add(_s22, lanes_mul(_s25, _s15))));
     const V _s27 = lanes_mul(_s18, _s25);
     const V _s28 = lanes_mul(_s20, _s24);
@@ -5050,102 +4561,89 @@ LANES(court_bridge_parting)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2
     const V _s30 = lanes_add(_s29, lanes_add(_s27, lanes_mul(_s15, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(_s19, _s19))))));
     const V _s31 = lanes_add(lanes_add(lanes_mul(_s26, _s17), lanes_mul(lanes_mul(_s23, _s21), _s15)), lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(lanes_mul(_s18, _s18), _s16), lanes_mul(lanes_mul(_s18, _s21), _s15)), lanes_mul(lanes_mul(_s16, _s24), _s15))));
     const V _s32 = lanes_mul(K(0.5), lanes_add(_s30, lanes_add(_s29, lanes_add(lanes_mul(_s14, lanes_neg(_s31)), _s28))));
-    return (LANES(court_bridge_parting_out)){ _s21, _s26, _s32 };
+    return (LANES(court_bridge_separation_out)){ _s21, _s26, _s32 };
 }
 
-/* How far the ball is from a seam of the surface, and how fast.
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
    Table 2. 1 operation: 1 addition. */
 typedef struct {
-    V gap;
-    V nearing;
-    V near;
+    V gap, nearing, near;
 } LANES(court_bridge_seam0_out);
 
 LANES_INLINE LANES(court_bridge_seam0_out)
-LANES(court_bridge_seam0)(V vx, V x, V _c0, V _c1)
+LANES(court_bridge_seam0)(V x, V vx, V _c0, V _c1)
 {
     return (LANES(court_bridge_seam0_out)){ lanes_add(_c0, x), vx, _c1 };
 }
 
-/* How far the ball is from a seam of the surface, and how fast.
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
    Table 2. 1 operation: 1 addition. */
 typedef struct {
-    V gap;
-    V nearing;
-    V near;
+    V gap, nearing, near;
 } LANES(court_bridge_seam1_out);
 
 LANES_INLINE LANES(court_bridge_seam1_out)
-LANES(court_bridge_seam1)(V vx, V x, V _c0, V _c1)
+LANES(court_bridge_seam1)(V x, V vx, V _c0, V _c1)
 {
     return (LANES(court_bridge_seam1_out)){ lanes_add(_c0, x), vx, _c1 };
 }
 
-/* How far the ball is from a seam of the surface, and how fast.
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
    Table 2. 1 operation: 1 addition. */
 typedef struct {
-    V gap;
-    V nearing;
-    V near;
+    V gap, nearing, near;
 } LANES(court_bridge_seam2_out);
 
 LANES_INLINE LANES(court_bridge_seam2_out)
-LANES(court_bridge_seam2)(V vy, V y, V _c0, V _c1)
+LANES(court_bridge_seam2)(V y, V vy, V _c0, V _c1)
 {
     return (LANES(court_bridge_seam2_out)){ lanes_add(_c0, y), vy, _c1 };
 }
 
-/* How far the ball is from a seam of the surface, and how fast.
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
    Table 2. 1 operation: 1 subtraction. */
 typedef struct {
-    V gap;
-    V nearing;
-    V near;
+    V gap, nearing, near;
 } LANES(court_bridge_seam3_out);
 
 LANES_INLINE LANES(court_bridge_seam3_out)
-LANES(court_bridge_seam3)(V vy, V y, V _c0, V _c1)
+LANES(court_bridge_seam3)(V y, V vy, V _c0, V _c1)
 {
     return (LANES(court_bridge_seam3_out)){ lanes_sub(y, _c0), vy, _c1 };
 }
 
-/* How far the ball is from a seam of the surface, and how fast.
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
    Table 2. 2 operations: 1 addition, 1 subtraction. */
 typedef struct {
-    V gap;
-    V nearing;
-    V near;
+    V gap, nearing, near;
 } LANES(court_bridge_seam4_out);
 
 LANES_INLINE LANES(court_bridge_seam4_out)
-LANES(court_bridge_seam4)(V vz, V z, V _c0, V _c1, V _c2)
+LANES(court_bridge_seam4)(V z, V vz, V _c0, V _c1, V _c2)
 {
     return (LANES(court_bridge_seam4_out)){ lanes_sub(lanes_add(_c0, z), _c1), vz, _c2 };
 }
 
-/* How far the ball is from a seam of the surface, and how fast.
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
    Table 2. 1 operation: 1 subtraction. */
 typedef struct {
-    V gap;
-    V nearing;
-    V near;
+    V gap, nearing, near;
 } LANES(court_bridge_seam5_out);
 
 LANES_INLINE LANES(court_bridge_seam5_out)
-LANES(court_bridge_seam5)(V vz, V z, V _c0, V _c1)
+LANES(court_bridge_seam5)(V z, V vz, V _c0, V _c1)
 {
     return (LANES(court_bridge_seam5_out)){ lanes_sub(z, _c0), vz, _c1 };
 }
 
-/* A bound below the distance from all places at this height and distance from the axis.
+/* Bound below the distance at this height and distance from the axis, and its rate.
    Table 2. 43 operations: 4 additions, 6 subtractions, 15 multiplications, 2 divisions, 2 square roots, 2 negations, 6 comparisons, 6 selections. */
 typedef struct {
-    V gap;
-    V nearing;
+    V gap, nearing;
 } LANES(court_bridge_around_out);
 
 LANES_INLINE LANES(court_bridge_around_out)
-LANES(court_bridge_around)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2, V _c3)
+LANES(court_bridge_around)(V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1, V _c2, V _c3)
 {
     const V _s0 = lanes_sub(z, _c1);
     const V _s1 = lanes_sub(_c2, z);
@@ -5154,35 +4652,32 @@ LANES(court_bridge_around)(V vx, V vy, V vz, V x, V y, V z, V _c0, V _c1, V _c2,
     const V _s4 = lanes_sub(_c3, _s3);
     const V _s5 = lanes_max(K(0.0), _s4);
     const V _s6 = lanes_sqrt(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)));
-    const V _s7 = lanes_neg(lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), lanes_div(K(1.0), _s3)));
+    const V _s7 = lanes_neg(lanes_mul(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), x), vx), lanes_mul(lanes_mul(K(2.0), y), vy))), lanes_div(K(1.0), _s3)));
     const V _s8 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), _s5), lanes_select(lanes_less(K(0.0), _s4), _s7, K(0.0))));
     return (LANES(court_bridge_around_out)){ lanes_sub(_s6, _c0), lanes_div(lanes_mul(K(0.5), _s8), _s6) };
 }
 
-/* The first window that ends later than a time, if there is one, from then on.
+/* First window that ends later than a time, from then on.
    Table 1. 12 operations: 4 comparisons, 2 disjunctions, 6 selections. */
 typedef struct {
-    V t;
-    V end;
+    V t, end;
     M searching;
 } LANES(court_bridge_enter_out);
 
 LANES_INLINE LANES(court_bridge_enter_out)
-LANES(court_bridge_enter)(V after, V end, V high0, V high1, V low0, V low1, V t)
+LANES(court_bridge_enter)(V t, V end, V after, V low0, V low1, V high0, V high1)
 {
     const V _s0 = lanes_max(after, low0);
     const M _s1 = lanes_less(_s0, high0);
     const V _s2 = lanes_max(after, low1);
     const M _s3 = lanes_less(_s2, high1);
-    return (LANES(court_bridge_enter_out)){ lanes_select(_s1, _s0, lanes_select(_s3, _s2, t)), lanes_select(_s1, high0, lanes_select(_s3, high1, end)), lanes_either(lanes_either(lanes_nowhere(), _s3), _s1) };
+    return (LANES(court_bridge_enter_out)){ lanes_select(_s1, _s0, lanes_select(_s3, _s2, t)), lanes_select(_s1, high0, lanes_select(_s3, high1, end)), lanes_either(lanes_either(mask_none(), _s3), _s1) };
 }
 
 /* Outward unit normal n3 at a contact.
    Table 2. No operations. */
 typedef struct {
-    V nx;
-    V ny;
-    V nz;
+    V nx, ny, nz;
 } LANES(court_end_normal_out);
 
 LANES_INLINE LANES(court_end_normal_out)
@@ -5191,14 +4686,10 @@ LANES(court_end_normal)(void)
     return (LANES(court_end_normal_out)){ K(0.0), K(0.0), K(1.0) };
 }
 
-/* Time of the only arrival, the gap's rate there and its bend.
+/* Time of the only arrival, the gap's first two derivatives there, and its apex.
    Eq. 3 in Table 2, solved. 21 operations: 2 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 3 negations, 1 absolute value, 2 comparisons, 4 selections. */
 typedef struct {
-    V time;
-    V rate;
-    V bend;
-    V apex;
-    V height;
+    V time, rate, bend, apex, height;
 } LANES(court_end_arrival_out);
 
 LANES_INLINE LANES(court_end_arrival_out)
@@ -5225,7 +4716,7 @@ LANES(court_end_margin)(V horizon, V extent, V speed, V position_error, V veloci
     return (LANES(court_end_margin_out)){ lanes_add(lanes_add(_c1, lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
-/* The bounds of the ends on a plane: the first whose bounds all hold is reached.
+/* Bounds of the ends on a plane; the first whose bounds all hold is reached.
    Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root. */
 typedef struct {
     V g0;
@@ -5237,53 +4728,50 @@ LANES(court_end_bounds)(V x, V y, V _c0)
     return (LANES(court_end_bounds_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), _c0) };
 }
 
-/* The distance, its rate, and how fast it bends down at most, by the squared speed.
+/* Distance, its rate, and a bound on how fast it bends down, by the squared speed.
    Table 2. 1 operation: 1 subtraction. */
 typedef struct {
-    V gap;
-    V nearing;
-    V dent;
+    V gap, nearing, gap_curvature;
 } LANES(court_end_beside_out);
 
 LANES_INLINE LANES(court_end_beside_out)
-LANES(court_end_beside)(V vz, V z, V _c0)
+LANES(court_end_beside)(V z, V vz, V _c0)
 {
     return (LANES(court_end_beside_out)){ lanes_sub(z, _c0), vz, K(0.0) };
 }
 
-/* A bound below the distance from all places at this height and distance from the axis.
+/* Bound below the distance at this height and distance from the axis, and its rate.
    Table 2. 1 operation: 1 subtraction. */
 typedef struct {
-    V gap;
-    V nearing;
+    V gap, nearing;
 } LANES(court_end_around_out);
 
 LANES_INLINE LANES(court_end_around_out)
-LANES(court_end_around)(V vz, V z, V _c0)
+LANES(court_end_around)(V z, V vz, V _c0)
 {
     return (LANES(court_end_around_out)){ lanes_sub(z, _c0), vz };
 }
 
-/* The end that a crossing reaches.
+/* End that a crossing reaches.
    Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
 typedef struct {
     V reached;
 } LANES(court_end_reached_out);
 
 LANES_INLINE LANES(court_end_reached_out)
-LANES(court_end_reached)(V g0, V through)
+LANES(court_end_reached)(V through, V g0)
 {
     return (LANES(court_end_reached_out)){ lanes_select(lanes_both(lanes_at_most(g0, K(0.0)), lanes_equal(through, K(1.0))), K(0.0), K(1.0)) };
 }
 
-/* Whether that lies within its error.
+/* Whether the choice of the end lies within its error.
    Table 1. 7 operations: 1 negation, 3 comparisons, 2 conjunctions, 1 complement. */
 typedef struct {
     M edge;
 } LANES(court_end_edge_out);
 
 LANES_INLINE LANES(court_end_edge_out)
-LANES(court_end_edge)(V g0, V slack, V through)
+LANES(court_end_edge)(V slack, V through, V g0)
 {
     return (LANES(court_end_edge_out)){ lanes_both(lanes_both(lanes_at_most(g0, slack), lanes_not(lanes_less(g0, lanes_neg(slack)))), lanes_equal(through, K(1.0))) };
 }

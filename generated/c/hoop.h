@@ -1,12 +1,13 @@
 /* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene hoop, derivation 8b478a501bbb95cb,
+   Generated from templates/c/scene.h.j2, scene hoop, derivation 813a5c7cf272e36a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this and the other files
    stand, with contraction of a*b + c off (-ffp-contract=off) and without fast-math: results are
-   then the same bits for every width, compiler and target. Where flags, or the process's rounding
-   mode, stand against that, it does not compile, or nothing runs. SI units, radians. */
+   then the same bits for every width, compiler and target, whatever floating-point environment the
+   caller's thread has: a call sets the default one, and puts back what was there. Where flags stand
+   against that, it does not compile, or nothing runs. SI units, radians. */
 
 #ifndef HOOPGEN_HOOP_H
 #define HOOPGEN_HOOP_H
@@ -103,9 +104,8 @@ typedef struct {
 /* Why nothing was run: what a call returns instead of the width. */
 enum {
     HOOP_ERROR_WIDTH = -1,         /* this processor or build has not that width */
-    HOOP_ERROR_ARITHMETIC = -2,    /* doubles are not computed as IEEE 754 says: flags of the
-                                   compiler (-ffp-contract=fast, parts of fast-math), or this thread
-                                   rounds otherwise than to nearest or makes subnormals zero */
+    HOOP_ERROR_ARITHMETIC = -2,    /* doubles are not computed as IEEE 754 says: by flags of the
+                                   compiler (-ffp-contract=fast, parts of fast-math) */
     HOOP_ERROR_MEMORY = -3,        /* there is no memory for the shots in flight */
     HOOP_ERROR_SHOTS = -4,         /* more shots than an array can hold: a negative number, say */
     HOOP_ERROR_STATES = -5,        /* NULL, with shots */
@@ -129,7 +129,8 @@ enum {
    leaving      NULL, or by shot the surface that the ball touches at the start and leaves, -1: none
    max_contacts at least 1
    time_limit   s since the release at which a shot ends, more than 0; INFINITY: none
-   width        vector lanes: 1, 4, 8 or 16; 0 for the widest that this processor has
+   width        vector lanes: 1, 4, 8 or 16; 0 for the widest that this processor has, or for one
+                lane if there is one shot
    stop         NULL, or a flag: when it becomes nonzero, the run ends, its results unfinished,
                 event_counts too. Another thread that sets it does so by an atomic store
    results      where they go; itself it must not be NULL
@@ -154,6 +155,19 @@ HOOPGEN_API int hoop_share(size_t shots, const double *states,
                            const int8_t *leaving, int32_t max_contacts, double time_limit,
                            int width, const volatile int32_t *stop,
                            const hoop_results *results, size_t *next, size_t parts);
+
+/* What a thread has of the processor's floating-point environment: its modes and its flags. */
+typedef struct {
+    uint64_t words[8];
+} hoop_environment;
+
+/* Set the default environment of this thread, and put back the one that it had before. Calls of
+   hoop_simulate and hoop_share do so themselves. */
+HOOPGEN_API void hoop_enter(hoop_environment *before);
+HOOPGEN_API void hoop_leave(const hoop_environment *before);
+
+/* The width that the build is for, if this processor has not that one and one lane serves; else 0. */
+HOOPGEN_API int hoop_missing_width(void);
 
 /* The word for its sources that the build gave as HOOP_SOURCES, else "unknown". */
 HOOPGEN_API const char *hoop_sources(void);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 8b478a501bbb95cb,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 813a5c7cf272e36a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -13,41 +13,34 @@
 /* Position and velocity at time t of a flight.
    Eq. 3. 10 operations: 3 additions, 2 subtractions, 5 multiplications. */
 typedef struct {
-    V x;
-    V y;
-    V z;
-    V vx;
-    V vy;
-    V vz;
+    V x, y, z, vx, vy, vz;
 } LANES(hoop_flight_out);
 
 LANES_INLINE LANES(hoop_flight_out)
 LANES(hoop_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V _c0, V _c1)
 {
-    return (LANES(hoop_flight_out)){ lanes_add(x, lanes_mul(t, vx)), lanes_add(y, lanes_mul(t, vy)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(_c1, t)))), vx, vy, lanes_sub(vz, lanes_mul(_c0, t)) };
+    return (LANES(hoop_flight_out)){ lanes_add(x, lanes_mul(vx, t)), lanes_add(y, lanes_mul(vy, t)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(_c1, t)))), vx, vy, lanes_sub(vz, lanes_mul(_c0, t)) };
 }
 
-/* Positive clearance if a crossing is certain, and the bound on its delay.
-   Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections. */
+/* Clearance, positive if a crossing is certain, and a bound on its delay.
+   Taylor's theorem with the margins of the gap and its rate. 10 operations: 1 addition, 1 subtraction, 3 multiplications, 1 division, 1 negation, 1 comparison, 2 selections. */
 typedef struct {
-    V clearance;
-    V delay;
+    V clearance, delay;
 } LANES(hoop_crossing_out);
 
 LANES_INLINE LANES(hoop_crossing_out)
 LANES(hoop_crossing)(V margin, V rate_margin, V rate, V ceiling)
 {
     const V _s0 = lanes_neg(lanes_add(rate, rate_margin));
-    const M _s1 = lanes_less(K(0.0), _s0);
-    return (LANES(hoop_crossing_out)){ lanes_select(_s1, lanes_sub(lanes_mul(_s0, _s0), lanes_mul(lanes_mul(K(6.0), ceiling), margin)), _s0), lanes_select(_s1, lanes_div(lanes_mul(K(6.0), margin), _s0), K(INFINITY)) };
+    const V _s1 = lanes_mul(K(6.0), margin);
+    const M _s2 = lanes_less(K(0.0), _s0);
+    return (LANES(hoop_crossing_out)){ lanes_select(_s2, lanes_sub(lanes_mul(_s0, _s0), lanes_mul(_s1, ceiling)), _s0), lanes_select(_s2, lanes_div(_s1, _s0), K(INFINITY)) };
 }
 
-/* Errors of a state that a search allows for, and by how much the errors exceed them.
+/* Errors of the state that a search allows for, and by how much the errors exceed them.
    a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection. */
 typedef struct {
-    V position_level;
-    V velocity_level;
-    V excess;
+    V position_level, velocity_level, excess;
 } LANES(hoop_allowance_out);
 
 LANES_INLINE LANES(hoop_allowance_out)
@@ -61,11 +54,10 @@ LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V
     return (LANES(hoop_allowance_out)){ _s1, _s2, lanes_max(_s3, _s4) };
 }
 
-/* A time after which no event is wanted, and how long that is after t.
+/* Time after which no event is wanted, and how long that is after t.
    the earliest arrival, with room for its delay. 4 operations: 2 additions, 2 multiplications. */
 typedef struct {
-    V horizon;
-    V pad;
+    V horizon, pad;
 } LANES(hoop_horizon_out);
 
 LANES_INLINE LANES(hoop_horizon_out)
@@ -75,12 +67,10 @@ LANES(hoop_horizon)(V t, V speed, V _c0)
     return (LANES(hoop_horizon_out)){ lanes_add(t, _s0), _s0 };
 }
 
-/* Sums of the sizes of place and velocity; by how much a flight exceeds the largest.
-   what rounding errors are measured by. 17 operations: 4 additions, 1 subtraction, 2 multiplications, 6 absolute values, 2 comparisons, 2 selections. */
+/* Sums of the sizes of position and velocity, and the excess of the flight's size.
+   the measure of rounding errors. 17 operations: 4 additions, 1 subtraction, 2 multiplications, 6 absolute values, 2 comparisons, 2 selections. */
 typedef struct {
-    V extent;
-    V speed;
-    V excess;
+    V extent, speed, excess;
 } LANES(hoop_scale_out);
 
 LANES_INLINE LANES(hoop_scale_out)
@@ -107,21 +97,14 @@ LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error
     return (LANES(hoop_displacement_out)){ lanes_add(lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, _c1))), lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
 }
 
-/* Errors of a state at the end of a flight to a surface, from those at its start.
+/* Errors of the state at the end of a flight to a surface, from those at its start.
    derivative of Eq. 3 and of the contact time, with roundings. 125 operations: 27 additions, 1 subtraction, 33 multiplications, 2 divisions, 7 negations, 17 absolute values, 19 comparisons, 19 selections. */
 typedef struct {
-    S dx;
-    S dy;
-    S dz;
-    S dvx;
-    S dvy;
-    S dvz;
-    S delay;
-    S shift;
+    S dx, dy, dz, dvx, dvy, dvz, delay, shift;
 } LANES(hoop_carry_flight_out);
 
 LANES_INLINE LANES(hoop_carry_flight_out)
-LANES(hoop_carry_flight)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S clock, S contacts, S late, S dx, S dy, S dz, S dvx, S dvy, S dvz, S curving, S _c0)
+LANES(hoop_carry_flight)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S clock, S contacts, S earliest_delay, S dx, S dy, S dz, S dvx, S dvy, S dvz, S curving, S _c0)
 {
     const S _s0 = singles_add(dx, singles_mul(dvx, t));
     const S _s1 = singles_abs(vx);
@@ -164,27 +147,21 @@ LANES(hoop_carry_flight)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz,
     const S _s38 = singles_abs(_s37);
     const S _s39 = singles_max(_s38, _s32);
     const S _s40 = singles_abs(_s14);
-    const S _s41 = singles_mul(KS(0.0625), late);
-    return (LANES(hoop_carry_flight_out)){ singles_select(singles_less(_s15, KS(0.0)), singles_neg(_s33), _s33), singles_select(singles_less(_s34, KS(0.0)), singles_neg(_s36), _s36), singles_select(singles_less(_s37, KS(0.0)), singles_neg(_s39), _s39), dvx, dvy, singles_sub(dvz, singles_mul(_c0, _s14)), singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(clock, t)), singles_max(_s40, _s41)), _s31 };
+    const S _s41 = singles_mul(KS(0.0625), earliest_delay);
+    return (LANES(hoop_carry_flight_out)){ singles_select(singles_less(_s15, KS(0.0)), singles_neg(_s33), _s33), singles_select(singles_less(_s34, KS(0.0)), singles_neg(_s36), _s36), singles_select(singles_less(_s37, KS(0.0)), singles_neg(_s39), _s39), dvx, dvy, singles_sub(dvz, singles_mul(_c0, _s14)), singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_max(_s40, _s41)), _s31 };
 }
 
-/* Errors of a state at the time limit, from those at the start of the flight.
+/* Errors of the state at the time limit, from those at the start of the flight.
    derivative of Eq. 3, with roundings. 64 operations: 20 additions, 18 multiplications, 1 negation, 13 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    S dx;
-    S dy;
-    S dz;
-    S dvx;
-    S dvy;
-    S dvz;
-    S clock_error;
+    S dx, dy, dz, dvx, dvy, dvz, clock_error;
 } LANES(hoop_carry_time_out);
 
 LANES_INLINE LANES(hoop_carry_time_out)
 LANES(hoop_carry_time)(S t, S x, S y, S z, S vx, S vy, S vz, S clock, S clock_error, S dx, S dy, S dz, S dvx, S dvy, S dvz, S _c0, S _c1)
 {
     const S _s0 = singles_abs(vx);
-    const S _s1 = singles_add(clock_error, singles_mul(KS(4.440892098500626e-16), singles_add(clock, t)));
+    const S _s1 = singles_add(clock_error, singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)));
     const S _s2 = singles_abs(dvx);
     const S _s3 = singles_abs(dvy);
     const S _s4 = singles_max(_s2, _s3);
@@ -201,16 +178,13 @@ LANES(hoop_carry_time)(S t, S x, S y, S z, S vx, S vy, S vz, S clock, S clock_er
     const S _s15 = singles_max(_s13, _s14);
     const S _s16 = singles_abs(dz);
     const S _s17 = singles_add(singles_add(singles_mul(t, singles_max(_s4, _s5)), singles_max(_s10, _s12)), singles_max(_s15, _s16));
-    return (LANES(hoop_carry_time_out)){ singles_add(singles_mul(_s0, _s1), _s17), singles_add(singles_mul(_s8, _s1), _s17), singles_add(singles_mul(_s11, _s1), _s17), singles_add(singles_add(_c1, _s2), singles_mul(KS(2.220446049250313e-16), _s0)), singles_add(singles_add(_c1, _s3), singles_mul(KS(2.220446049250313e-16), _s8)), singles_add(singles_add(_s5, singles_mul(KS(2.220446049250313e-16), _s11)), singles_abs(singles_neg(singles_mul(_c0, _s1)))), KS(0.0) };
+    return (LANES(hoop_carry_time_out)){ singles_add(singles_mul(_s0, _s1), _s17), singles_add(singles_mul(_s8, _s1), _s17), singles_add(singles_mul(_s11, _s1), _s17), singles_add(singles_add(_c1, singles_mul(KS(2.220446049250313e-16), _s0)), _s2), singles_add(singles_add(_c1, singles_mul(KS(2.220446049250313e-16), _s8)), _s3), singles_add(singles_add(singles_mul(KS(2.220446049250313e-16), _s11), _s5), singles_abs(singles_neg(singles_mul(_c0, _s1)))), KS(0.0) };
 }
 
-/* Bounds on the errors of a state and its time that decisions allow for.
-   the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+/* Bounds on the errors of state and time that decisions allow for.
+   the carried errors times a factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    S position_error;
-    S velocity_error;
-    S spin_error;
-    S time_error;
+    S position_error, velocity_error, spin_error, time_error;
 } LANES(hoop_error_bounds_out);
 
 LANES_INLINE LANES(hoop_error_bounds_out)
@@ -231,13 +205,10 @@ LANES(hoop_error_bounds)(S clock_error, S dx, S dy, S dz, S dvx, S dvy, S dvz, S
     return (LANES(hoop_error_bounds_out)){ singles_mul(KS(16.0), singles_max(_s2, _s3)), singles_mul(KS(16.0), singles_max(_s6, _s7)), singles_mul(KS(16.0), singles_max(_s10, _s11)), singles_mul(KS(16.0), clock_error) };
 }
 
-/* Bounds on the errors of a state and its time that a shot claims.
-   the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+/* Bounds on the errors of state and time that are reported.
+   the carried errors times a larger factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    S position_error;
-    S velocity_error;
-    S spin_error;
-    S time_error;
+    S position_error, velocity_error, spin_error, time_error;
 } LANES(hoop_claimed_errors_out);
 
 LANES_INLINE LANES(hoop_claimed_errors_out)
@@ -258,42 +229,63 @@ LANES(hoop_claimed_errors)(S clock_error, S dx, S dy, S dz, S dvx, S dvy, S dvz,
     return (LANES(hoop_claimed_errors_out)){ singles_mul(KS(64.0), singles_max(_s2, _s3)), singles_mul(KS(64.0), singles_max(_s6, _s7)), singles_mul(KS(64.0), singles_max(_s10, _s11)), singles_mul(KS(64.0), clock_error) };
 }
 
-/* 1 where finite parameters are allowed.
+/* 1 if finite parameters are allowed.
    the scene's requirements. 24 operations: 2 subtractions, 11 comparisons, 11 selections. */
 typedef struct {
     V allowed;
 } LANES(hoop_allowed_out);
 
 LANES_INLINE LANES(hoop_allowed_out)
-LANES(hoop_allowed)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth)
+LANES(hoop_allowed)(const LANES(column) *p, size_t row)
 {
-    const V _s0 = lanes_select(lanes_less(K(0.0), p_ring_radius), lanes_select(lanes_less(K(0.0), p_ball_radius), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
-    const V _s1 = lanes_select(lanes_at_most(K(0.0), p_restitution), lanes_select(lanes_less(K(0.0), p_bridge_half_width), lanes_select(lanes_less(K(0.0), p_board_half_width), lanes_select(lanes_less(K(0.0), p_board_distance), lanes_select(lanes_less(K(0.0), p_wire_radius), _s0, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
-    return (LANES(hoop_allowed_out)){ lanes_select(lanes_less(K(0.0), p_end_depth), lanes_select(lanes_less(K(0.0), p_gravity), lanes_select(lanes_at_most(p_restitution, K(1.0)), _s1, K(0.0)), K(0.0)), K(0.0)) };
+    V _v0 = lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(lanes_load(p[1] + row), lanes_load(p[0] + row)), lanes_load(p[2] + row))), K(1.0), K(0.0));
+    static const int _t0[][1] = {
+        {0},
+        {1},
+        {2},
+        {3},
+        {4},
+        {7},
+    };
+    for (size_t _k0 = 0; _k0 < 6; _k0++) {
+        _v0 = lanes_select(lanes_less(K(0.0), lanes_load(p[_t0[_k0][0]] + row)), _v0, K(0.0));
+    }
+    const V _s3 = lanes_select(lanes_at_most(K(0.0), lanes_load(p[8] + row)), _v0, K(0.0));
+    return (LANES(hoop_allowed_out)){ lanes_select(lanes_less(K(0.0), lanes_load(p[10] + row)), lanes_select(lanes_less(K(0.0), lanes_load(p[9] + row)), lanes_select(lanes_at_most(lanes_load(p[8] + row), K(1.0)), _s3, K(0.0)), K(0.0)), K(0.0)) };
 }
 
-/* Where the parameters are allowed, and no arithmetic with them over- or underflows.
+/* Whether the parameters are allowed, and no arithmetic with them over- or underflows.
    the range of numbers. 38 operations: 11 absolute values, 14 comparisons, 13 conjunctions. */
 typedef struct {
     M permitted;
 } LANES(hoop_parameters_in_range_out);
 
 LANES_INLINE LANES(hoop_parameters_in_range_out)
-LANES(hoop_parameters_in_range)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth, V allowed)
+LANES(hoop_parameters_in_range)(const LANES(column) *p, size_t row, V allowed)
 {
-    const V _s0 = lanes_abs(p_ball_radius);
-    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), allowed), lanes_at_most(_s0, K(1073741824.0))), lanes_at_most(K(9.313225746154785e-10), _s0)), lanes_at_most(lanes_abs(p_ring_radius), K(1073741824.0))), lanes_at_most(lanes_abs(p_wire_radius), K(1073741824.0))), lanes_at_most(lanes_abs(p_board_distance), K(1073741824.0)));
-    const M _s2 = lanes_both(lanes_both(lanes_both(lanes_both(_s1, lanes_at_most(lanes_abs(p_board_half_width), K(1073741824.0))), lanes_at_most(lanes_abs(p_board_bottom), K(1073741824.0))), lanes_at_most(lanes_abs(p_board_top), K(1073741824.0))), lanes_at_most(lanes_abs(p_bridge_half_width), K(1073741824.0)));
-    const V _s3 = lanes_abs(p_gravity);
-    const M _s4 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_at_most(lanes_abs(p_restitution), K(1.2676506002282294e+30))), lanes_at_most(_s3, K(1073741824.0))), lanes_at_most(K(9.313225746154785e-10), _s3)), lanes_at_most(lanes_abs(p_end_depth), K(1073741824.0)));
-    return (LANES(hoop_parameters_in_range_out)){ _s4 };
+    const V _s0 = lanes_abs(lanes_load(p[0] + row));
+    M _v1 = lanes_both(lanes_both(lanes_less(K(0.0), allowed), lanes_at_most(_s0, K(1073741824.0))), lanes_at_most(K(9.313225746154785e-10), _s0));
+    static const int _t1[][1] = {
+        {1},
+        {2},
+        {3},
+        {4},
+        {5},
+        {6},
+        {7},
+    };
+    for (size_t _k1 = 0; _k1 < 7; _k1++) {
+        _v1 = lanes_both(_v1, lanes_at_most(lanes_abs(lanes_load(p[_t1[_k1][0]] + row)), K(1073741824.0)));
+    }
+    const V _s4 = lanes_abs(lanes_load(p[9] + row));
+    const M _s5 = lanes_both(lanes_both(lanes_both(lanes_both(_v1, lanes_at_most(lanes_abs(lanes_load(p[8] + row)), K(1.2676506002282294e+30))), lanes_at_most(_s4, K(1073741824.0))), lanes_at_most(K(9.313225746154785e-10), _s4)), lanes_at_most(lanes_abs(lanes_load(p[10] + row)), K(1073741824.0)));
+    return (LANES(hoop_parameters_in_range_out)){ _s5 };
 }
 
-/* 1 where no surface is overlapped; 1 where that is in doubt.
+/* 1 if the ball overlaps no surface; 1 if that is undecided.
    Table 2. 83 operations: 8 additions, 13 subtractions, 6 multiplications, 1 square root, 3 negations, 9 absolute values, 20 comparisons, 23 selections. */
 typedef struct {
-    V valid;
-    V doubt;
+    V valid, doubt;
 } LANES(hoop_valid_out);
 
 LANES_INLINE LANES(hoop_valid_out)
@@ -336,12 +328,11 @@ LANES(hoop_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c
     return (LANES(hoop_valid_out)){ lanes_select(_s30, _s17, lanes_select(lanes_at_most(K(0.0), _s29), _s17, K(0.0))), lanes_select(_s30, _s33, lanes_select(lanes_at_most(lanes_abs(_s29), _s31), K(1.0), _s33)) };
 }
 
-/* Where a start may overlap a surface, or be in doubt; and what is said elsewhere.
+/* Whether the ball starts near a surface; otherwise its start is valid and decided.
    Table 2. 23 operations: 4 additions, 3 subtractions, 2 multiplications, 1 negation, 3 absolute values, 5 comparisons, 2 conjunctions, 2 disjunctions, 1 complement. */
 typedef struct {
     M close;
-    V valid;
-    V doubt;
+    V valid, doubt;
 } LANES(hoop_aside_out);
 
 LANES_INLINE LANES(hoop_aside_out)
@@ -353,7 +344,7 @@ LANES(hoop_aside)(V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4)
     return (LANES(hoop_aside_out)){ _s2, K(1.0), K(0.0) };
 }
 
-/* 1 where the ball leaves a surface.
+/* 1 if the flight starts on this surface.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
     V leaving;
@@ -365,11 +356,10 @@ LANES(hoop_left)(V index, V last)
     return (LANES(hoop_left_out)){ lanes_select(lanes_equal(last, index), K(1.0), K(0.0)) };
 }
 
-/* Where a ball has touched nothing yet: only then is asked whether it comes to a plate.
+/* Whether the ball has touched nothing yet.
    Table 1. 2 operations: 1 comparison, 1 complement. */
 typedef struct {
-    M released;
-    M reachable;
+    M released, reachable;
 } LANES(hoop_released_out);
 
 LANES_INLINE LANES(hoop_released_out)
@@ -379,100 +369,97 @@ LANES(hoop_released)(V last)
     return (LANES(hoop_released_out)){ _s0, lanes_not(_s0) };
 }
 
-/* Whether a plane's only arrival is one, the bend's size; when the ball is nearest.
+/* Whether a plane's only root is an arrival, the size of F'', and the nearest time.
    Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection. */
 typedef struct {
     M arrives;
-    V ceiling;
-    V nearest;
+    V ceiling, nearest;
 } LANES(hoop_meeting_plane_out);
 
 LANES_INLINE LANES(hoop_meeting_plane_out)
-LANES(hoop_meeting_plane)(V apex, V bend, V rate, V time)
+LANES(hoop_meeting_plane)(V rate, V bend, V apex, V time)
 {
     const M _s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
     return (LANES(hoop_meeting_plane_out)){ _s0, lanes_abs(bend), lanes_select(_s0, time, apex) };
 }
 
-/* Whether an arrival may be the earliest, as far as their delays are bounded.
+/* Whether an arrival may be the earliest within the delays.
    Table 1. 5 operations: 1 addition, 1 subtraction, 1 comparison, 1 conjunction, 1 complement. */
 typedef struct {
     M possible;
-} LANES(hoop_timely_out);
+} LANES(hoop_within_time_out);
 
-LANES_INLINE LANES(hoop_timely_out)
-LANES(hoop_timely)(M arrives, V delay, V late, V time, V when)
+LANES_INLINE LANES(hoop_within_time_out)
+LANES(hoop_within_time)(V time, V when, V delay, V earliest_delay, M arrives)
 {
-    return (LANES(hoop_timely_out)){ lanes_both(arrives, lanes_not(lanes_less(lanes_add(delay, late), lanes_sub(time, when)))) };
+    return (LANES(hoop_within_time_out)){ lanes_both(arrives, lanes_not(lanes_less(lanes_add(delay, earliest_delay), lanes_sub(time, when)))) };
 }
 
-/* A doubt where the gap's apex is zero within its error.
+/* Earliest undecided time, with that of an apex whose gap is zero within its error.
    Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
 typedef struct {
     V doubt;
 } LANES(hoop_grazed_out);
 
 LANES_INLINE LANES(hoop_grazed_out)
-LANES(hoop_grazed)(V apex, V doubt, V height, V margin)
+LANES(hoop_grazed)(V margin, V apex, V height, V doubt)
 {
     return (LANES(hoop_grazed_out)){ lanes_select(lanes_both(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), lanes_less(apex, doubt)), apex, doubt) };
 }
 
-/* A doubt about a decision at a time.
+/* Earliest undecided time, with that of an undecided predicate.
    Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection. */
 typedef struct {
     V doubt;
 } LANES(hoop_questioned_out);
 
 LANES_INLINE LANES(hoop_questioned_out)
-LANES(hoop_questioned)(V doubt, V time, M unsure)
+LANES(hoop_questioned)(V time, V doubt, M unsure)
 {
     return (LANES(hoop_questioned_out)){ lanes_select(lanes_both(unsure, lanes_less(time, doubt)), time, doubt) };
 }
 
-/* A doubt about an arrival whose crossing is not certain.
+/* Earliest undecided time, with that of an arrival whose crossing is not certain.
    Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
 typedef struct {
     V doubt;
 } LANES(hoop_crossed_out);
 
 LANES_INLINE LANES(hoop_crossed_out)
-LANES(hoop_crossed)(M arrives, V clearance, V doubt, V time)
+LANES(hoop_crossed)(V clearance, V time, V doubt, M arrives)
 {
     return (LANES(hoop_crossed_out)){ lanes_select(lanes_both(lanes_both(arrives, lanes_not(lanes_less(K(0.0), clearance))), lanes_less(time, doubt)), time, doubt) };
 }
 
-/* A doubt about two arrivals within their delays; the delay of the earlier one.
+/* Earliest undecided time, with that of a tie within the delays; the earlier's delay.
    Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
 typedef struct {
-    V doubt;
-    V late;
+    V doubt, earliest_delay;
 } LANES(hoop_tied_out);
 
 LANES_INLINE LANES(hoop_tied_out)
-LANES(hoop_tied)(M arrives, V delay, V doubt, V late, V time, V when)
+LANES(hoop_tied)(V time, V when, V delay, V earliest_delay, V doubt, M arrives)
 {
     const M _s0 = lanes_less(time, when);
     const V _s1 = lanes_select(_s0, time, when);
-    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, late))), lanes_less(_s1, doubt)), _s1, doubt);
-    return (LANES(hoop_tied_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, late) };
+    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, earliest_delay))), lanes_less(_s1, doubt)), _s1, doubt);
+    return (LANES(hoop_tied_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, earliest_delay) };
 }
 
-/* The earlier of the earliest arrival so far and this one.
+/* Time and surface of the earliest arrival, with this one.
    Table 1. 4 operations: 1 comparison, 1 conjunction, 2 selections. */
 typedef struct {
-    V when;
-    V which;
-} LANES(hoop_sooner_out);
+    V when, which;
+} LANES(hoop_earliest_out);
 
-LANES_INLINE LANES(hoop_sooner_out)
-LANES(hoop_sooner)(M arrives, V index, V time, V when, V which)
+LANES_INLINE LANES(hoop_earliest_out)
+LANES(hoop_earliest)(V index, V time, V when, V which, M arrives)
 {
     const M _s0 = lanes_both(arrives, lanes_less(time, when));
-    return (LANES(hoop_sooner_out)){ lanes_select(_s0, time, when), lanes_select(_s0, index, which) };
+    return (LANES(hoop_earliest_out)){ lanes_select(_s0, time, when), lanes_select(_s0, index, which) };
 }
 
-/* Where a surface is not certainly missed.
+/* Whether the flight may hit a surface.
    Table 1. 2 operations: 1 comparison, 1 complement. */
 typedef struct {
     M open;
@@ -484,52 +471,49 @@ LANES(hoop_opens)(V clear)
     return (LANES(hoop_opens_out)){ lanes_not(lanes_less(K(0.0), clear)) };
 }
 
-/* How a search begins: with the errors that it allows for, and nothing found.
+/* Start values of a search: its error budget, and no arrival.
    Table 1. No operations. */
 typedef struct {
-    V share;
-    V arrival;
+    V share, arrival;
     M certain;
 } LANES(hoop_beginning_out);
 
 LANES_INLINE LANES(hoop_beginning_out)
 LANES(hoop_beginning)(void)
 {
-    return (LANES(hoop_beginning_out)){ K(2.9802322387695312e-08), K(INFINITY), lanes_nowhere() };
+    return (LANES(hoop_beginning_out)){ K(2.9802322387695312e-08), K(INFINITY), mask_none() };
 }
 
-/* Nothing is certain where the errors exceed what the search allows for.
+/* Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
    Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
 typedef struct {
     V doubt;
-} LANES(hoop_beyond_out);
+} LANES(hoop_out_of_budget_out);
 
-LANES_INLINE LANES(hoop_beyond_out)
-LANES(hoop_beyond)(V doubt, V excess, V late, V lost, V pad)
+LANES_INLINE LANES(hoop_out_of_budget_out)
+LANES(hoop_out_of_budget)(V pad, V budget_exceeded, V earliest_delay, V doubt, V excess)
 {
-    return (LANES(hoop_beyond_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), lost)), lanes_less(pad, late)), K(0.0), doubt) };
+    return (LANES(hoop_out_of_budget_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), budget_exceeded)), lanes_less(pad, earliest_delay)), K(0.0), doubt) };
 }
 
-/* 1 near the surface that the ball left, where F/t is known better than F; the margin.
+/* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
    Table 1. 6 operations: 1 multiplication, 2 comparisons, 1 conjunction, 2 selections. */
 typedef struct {
-    V leaving;
-    V margin;
+    V leaving, margin;
 } LANES(hoop_nearby_out);
 
 LANES_INLINE LANES(hoop_nearby_out)
-LANES(hoop_nearby)(V flat, V index, V last, V t, V tilt)
+LANES(hoop_nearby)(V t, V flat, V tilt, V index, V last)
 {
     const V _s0 = lanes_mul(t, tilt);
     const M _s1 = lanes_both(lanes_equal(last, index), lanes_less(_s0, flat));
     return (LANES(hoop_nearby_out)){ lanes_select(_s1, K(1.0), K(0.0)), lanes_select(_s1, _s0, flat) };
 }
 
-/* When the first window opens, in single precision, and when the last one ends.
+/* Begin of the first window and end of the last one, from single precision.
    Table 1. No operations. */
 typedef struct {
-    V time;
-    V latest;
+    V time, latest;
 } LANES(hoop_opened_out);
 
 LANES_INLINE LANES(hoop_opened_out)
@@ -538,50 +522,42 @@ LANES(hoop_opened)(V horizon, V time)
     return (LANES(hoop_opened_out)){ time, horizon };
 }
 
-/* Whether a search begins in single precision, and what it is known by.
+/* Whether a search begins in single precision; its ceiling, margins and error budget.
    Table 1. 6 operations: 3 conjunctions, 1 disjunction, 1 complement, 1 selection. */
 typedef struct {
-    M leaping;
-    M searching;
-    M served;
-    V ceiling;
-    V flat;
-    V tilt;
-    V allowing;
+    M stepping, searching, single_precision;
+    V ceiling, flat, tilt, allowing;
 } LANES(hoop_coarse_out);
 
 LANES_INLINE LANES(hoop_coarse_out)
-LANES(hoop_coarse)(V ceiling, M fits, V flat, V rate_margin, M searching, V share, M sound)
+LANES(hoop_coarse)(V rate_margin, V flat, V ceiling, V share, M searching, M representable, M fits)
 {
-    const M _s0 = lanes_both(lanes_both(searching, sound), fits);
-    return (LANES(hoop_coarse_out)){ _s0, lanes_either(searching, lanes_not(sound)), _s0, ceiling, flat, rate_margin, lanes_select(lanes_both(sound, fits), share, K(2.9802322387695312e-08)) };
+    const M _s0 = lanes_both(lanes_both(searching, representable), fits);
+    return (LANES(hoop_coarse_out)){ _s0, lanes_either(searching, lanes_not(representable)), _s0, ceiling, flat, rate_margin, lanes_select(lanes_both(representable, fits), share, K(2.9802322387695312e-08)) };
 }
 
-/* What a search in single precision found, and whether it goes on, and from when.
+/* Root from the search in single precision; whether and where the search goes on.
    Table 1. 7 operations: 1 addition, 1 comparison, 2 conjunctions, 1 complement, 2 selections. */
 typedef struct {
-    V arrival;
-    V t;
+    V arrival, t;
     M searching;
-} LANES(hoop_leapt_out);
+} LANES(hoop_stepped_out);
 
-LANES_INLINE LANES(hoop_leapt_out)
-LANES(hoop_leapt)(V arrival, M certain, V lasting, M searching, M served, V since)
+LANES_INLINE LANES(hoop_stepped_out)
+LANES(hoop_stepped)(V arrival, V lasting, M searching, V since, M single_precision, M certain)
 {
     const V _s0 = lanes_add(lasting, since);
-    return (LANES(hoop_leapt_out)){ lanes_select(certain, _s0, arrival), lanes_select(served, _s0, K(0.0)), lanes_both(lanes_both(searching, lanes_not(certain)), lanes_less(lasting, K(INFINITY))) };
+    return (LANES(hoop_stepped_out)){ lanes_select(certain, _s0, arrival), lanes_select(single_precision, _s0, K(0.0)), lanes_both(lanes_both(searching, lanes_not(certain)), lanes_less(lasting, K(INFINITY))) };
 }
 
-/* Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
+/* Whether the gap closes, certainly closes, or needs a smaller error budget.
    Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements. */
 typedef struct {
-    M hit;
-    M sure;
-    M vague;
+    M hit, sure, needs_refinement;
 } LANES(hoop_struck_out);
 
 LANES_INLINE LANES(hoop_struck_out)
-LANES(hoop_struck)(V bend, V clearance, V gap, V margin, V rate, V rate_margin, V share)
+LANES(hoop_struck)(V gap, V rate, V bend, V margin, V rate_margin, V clearance, V share)
 {
     const M _s0 = lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_at_most(rate, rate_margin), lanes_less(bend, K(0.0))));
     const M _s1 = lanes_less(K(0.0), clearance);
@@ -591,7 +567,7 @@ LANES(hoop_struck)(V bend, V clearance, V gap, V margin, V rate, V rate_margin, 
     return (LANES(hoop_struck_out)){ lanes_both(_s2, lanes_not(_s4)), _s3, _s4 };
 }
 
-/* The next smaller errors that a search allows for.
+/* Next smaller error budget.
    Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
 typedef struct {
     V share;
@@ -603,41 +579,38 @@ LANES(hoop_finer)(V share)
     return (LANES(hoop_finer_out)){ lanes_select(lanes_less(K(2.842170943040401e-14), share), lanes_mul(K(0.03125), share), K(0.0)) };
 }
 
-/* A doubt where the errors exceed what is allowed for.
+/* Earliest undecided time, with the present one if the errors exceed the budget.
    Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
 typedef struct {
     V doubt;
 } LANES(hoop_exceeded_out);
 
 LANES_INLINE LANES(hoop_exceeded_out)
-LANES(hoop_exceeded)(V doubt, V excess, V t)
+LANES(hoop_exceeded)(V t, V doubt, V excess)
 {
     return (LANES(hoop_exceeded_out)){ lanes_select(lanes_both(lanes_less(K(0.0), excess), lanes_less(t, doubt)), t, doubt) };
 }
 
-/* The search after a step: what it found, whether its window is exhausted, where it is.
+/* Root, time and state of a search after a step, and whether its window is exhausted.
    Table 1. 14 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 3 selections. */
 typedef struct {
     V arrival;
-    M certain;
-    M exhausted;
-    M searching;
+    M certain, exhausted, searching;
     V t;
 } LANES(hoop_advanced_out);
 
 LANES_INLINE LANES(hoop_advanced_out)
-LANES(hoop_advanced)(V arrival, M certain, V end, M hit, V next, V step, M sure, V t, M vague)
+LANES(hoop_advanced)(V t, V end, V step, V next, V arrival, M hit, M sure, M needs_refinement, M certain)
 {
     const M _s0 = lanes_not(hit);
-    const M _s1 = lanes_both(lanes_both(_s0, lanes_not(vague)), lanes_at_most(lanes_sub(end, t), step));
-    return (LANES(hoop_advanced_out)){ lanes_select(hit, lanes_select(sure, next, t), arrival), lanes_either(certain, lanes_both(hit, sure)), _s1, lanes_both(_s0, lanes_not(_s1)), lanes_select(lanes_either(hit, vague), t, next) };
+    const M _s1 = lanes_both(lanes_both(_s0, lanes_not(needs_refinement)), lanes_at_most(lanes_sub(end, t), step));
+    return (LANES(hoop_advanced_out)){ lanes_select(hit, lanes_select(sure, next, t), arrival), lanes_either(certain, lanes_both(hit, sure)), _s1, lanes_both(_s0, lanes_not(_s1)), lanes_select(lanes_either(hit, needs_refinement), t, next) };
 }
 
 /* Whether a search found an arrival.
    Table 1. 1 operation: 1 comparison. */
 typedef struct {
-    M arrives;
-    M refining;
+    M arrives, refining;
     V rate;
 } LANES(hoop_found_out);
 
@@ -648,7 +621,7 @@ LANES(hoop_found)(V arrival)
     return (LANES(hoop_found_out)){ _s0, _s0, K(0.0) };
 }
 
-/* A root that is certain, refined, and whether h is above 2^-24: then it is again.
+/* A certain root, refined, and whether h is above 2^-24, so that it is refined again.
    Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection. */
 typedef struct {
     V arrival;
@@ -656,24 +629,24 @@ typedef struct {
 } LANES(hoop_polished_out);
 
 LANES_INLINE LANES(hoop_polished_out)
-LANES(hoop_polished)(V arrival, V ceiling, M certain, V gap, V rate, V refined)
+LANES(hoop_polished)(V gap, V rate, V ceiling, V arrival, V refined, M certain)
 {
     return (LANES(hoop_polished_out)){ lanes_select(certain, refined, arrival), lanes_both(certain, lanes_less(lanes_mul(K(5.960464477539063e-08), lanes_mul(rate, rate)), lanes_mul(ceiling, lanes_abs(gap)))) };
 }
 
-/* The margin of the form that an arrival was found with.
+/* Margin of the form, F or F/t, in which an arrival was found.
    Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
 typedef struct {
     V margin;
 } LANES(hoop_own_margin_out);
 
 LANES_INLINE LANES(hoop_own_margin_out)
-LANES(hoop_own_margin)(V arrival, V flat, V leaving, V tilt)
+LANES(hoop_own_margin)(V leaving, V flat, V tilt, V arrival)
 {
-    return (LANES(hoop_own_margin_out)){ lanes_select(lanes_less(K(0.0), leaving), lanes_mul(arrival, tilt), flat) };
+    return (LANES(hoop_own_margin_out)){ lanes_select(lanes_less(K(0.0), leaving), lanes_mul(tilt, arrival), flat) };
 }
 
-/* The time of an arrival, not before the flight.
+/* Time of an arrival, not before the flight.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
     V time;
@@ -685,41 +658,37 @@ LANES(hoop_landed)(V arrival)
     return (LANES(hoop_landed_out)){ lanes_select(lanes_less(arrival, K(0.0)), K(0.0), arrival) };
 }
 
-/* The delay of an arrival that is certain, a doubt about another one.
+/* Delay of a certain arrival; the earliest undecided time, with that of any other one.
    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
 typedef struct {
-    V delay;
-    V doubt;
+    V delay, doubt;
 } LANES(hoop_landed_surely_out);
 
 LANES_INLINE LANES(hoop_landed_surely_out)
-LANES(hoop_landed_surely)(M arrives, M certain, V clearance, V delay, V doubt, V time)
+LANES(hoop_landed_surely)(V clearance, V time, V delay, V doubt, M arrives, M certain)
 {
     const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
     return (LANES(hoop_landed_surely_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, doubt)), time, doubt) };
 }
 
-/* Where no number of a release is so large that arithmetic with it could overflow.
+/* Whether all numbers of a release are small enough not to overflow.
    Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions. */
 typedef struct {
     M in_range;
 } LANES(hoop_state_in_range_out);
 
 LANES_INLINE LANES(hoop_state_in_range_out)
-LANES(hoop_state_in_range)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
+LANES(hoop_state_in_range)(V x, V y, V z, V vx, V vy, V vz, V wx, V wy, V wz)
 {
     const M _s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(lanes_abs(x), K(1073741824.0)), lanes_at_most(lanes_abs(y), K(1073741824.0))), lanes_at_most(lanes_abs(z), K(1073741824.0))), lanes_at_most(lanes_abs(vx), K(1073741824.0))), lanes_at_most(lanes_abs(vy), K(1073741824.0)));
     const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, lanes_at_most(lanes_abs(vz), K(1073741824.0))), lanes_at_most(lanes_abs(wx), K(1073741824.0))), lanes_at_most(lanes_abs(wy), K(1073741824.0))), lanes_at_most(lanes_abs(wz), K(1073741824.0)));
     return (LANES(hoop_state_in_range_out)){ _s1 };
 }
 
-/* No arrival yet; nothing is certain where the errors are not bounded.
+/* Start values: no arrival; an uncertain shot if its errors are not bounded.
    Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
 typedef struct {
-    V when;
-    V which;
-    V late;
-    V doubt;
+    V when, which, earliest_delay, doubt;
 } LANES(hoop_opening_out);
 
 LANES_INLINE LANES(hoop_opening_out)
@@ -740,32 +709,32 @@ LANES(hoop_limited)(V time_limit)
     return (LANES(hoop_limited_out)){ lanes_less(time_limit, K(INFINITY)) };
 }
 
-/* The time of the event.
+/* Time of the event.
    Table 1. 1 operation: 1 addition. */
 typedef struct {
     V clock;
-} LANES(hoop_ticked_out);
+} LANES(hoop_event_clock_out);
 
-LANES_INLINE LANES(hoop_ticked_out)
-LANES(hoop_ticked)(V clock, V when)
+LANES_INLINE LANES(hoop_event_clock_out)
+LANES(hoop_event_clock)(V when, V clock)
 {
-    return (LANES(hoop_ticked_out)){ lanes_add(clock, when) };
+    return (LANES(hoop_event_clock_out)){ lanes_add(when, clock) };
 }
 
-/* 1 where a decision up to this event, or which end it is, lies within its error.
+/* 1 if a decision up to this event, or the choice of the end, lies within its error.
    Table 1. 7 operations: 1 addition, 2 comparisons, 1 conjunction, 1 disjunction, 1 complement, 1 selection. */
 typedef struct {
     V uncertain;
 } LANES(hoop_doubted_out);
 
 LANES_INLINE LANES(hoop_doubted_out)
-LANES(hoop_doubted)(V doubt, M edge, V late, V uncertain, V when)
+LANES(hoop_doubted)(V when, V earliest_delay, V doubt, V uncertain, M edge)
 {
-    const V _s0 = lanes_select(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), edge), K(1.0), uncertain);
+    const V _s0 = lanes_select(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), doubt)), lanes_less(doubt, K(INFINITY))), edge), K(1.0), uncertain);
     return (LANES(hoop_doubted_out)){ _s0 };
 }
 
-/* Where an event changes the ball, or its errors are asked for.
+/* Whether an event changes the motion, or its errors are wanted.
    Table 1. 3 operations: 1 comparison, 1 conjunction, 1 disjunction. */
 typedef struct {
     M meeting;
@@ -801,7 +770,7 @@ LANES(hoop_counted)(V count)
     return (LANES(hoop_counted_out)){ lanes_add(K(1.0), count) };
 }
 
-/* A ball that meets another surface.
+/* Start value: another surface.
    Table 1. No operations. */
 typedef struct {
     V curving;
@@ -813,7 +782,7 @@ LANES(hoop_elsewhere)(void)
     return (LANES(hoop_elsewhere_out)){ K(INFINITY) };
 }
 
-/* Whether the ball meets the surface that it touched last.
+/* Whether the ball meets the same surface again.
    Table 1. 3 operations: 2 comparisons, 1 conjunction. */
 typedef struct {
     M again;
@@ -825,32 +794,31 @@ LANES(hoop_again)(V index, V last, V which)
     return (LANES(hoop_again_out)){ lanes_both(lanes_equal(which, index), lanes_equal(last, which)) };
 }
 
-/* The surfaces that were touched first and last.
+/* Body touched first and surface touched last.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
-    V first;
-    V last;
+    V first, last;
 } LANES(hoop_touched_out);
 
 LANES_INLINE LANES(hoop_touched_out)
-LANES(hoop_touched)(V body, V first, V which)
+LANES(hoop_touched)(V which, V body, V first)
 {
     return (LANES(hoop_touched_out)){ lanes_select(lanes_less(first, K(0.0)), body, first), which };
 }
 
-/* Where a shot has ended at the time limit whose errors are asked for.
+/* Whether a shot has ended at the time limit and its errors are wanted.
    Table 1. 3 operations: 2 comparisons, 1 conjunction. */
 typedef struct {
     M timed;
 } LANES(hoop_timed_out);
 
 LANES_INLINE LANES(hoop_timed_out)
-LANES(hoop_timed)(V claims, V index, V which)
+LANES(hoop_timed)(V index, V which, V claims)
 {
     return (LANES(hoop_timed_out)){ lanes_both(lanes_equal(which, index), lanes_less(K(0.0), claims)) };
 }
 
-/* The body that the event is on.
+/* Body that the event is on.
    Table 1. No operations. */
 typedef struct {
     V body;
@@ -862,43 +830,38 @@ LANES(hoop_body_of)(V which)
     return (LANES(hoop_body_of_out)){ which };
 }
 
-/* Whether a shot can start, and whether that is in doubt.
+/* Outcome of a shot at its start, and whether that is uncertain.
    Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections. */
 typedef struct {
-    V outcome;
-    V uncertain;
+    V outcome, uncertain;
 } LANES(hoop_admitted_out);
 
 LANES_INLINE LANES(hoop_admitted_out)
-LANES(hoop_admitted)(V doubt, M in_range, M permitted, V valid)
+LANES(hoop_admitted)(V doubt, V valid, M permitted, M in_range)
 {
     const M _s0 = lanes_both(permitted, in_range);
     return (LANES(hoop_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), doubt)), K(1.0), K(0.0)) };
 }
 
-/* The time limit, taken for an arrival.
+/* The time limit as an arrival.
    Table 1. 12 operations: 2 additions, 1 subtraction, 1 multiplication, 4 comparisons, 1 conjunction, 1 complement, 2 selections. */
 typedef struct {
-    V time;
-    V delay;
+    V time, delay;
     M arrives;
     V doubt;
 } LANES(hoop_expiry_out);
 
 LANES_INLINE LANES(hoop_expiry_out)
-LANES(hoop_expiry)(V clock, V doubt, V late, V time_error, V time_limit, V when, V which)
+LANES(hoop_expiry)(V when, V which, V earliest_delay, V doubt, V time_error, V clock, V time_limit)
 {
     const V _s0 = lanes_sub(time_limit, clock);
-    return (LANES(hoop_expiry_out)){ lanes_max(K(0.0), _s0), lanes_add(time_error, lanes_mul(K(4.440892098500626e-16), time_limit)), lanes_at_most(K(0.0), which), lanes_select(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), K(0.0), doubt) };
+    return (LANES(hoop_expiry_out)){ lanes_max(K(0.0), _s0), lanes_add(time_error, lanes_mul(K(4.440892098500626e-16), time_limit)), lanes_at_most(K(0.0), which), lanes_select(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), doubt)), lanes_less(doubt, K(INFINITY))), K(0.0), doubt) };
 }
 
-/* Whether there is no event, an end, or a contact.
+/* Whether there is no event, an end, or a contact, and the outcome without one.
    Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 complement. */
 typedef struct {
-    M stays;
-    M moves;
-    M ends;
-    M touches;
+    M stays, moves, ends, touches;
     V reached;
     M edge;
 } LANES(hoop_departed_out);
@@ -908,30 +871,27 @@ LANES(hoop_departed)(V index, V which)
 {
     const M _s0 = lanes_less(which, K(0.0));
     const M _s1 = lanes_not(_s0);
-    return (LANES(hoop_departed_out)){ _s0, _s1, lanes_at_most(index, which), lanes_both(_s1, lanes_less(which, index)), K(3.0), lanes_nowhere() };
+    return (LANES(hoop_departed_out)){ _s0, _s1, lanes_at_most(index, which), lanes_both(_s1, lanes_less(which, index)), K(3.0), mask_none() };
 }
 
-/* What a shot ends with that the time limit ends.
+/* Time, body and outcome of a shot that the time limit ends.
    Table 1. 6 operations: 1 comparison, 1 conjunction, 1 complement, 3 selections. */
 typedef struct {
-    V clock;
-    V body;
-    V reached;
+    V clock, body, reached;
     M ends;
 } LANES(hoop_expired_out);
 
 LANES_INLINE LANES(hoop_expired_out)
-LANES(hoop_expired)(V body, V clock, M ends, V index, V reached, V time_limit, V which)
+LANES(hoop_expired)(V index, V which, V body, V clock, V reached, V time_limit, M ends)
 {
     const M _s0 = lanes_equal(which, index);
     return (LANES(hoop_expired_out)){ lanes_select(_s0, time_limit, clock), lanes_select(_s0, K(3.0), body), lanes_select(_s0, K(6.0), reached), lanes_both(ends, lanes_not(_s0)) };
 }
 
-/* How many contacts there were, and whether the shot ends and how.
+/* Number of contacts, and the outcome if the shot ends.
    Table 1. 5 operations: 1 addition, 1 comparison, 3 selections. */
 typedef struct {
-    V contacts;
-    V outcome;
+    V contacts, outcome;
 } LANES(hoop_accounted_out);
 
 LANES_INLINE LANES(hoop_accounted_out)
@@ -941,40 +901,35 @@ LANES(hoop_accounted)(V contacts, V most_contacts, V reached, M touches)
     return (LANES(hoop_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), reached) };
 }
 
-/* The error of the event's time.
+/* Sum of the errors of the contacts' times.
    Table 1. 1 operation: 1 addition. */
 typedef struct {
     S clock_error;
 } LANES(hoop_delayed_out);
 
 LANES_INLINE LANES(hoop_delayed_out)
-LANES(hoop_delayed)(S clock_error, S delay)
+LANES(hoop_delayed)(S delay, S clock_error)
 {
-    return (LANES(hoop_delayed_out)){ singles_add(clock_error, delay) };
+    return (LANES(hoop_delayed_out)){ singles_add(delay, clock_error) };
 }
 
-/* Where a shot has ended whose errors are asked for; no other one claims any.
+/* Whether a shot has ended and its errors are wanted; start values of their bounds.
    Table 1. 3 operations: 2 comparisons, 1 conjunction. */
 typedef struct {
     M closed;
-    S position_claim;
-    S velocity_claim;
-    S spin_claim;
-    S time_claim;
+    S position_claim, velocity_claim, spin_claim, time_claim;
 } LANES(hoop_closing_out);
 
 LANES_INLINE LANES(hoop_closing_out)
-LANES(hoop_closing)(S claims, S outcome)
+LANES(hoop_closing)(S outcome, S claims)
 {
     return (LANES(hoop_closing_out)){ singles_truth(singles_both(singles_less(KS(0.0), claims), singles_at_most(KS(0.0), outcome))), KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
 }
 
-/* Errors of the position at the end, not below what one flight can make.
+/* Errors of the position at the end, not below the largest that one flight can cause.
    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
 typedef struct {
-    S dx;
-    S dy;
-    S dz;
+    S dx, dy, dz;
 } LANES(hoop_floored_out);
 
 LANES_INLINE LANES(hoop_floored_out)
@@ -983,13 +938,10 @@ LANES(hoop_floored)(S dx, S dy, S dz, S shift)
     return (LANES(hoop_floored_out)){ singles_select(singles_less(singles_abs(dx), shift), shift, dx), singles_select(singles_less(singles_abs(dy), shift), shift, dy), singles_select(singles_less(singles_abs(dz), shift), shift, dz) };
 }
 
-/* A normal without error.
+/* Start values: a normal without error.
    Table 1. No operations. */
 typedef struct {
-    S dnx;
-    S dny;
-    S dnz;
-    S turn;
+    S dnx, dny, dnz, turn;
 } LANES(hoop_unturned_out);
 
 LANES_INLINE LANES(hoop_unturned_out)
@@ -998,18 +950,18 @@ LANES(hoop_unturned)(void)
     return (LANES(hoop_unturned_out)){ KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
 }
 
-/* Where a flight that begins and ends like that may come to a plate.
+/* Whether a flight with these ends may come to a plate.
    Table 1. 31 operations: 6 additions, 2 subtractions, 9 multiplications, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
 typedef struct {
     M reachable;
 } LANES(hoop_reachable_out);
 
 LANES_INLINE LANES(hoop_reachable_out)
-LANES(hoop_reachable)(V extent, V horizon, V late, V pad, V position_error, V speed, V velocity_error, V vx, V x, V _c0, V _c1, V _c2, V _c3, V _c4)
+LANES(hoop_reachable)(V x, V vx, V horizon, V extent, V speed, V pad, V earliest_delay, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4)
 {
     const V _s0 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(9.313225746154785e-10), lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c0, horizon))))));
-    const V _s1 = lanes_select(lanes_less(pad, late), K(INFINITY), _s0);
-    const V _s2 = lanes_add(x, lanes_mul(horizon, vx));
+    const V _s1 = lanes_select(lanes_less(pad, earliest_delay), K(INFINITY), _s0);
+    const V _s2 = lanes_add(x, lanes_mul(vx, horizon));
     const V _s3 = lanes_min(_s2, x);
     const V _s4 = lanes_sub(_c1, lanes_mul(K(2.0), _s1));
     const V _s5 = lanes_max(_s3, _c4);
@@ -1021,12 +973,7 @@ LANES(hoop_reachable)(V extent, V horizon, V late, V pad, V position_error, V sp
 /* Velocity and spin after a contact, frame-free.
    Eqs. 11-17, the frame eliminated. 61 operations: 10 additions, 12 subtractions, 39 multiplications. */
 typedef struct {
-    V vx;
-    V vy;
-    V vz;
-    V wx;
-    V wy;
-    V wz;
+    V vx, vy, vz, wx, wy, wz;
 } LANES(hoop_impact_out);
 
 LANES_INLINE LANES(hoop_impact_out)
@@ -1037,27 +984,22 @@ LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V _c0, 
     const V _s2 = lanes_add(lanes_mul(_c1, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s0))));
     const V _s3 = lanes_add(lanes_mul(_c1, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s0))));
     const V _s4 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    return (LANES(hoop_impact_out)){ lanes_sub(_s1, lanes_mul(lanes_mul(nx, _c0), _s0)), lanes_sub(_s2, lanes_mul(lanes_mul(ny, _c0), _s0)), lanes_sub(_s3, lanes_mul(lanes_mul(nz, _c0), _s0)), lanes_add(lanes_mul(nx, _s4), lanes_mul(_c2, lanes_sub(lanes_mul(ny, _s3), lanes_mul(nz, _s2)))), lanes_add(lanes_mul(ny, _s4), lanes_mul(_c2, lanes_sub(lanes_mul(nz, _s1), lanes_mul(nx, _s3)))), lanes_add(lanes_mul(nz, _s4), lanes_mul(_c2, lanes_sub(lanes_mul(nx, _s2), lanes_mul(ny, _s1)))) };
+    return (LANES(hoop_impact_out)){ lanes_sub(_s1, lanes_mul(lanes_mul(_c0, nx), _s0)), lanes_sub(_s2, lanes_mul(lanes_mul(_c0, ny), _s0)), lanes_sub(_s3, lanes_mul(lanes_mul(_c0, nz), _s0)), lanes_add(lanes_mul(nx, _s4), lanes_mul(_c2, lanes_sub(lanes_mul(ny, _s3), lanes_mul(nz, _s2)))), lanes_add(lanes_mul(ny, _s4), lanes_mul(_c2, lanes_sub(lanes_mul(nz, _s1), lanes_mul(nx, _s3)))), lanes_add(lanes_mul(nz, _s4), lanes_mul(_c2, lanes_sub(lanes_mul(nx, _s2), lanes_mul(ny, _s1)))) };
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
    derivative of the frame-free Eq. 17, with roundings. 220 operations: 56 additions, 18 subtractions, 89 multiplications, 1 division, 6 negations, 18 absolute values, 16 comparisons, 16 selections. */
 typedef struct {
-    S dvx;
-    S dvy;
-    S dvz;
-    S dwx;
-    S dwy;
-    S dwz;
+    S dvx, dvy, dvz, dwx, dwy, dwz;
 } LANES(hoop_carry_impact_out);
 
 LANES_INLINE LANES(hoop_carry_impact_out)
 LANES(hoop_carry_impact)(S vx, S vy, S vz, S wx, S wy, S wz, S nx, S ny, S nz, S contacts, S dvx, S dvy, S dvz, S dwx, S dwy, S dwz, S dnx, S dny, S dnz, S turn, S _c0, S _c1, S _c2, S _c3)
 {
-    const S _s0 = singles_add(singles_add(singles_mul(nx, vx), singles_mul(ny, vy)), singles_mul(nz, vz));
-    const S _s1 = singles_add(singles_add(singles_add(singles_mul(dnx, vx), singles_mul(dvx, nx)), singles_add(singles_mul(dny, vy), singles_mul(dvy, ny))), singles_add(singles_mul(dnz, vz), singles_mul(dvz, nz)));
-    const S _s2 = singles_add(singles_mul(dnx, _s0), singles_mul(nx, _s1));
-    const S _s3 = singles_add(singles_mul(_c2, singles_sub(singles_add(singles_mul(dnz, wy), singles_mul(dwy, nz)), singles_add(singles_mul(dny, wz), singles_mul(dwz, ny)))), singles_mul(KS(0.6), singles_sub(dvx, _s2)));
+    const S _s0 = singles_add(singles_add(singles_add(singles_mul(nx, dvx), singles_mul(vx, dnx)), singles_add(singles_mul(ny, dvy), singles_mul(vy, dny))), singles_add(singles_mul(nz, dvz), singles_mul(vz, dnz)));
+    const S _s1 = singles_add(singles_add(singles_mul(nx, vx), singles_mul(ny, vy)), singles_mul(nz, vz));
+    const S _s2 = singles_add(singles_mul(nx, _s0), singles_mul(dnx, _s1));
+    const S _s3 = singles_add(singles_mul(_c2, singles_sub(singles_add(singles_mul(nz, dwy), singles_mul(wy, dnz)), singles_add(singles_mul(ny, dwz), singles_mul(wz, dny)))), singles_mul(KS(0.6), singles_sub(dvx, _s2)));
     const S _s4 = singles_sub(_s3, singles_mul(_c1, _s2));
     const S _s5 = singles_add(singles_add(singles_mul(_c0, singles_add(singles_add(singles_abs(wx), singles_abs(wy)), singles_abs(wz))), singles_abs(vx)), singles_abs(vy));
     const S _s6 = singles_add(_s5, singles_abs(vz));
@@ -1073,30 +1015,30 @@ LANES(hoop_carry_impact)(S vx, S vy, S vz, S wx, S wy, S wz, S nx, S ny, S nz, S
     const S _s16 = singles_abs(dvz);
     const S _s17 = singles_mul(singles_add(singles_add(singles_mul(_c0, singles_max(_s11, _s12)), singles_mul(turn, _s6)), singles_max(_s15, _s16)), singles_div(KS(1.0), singles_add(KS(8.0), singles_mul(KS(8.0), contacts))));
     const S _s18 = singles_max(_s8, _s17);
-    const S _s19 = singles_add(singles_mul(dny, _s0), singles_mul(ny, _s1));
-    const S _s20 = singles_add(singles_mul(_c2, singles_sub(singles_add(singles_mul(dnx, wz), singles_mul(dwz, nx)), singles_add(singles_mul(dnz, wx), singles_mul(dwx, nz)))), singles_mul(KS(0.6), singles_sub(dvy, _s19)));
+    const S _s19 = singles_add(singles_mul(ny, _s0), singles_mul(dny, _s1));
+    const S _s20 = singles_add(singles_mul(_c2, singles_sub(singles_add(singles_mul(nx, dwz), singles_mul(wz, dnx)), singles_add(singles_mul(nz, dwx), singles_mul(wx, dnz)))), singles_mul(KS(0.6), singles_sub(dvy, _s19)));
     const S _s21 = singles_sub(_s20, singles_mul(_c1, _s19));
     const S _s22 = singles_add(singles_abs(_s21), _s7);
     const S _s23 = singles_max(_s22, _s17);
-    const S _s24 = singles_add(singles_mul(dnz, _s0), singles_mul(nz, _s1));
-    const S _s25 = singles_add(singles_mul(_c2, singles_sub(singles_add(singles_mul(dny, wx), singles_mul(dwx, ny)), singles_add(singles_mul(dnx, wy), singles_mul(dwy, nx)))), singles_mul(KS(0.6), singles_sub(dvz, _s24)));
+    const S _s24 = singles_add(singles_mul(nz, _s0), singles_mul(dnz, _s1));
+    const S _s25 = singles_add(singles_mul(_c2, singles_sub(singles_add(singles_mul(ny, dwx), singles_mul(wx, dny)), singles_add(singles_mul(nx, dwy), singles_mul(wy, dnx)))), singles_mul(KS(0.6), singles_sub(dvz, _s24)));
     const S _s26 = singles_sub(_s25, singles_mul(_c1, _s24));
     const S _s27 = singles_add(singles_abs(_s26), _s7);
     const S _s28 = singles_max(_s27, _s17);
-    const S _s29 = singles_add(singles_mul(_c2, singles_sub(singles_mul(ny, wx), singles_mul(nx, wy))), singles_mul(KS(0.6), singles_sub(vz, singles_mul(nz, _s0))));
-    const S _s30 = singles_add(singles_mul(_c2, singles_sub(singles_mul(nx, wz), singles_mul(nz, wx))), singles_mul(KS(0.6), singles_sub(vy, singles_mul(ny, _s0))));
-    const S _s31 = singles_add(singles_add(singles_mul(nx, wx), singles_mul(ny, wy)), singles_mul(nz, wz));
-    const S _s32 = singles_add(singles_add(singles_add(singles_mul(dnx, wx), singles_mul(dwx, nx)), singles_add(singles_mul(dny, wy), singles_mul(dwy, ny))), singles_add(singles_mul(dnz, wz), singles_mul(dwz, nz)));
-    const S _s33 = singles_add(singles_mul(_c3, singles_sub(singles_add(singles_mul(dny, _s29), singles_mul(ny, _s25)), singles_add(singles_mul(dnz, _s30), singles_mul(nz, _s20)))), singles_add(singles_mul(dnx, _s31), singles_mul(nx, _s32)));
+    const S _s29 = singles_add(singles_mul(_c2, singles_sub(singles_mul(ny, wx), singles_mul(nx, wy))), singles_mul(KS(0.6), singles_sub(vz, singles_mul(nz, _s1))));
+    const S _s30 = singles_add(singles_mul(_c2, singles_sub(singles_mul(nx, wz), singles_mul(nz, wx))), singles_mul(KS(0.6), singles_sub(vy, singles_mul(ny, _s1))));
+    const S _s31 = singles_add(singles_add(singles_add(singles_mul(nx, dwx), singles_mul(wx, dnx)), singles_add(singles_mul(ny, dwy), singles_mul(wy, dny))), singles_add(singles_mul(nz, dwz), singles_mul(wz, dnz)));
+    const S _s32 = singles_add(singles_add(singles_mul(nx, wx), singles_mul(ny, wy)), singles_mul(nz, wz));
+    const S _s33 = singles_add(singles_mul(_c3, singles_sub(singles_add(singles_mul(ny, _s25), singles_mul(dny, _s29)), singles_add(singles_mul(nz, _s20), singles_mul(dnz, _s30)))), singles_add(singles_mul(nx, _s31), singles_mul(dnx, _s32)));
     const S _s34 = singles_mul(_c3, _s7);
     const S _s35 = singles_add(singles_abs(_s33), _s34);
     const S _s36 = singles_mul(_c3, _s17);
     const S _s37 = singles_max(_s35, _s36);
-    const S _s38 = singles_add(singles_mul(_c2, singles_sub(singles_mul(nz, wy), singles_mul(ny, wz))), singles_mul(KS(0.6), singles_sub(vx, singles_mul(nx, _s0))));
-    const S _s39 = singles_add(singles_mul(_c3, singles_sub(singles_add(singles_mul(dnz, _s38), singles_mul(nz, _s3)), singles_add(singles_mul(dnx, _s29), singles_mul(nx, _s25)))), singles_add(singles_mul(dny, _s31), singles_mul(ny, _s32)));
+    const S _s38 = singles_add(singles_mul(_c2, singles_sub(singles_mul(nz, wy), singles_mul(ny, wz))), singles_mul(KS(0.6), singles_sub(vx, singles_mul(nx, _s1))));
+    const S _s39 = singles_add(singles_mul(_c3, singles_sub(singles_add(singles_mul(nz, _s3), singles_mul(dnz, _s38)), singles_add(singles_mul(nx, _s25), singles_mul(dnx, _s29)))), singles_add(singles_mul(ny, _s31), singles_mul(dny, _s32)));
     const S _s40 = singles_add(singles_abs(_s39), _s34);
     const S _s41 = singles_max(_s40, _s36);
-    const S _s42 = singles_add(singles_mul(_c3, singles_sub(singles_add(singles_mul(dnx, _s30), singles_mul(nx, _s20)), singles_add(singles_mul(dny, _s38), singles_mul(ny, _s3)))), singles_add(singles_mul(dnz, _s31), singles_mul(nz, _s32)));
+    const S _s42 = singles_add(singles_mul(_c3, singles_sub(singles_add(singles_mul(nx, _s20), singles_mul(dnx, _s30)), singles_add(singles_mul(ny, _s3), singles_mul(dny, _s38)))), singles_add(singles_mul(nz, _s31), singles_mul(dnz, _s32)));
     const S _s43 = singles_add(singles_abs(_s42), _s34);
     const S _s44 = singles_max(_s43, _s36);
     return (LANES(hoop_carry_impact_out)){ singles_select(singles_less(_s4, KS(0.0)), singles_neg(_s18), _s18), singles_select(singles_less(_s21, KS(0.0)), singles_neg(_s23), _s23), singles_select(singles_less(_s26, KS(0.0)), singles_neg(_s28), _s28), singles_select(singles_less(_s33, KS(0.0)), singles_neg(_s37), _s37), singles_select(singles_less(_s39, KS(0.0)), singles_neg(_s41), _s41), singles_select(singles_less(_s42, KS(0.0)), singles_neg(_s44), _s44) };
@@ -1105,9 +1047,7 @@ LANES(hoop_carry_impact)(S vx, S vy, S vz, S wx, S wy, S wz, S nx, S ny, S nz, S
 /* Outward unit normal n3 at a contact.
    Table 2. 11 operations: 1 addition, 1 subtraction, 7 multiplications, 1 division, 1 square root. */
 typedef struct {
-    V nx;
-    V ny;
-    V nz;
+    V nx, ny, nz;
 } LANES(hoop_ring_normal_out);
 
 LANES_INLINE LANES(hoop_ring_normal_out)
@@ -1133,25 +1073,22 @@ LANES(hoop_ring_curvature)(V _c0)
 /* Error of the normal, from that of the position.
    derivative of Table 2's normal. 27 operations: 5 additions, 1 subtraction, 18 multiplications, 1 division, 1 square root, 1 negation. */
 typedef struct {
-    S dnx;
-    S dny;
-    S dnz;
-    S turn;
+    S dnx, dny, dnz, turn;
 } LANES(hoop_ring_carry_normal_out);
 
 LANES_INLINE LANES(hoop_ring_carry_normal_out)
 LANES(hoop_ring_carry_normal)(S x, S y, S dx, S dy, S dz, S shift, S _c0, S _c1, S _c2)
 {
     const S _s0 = singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y)));
-    const S _s1 = singles_sub(_s0, _c0);
-    const S _s2 = singles_div(KS(1.0), _s0);
-    const S _s3 = singles_mul(singles_mul(_c1, _s1), _s2);
-    const S _s4 = singles_mul(singles_add(singles_mul(dx, x), singles_mul(dy, y)), _s2);
-    const S _s5 = singles_mul(_c1, singles_add(singles_mul(_s4, _s2), singles_mul(singles_neg(singles_mul(_s4, singles_mul(_s2, _s2))), _s1)));
-    return (LANES(hoop_ring_carry_normal_out)){ singles_add(singles_mul(dx, _s3), singles_mul(x, _s5)), singles_add(singles_mul(dy, _s3), singles_mul(y, _s5)), singles_mul(dz, _c1), singles_mul(shift, _c2) };
+    const S _s1 = singles_div(KS(1.0), _s0);
+    const S _s2 = singles_mul(singles_add(singles_mul(x, dx), singles_mul(y, dy)), _s1);
+    const S _s3 = singles_sub(_s0, _c0);
+    const S _s4 = singles_mul(_c1, singles_add(singles_mul(_s2, _s1), singles_mul(singles_neg(singles_mul(_s2, singles_mul(_s1, _s1))), _s3)));
+    const S _s5 = singles_mul(singles_mul(_c1, _s3), _s1);
+    return (LANES(hoop_ring_carry_normal_out)){ singles_add(singles_mul(x, _s4), singles_mul(dx, _s5)), singles_add(singles_mul(y, _s4), singles_mul(dy, _s5)), singles_mul(dz, _c1), singles_mul(shift, _c2) };
 }
 
-/* Positive if there certainly is no contact before the horizon.
+/* Positive if there is certainly no contact before the horizon.
    bounds of the event condition. 119 operations: 24 additions, 16 subtractions, 49 multiplications, 2 square roots, 14 comparisons, 14 selections. */
 typedef struct {
     V clear;
@@ -1175,46 +1112,35 @@ LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V s
     const V _s12 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(_c10, _s6)), _s6));
     const V _s13 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), _c11), _c13);
     const V _s14 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
-    const V _s15 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s15 = lanes_sub(lanes_mul(x, vy), lanes_mul(y, vx));
     const V _s16 = lanes_mul(_s15, _s15);
     const V _s17 = lanes_sub(lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s2), lanes_mul(_c14, z)), lanes_mul(K(2.0), _s14)), _c15), _c17), lanes_mul(_c18, _s16));
     const V _s18 = lanes_add(lanes_mul(_s11, lanes_add(lanes_mul(vx, _s7), lanes_mul(vy, _s8))), lanes_mul(lanes_mul(_s12, lanes_sub(vz, lanes_mul(_c1, _s6))), _s10));
-    const V _s19 = lanes_add(x, lanes_mul(horizon, vx));
-    const V _s20 = lanes_add(y, lanes_mul(horizon, vy));
+    const V _s19 = lanes_add(x, lanes_mul(vx, horizon));
+    const V _s20 = lanes_add(y, lanes_mul(vy, horizon));
     const V _s21 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_c13, lanes_mul(_s19, _s19)), lanes_mul(_s20, _s20)), _c16), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s14, _c19), _s16), K(0.0)), K(1.0), K(0.0)));
     const V _s22 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s18, _s18)), _c17), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s17), _s9), _s13)), K(0.0)), _s21, K(0.0));
     const V _s23 = lanes_select(lanes_less(horizon, lanes_sub(_s6, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s13), lanes_select(lanes_less(K(0.0), _s17), _s22, K(0.0)), K(0.0)));
-    const V _s24 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s24 = lanes_add(lanes_mul(x, vx), lanes_mul(y, vy));
     const V _s25 = lanes_add(lanes_mul(_s5, _s14), _s24);
     const V _s26 = lanes_select(lanes_less(_s25, K(0.0)), lanes_select(lanes_less(_c12, lanes_add(lanes_mul(_s5, lanes_add(_s24, _s25)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s23, K(0.0)), K(0.0));
     const V _s27 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c1, horizon)))), _c7), lanes_select(lanes_less(K(0.0), _s3), lanes_select(lanes_less(_s5, K(0.0)), _s23, _s26), K(0.0)), K(0.0));
     return (LANES(hoop_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_c2, _s1)), K(0.0), lanes_select(lanes_less(_s0, _c6), _s27, K(0.0))) };
 }
 
-/* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 164 operations: 29 additions, 17 subtractions, 38 multiplications, 1 division, 6 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections. */
+/* Constants and windows of the search along a flight, and its error budget.
+   bounds of the event condition. 163 operations: 28 additions, 17 subtractions, 38 multiplications, 1 division, 6 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections. */
 typedef struct {
-    V steady;
-    V swing;
-    V rho_start;
-    V low0;
-    V high0;
-    V low1;
-    V high1;
-    V low2;
-    V high2;
-    V ceiling;
-    V latest;
-    V lost;
+    V energy2, moment2, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, budget_exceeded;
 } LANES(hoop_ring_prepare_out);
 
 LANES_INLINE LANES(hoop_ring_prepare_out)
-LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14)
+LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13)
 {
     const V _s0 = lanes_mul(vz, vz);
     const V _s1 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
     const V _s2 = lanes_add(lanes_add(lanes_mul(K(2.0), _s0), lanes_mul(_c0, z)), lanes_mul(K(2.0), _s1));
-    const V _s3 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s3 = lanes_sub(lanes_mul(x, vy), lanes_mul(y, vx));
     const V _s4 = lanes_mul(_s3, _s3);
     const V _s5 = lanes_mul(_c1, _s4);
     const V _s6 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
@@ -1226,7 +1152,7 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V
     const V _s12 = lanes_select(_s11, lanes_mul(_c4, lanes_sub(lanes_sub(vz, _s9), _s10)), K(INFINITY));
     const V _s13 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), _s1), lanes_add(_c5, _s6));
     const V _s14 = lanes_sub(lanes_add(lanes_mul(_c5, _s1), _s13), _s4);
-    const V _s15 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s15 = lanes_add(lanes_mul(x, vx), lanes_mul(y, vy));
     const V _s16 = lanes_sqrt(_s14);
     const V _s17 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(_s15), lanes_abs(_s3)), _s16));
     const V _s18 = lanes_div(K(1.0), _s1);
@@ -1259,17 +1185,15 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V
     const V _s45 = lanes_max(K(0.0), _s33);
     const V _s46 = lanes_max(_s45, _s42);
     const V _s47 = lanes_max(_s46, _s44);
-    const V _s48 = lanes_add(lanes_mul(_c10, lanes_sqrt(lanes_mul(_c4, lanes_add(lanes_add(_c11, extent), _c12)))), lanes_mul(lanes_mul(K(2.0), speed), _c4));
-    const V _s49 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s48, horizon))), _c13), _c14);
+    const V _s48 = lanes_add(lanes_mul(_c10, lanes_sqrt(lanes_mul(_c4, lanes_add(_c11, extent)))), lanes_mul(lanes_mul(K(2.0), speed), _c4));
+    const V _s49 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s48, horizon))), _c12), _c13);
     return (LANES(hoop_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s22), lanes_min(_s33, horizon), lanes_max(K(0.0), _s41), lanes_min(_s42, horizon), lanes_max(K(0.0), _s43), lanes_min(_s44, horizon), lanes_add(lanes_add(_c7, lanes_mul(_s5, _c8)), lanes_abs(_s2)), lanes_min(_s47, horizon), lanes_max(_c9, _s49) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
    running error analysis. 34 operations: 12 additions, 22 multiplications. */
 typedef struct {
-    V margin;
-    V leaving_margin;
-    V rate_margin;
+    V margin, leaving_margin, rate_margin;
 } LANES(hoop_ring_margins_out);
 
 LANES_INLINE LANES(hoop_ring_margins_out)
@@ -1287,62 +1211,55 @@ LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V veloc
 /* Newton's next value of a root near t, and gap and rate there.
    Newton's method. 53 operations: 14 additions, 6 subtractions, 28 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection. */
 typedef struct {
-    V time;
-    V gap;
-    V rate;
+    V time, gap, rate;
 } LANES(hoop_ring_refine_out);
 
 LANES_INLINE LANES(hoop_ring_refine_out)
 LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V _c0, V _c1, V _c2, V _c3)
 {
-    const V _s0 = lanes_add(x, lanes_mul(t, vx));
-    const V _s1 = lanes_add(y, lanes_mul(t, vy));
+    const V _s0 = lanes_add(x, lanes_mul(vx, t));
+    const V _s1 = lanes_add(y, lanes_mul(vy, t));
     const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
     const V _s3 = lanes_add(rho_start, _s2);
     const V _s4 = lanes_div(K(1.0), lanes_mul(_s3, _s2));
     const V _s5 = lanes_sub(_s2, _c0);
     const V _s6 = lanes_sub(vz, lanes_mul(_c2, t));
     const V _s7 = lanes_add(z, lanes_mul(t, _s6));
-    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(lanes_sub(vz, lanes_mul(_c1, t)), _s7)));
-    const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, _c0), _s5)), lanes_mul(_s2, _s4));
+    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(_s7, lanes_sub(vz, lanes_mul(_c1, t)))));
+    const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(x, vx), lanes_mul(y, vy)))), lanes_add(lanes_sub(rho_start, _c0), _s5)), lanes_mul(_s2, _s4));
     const V _s10 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), _c3));
     return (LANES(hoop_ring_refine_out)){ lanes_sub(t, lanes_div(_s10, _s8)), _s10, _s8 };
 }
 
-/* Gap, rate, bend, a step without a root, its end, and the clearance of a root.
+/* Gap, rate, second derivative, a step without a root, its end, and the clearance.
    Newton from the left under a curvature bound. 132 operations: 27 additions, 15 subtractions, 47 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 15 comparisons, 18 selections. */
 typedef struct {
-    V gap;
-    V rate;
-    V bend;
-    V step;
-    V next;
-    V clearance;
+    V gap, rate, bend, step, next, clearance;
 } LANES(hoop_ring_advance_out);
 
 LANES_INLINE LANES(hoop_ring_advance_out)
-LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7)
+LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V energy2, V moment2, V rho_start, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7)
 {
-    const V _s0 = lanes_add(x, lanes_mul(t, vx));
-    const V _s1 = lanes_add(y, lanes_mul(t, vy));
+    const V _s0 = lanes_add(x, lanes_mul(vx, t));
+    const V _s1 = lanes_add(y, lanes_mul(vy, t));
     const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
     const V _s3 = lanes_sub(_s2, _c0);
     const V _s4 = lanes_add(rho_start, _s2);
     const V _s5 = lanes_div(K(1.0), lanes_mul(_s4, _s2));
-    const V _s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, _c0), _s3)), lanes_mul(_s2, _s5));
+    const V _s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(x, vx), lanes_mul(y, vy)))), lanes_add(lanes_sub(rho_start, _c0), _s3)), lanes_mul(_s2, _s5));
     const V _s7 = lanes_sub(vz, lanes_mul(_c2, t));
     const V _s8 = lanes_add(z, lanes_mul(t, _s7));
     const V _s9 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s6, lanes_mul(lanes_add(z, _s8), _s7))), lanes_sub(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s8, _s8)), _c3));
     const V _s10 = lanes_mul(_s4, _s5);
     const V _s11 = lanes_mul(_s10, lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1)));
     const V _s12 = lanes_sub(vz, lanes_mul(_c1, t));
-    const V _s13 = lanes_mul(K(2.0), lanes_add(lanes_mul(_s11, _s3), lanes_mul(_s12, _s8)));
+    const V _s13 = lanes_mul(K(2.0), lanes_add(lanes_mul(_s11, _s3), lanes_mul(_s8, _s12)));
     const V _s14 = lanes_mul(_c4, _s8);
-    const V _s15 = lanes_mul(swing, lanes_mul(_s10, lanes_mul(_s10, _s10)));
+    const V _s15 = lanes_mul(moment2, lanes_mul(_s10, lanes_mul(_s10, _s10)));
     const V _s16 = lanes_sub(_s13, rate_margin);
     const V _s17 = lanes_sub(_s9, margin);
     const V _s18 = lanes_max(_s17, K(0.0));
-    const V _s19 = lanes_sub(lanes_add(_s14, _s15), steady);
+    const V _s19 = lanes_sub(lanes_add(_s14, _s15), energy2);
     const M _s20 = lanes_less(_s16, K(0.0));
     const V _s21 = lanes_mul(K(2.0), _s18);
     const V _s22 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s16), _s18, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s20, _s21, lanes_mul(K(4.0), _s16)), lanes_select(_s20, lanes_neg(_s16), lanes_max(K(0.0), _s19))));
@@ -1352,28 +1269,23 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     const V _s26 = lanes_mul(_c4, lanes_min(_c5, _s25));
     const V _s27 = lanes_sub(lanes_add(lanes_mul(_s24, lanes_min(K(0.0), _s11)), _s2), _c6);
     const V _s28 = lanes_div(K(1.0), lanes_max(_s27, _c7));
-    const V _s29 = lanes_mul(swing, lanes_mul(_s28, lanes_mul(_s28, _s28)));
-    const V _s30 = lanes_sub(lanes_add(lanes_add(_s26, _s29), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s29, lanes_abs(steady)), lanes_abs(_s26)))), steady);
+    const V _s29 = lanes_mul(moment2, lanes_mul(_s28, lanes_mul(_s28, _s28)));
+    const V _s30 = lanes_sub(lanes_add(lanes_add(_s26, _s29), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s29, lanes_abs(energy2)), lanes_abs(_s26)))), energy2);
     const V _s31 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s30), _s18), lanes_mul(_s16, _s16));
     const V _s32 = lanes_sqrt(_s31);
     const V _s33 = lanes_select(lanes_at_most(K(0.0), _s31), lanes_div(lanes_select(_s20, _s21, lanes_add(_s16, _s32)), lanes_select(_s20, lanes_sub(_s32, _s16), lanes_max(K(0.0), _s30))), K(INFINITY));
     const V _s34 = lanes_min(_s33, _s24);
     const V _s35 = lanes_neg(lanes_add(rate_margin, _s13));
-    return (LANES(hoop_ring_advance_out)){ _s9, _s13, lanes_sub(lanes_sub(steady, _s14), _s15), _s34, lanes_add(t, _s34), lanes_select(lanes_less(K(0.0), _s35), lanes_sub(lanes_mul(_s35, _s35), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s21))), _s35) };
+    return (LANES(hoop_ring_advance_out)){ _s9, _s13, lanes_sub(lanes_sub(energy2, _s14), _s15), _s34, lanes_add(t, _s34), lanes_select(lanes_less(K(0.0), _s35), lanes_sub(lanes_mul(_s35, _s35), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, _s21))), _s35) };
 }
 
 /* Windows of the search along a flight, and whether single precision serves for it.
    bounds of the event condition. 171 operations: 21 additions, 15 subtractions, 29 multiplications, 1 division, 4 square roots, 1 negation, 4 absolute values, 42 comparisons, 7 conjunctions, 3 disjunctions, 44 selections. */
 typedef struct {
-    S t;
-    S end;
+    S t, end;
     M searching;
-    S low1;
-    S high1;
-    S low2;
-    S high2;
-    S latest;
-    M sound;
+    S low1, high1, low2, high2, latest;
+    M representable;
 } LANES(hoop_ring_opened_out);
 
 LANES_INLINE LANES(hoop_ring_opened_out)
@@ -1388,10 +1300,10 @@ LANES(hoop_ring_opened)(S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S 
     const S _s6 = singles_select(_s5, singles_mul(_c3, singles_sub(singles_sub(vz, _s3), _s4)), KS(INFINITY));
     const S _s7 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
     const S _s8 = singles_mul(singles_mul(KS(9.5367431640625e-07), _s7), singles_add(_c5, singles_add(singles_mul(x, x), singles_mul(y, y))));
-    const S _s9 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
+    const S _s9 = singles_sub(singles_mul(x, vy), singles_mul(y, vx));
     const S _s10 = singles_mul(_s9, _s9);
     const S _s11 = singles_sub(singles_add(singles_mul(_c5, _s7), _s8), _s10);
-    const S _s12 = singles_add(singles_mul(vx, x), singles_mul(vy, y));
+    const S _s12 = singles_add(singles_mul(x, vx), singles_mul(y, vy));
     const S _s13 = singles_sqrt(_s11);
     const S _s14 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_abs(_s12), singles_abs(_s9)), _s13));
     const S _s15 = singles_div(KS(1.0), _s7);
@@ -1438,179 +1350,151 @@ LANES(hoop_ring_opened)(S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S 
     const S _s56 = singles_max(_s55, _s46);
     const S _s57 = singles_max(_s56, _s52);
     const Q _s58 = singles_both(singles_both(singles_both(singles_both(singles_both(singles_at_most(_c4, _c8), singles_at_most(_c4, _c9)), singles_at_most(_c4, KS(4096.0))), singles_at_most(KS(0.000244140625), _c6)), singles_at_most(_c0, KS(4096.0))), singles_at_most(KS(0.000244140625), _c0));
-    return (LANES(hoop_ring_opened_out)){ singles_select(_s35, _s21, singles_select(_s48, _s45, singles_select(_s54, _s51, KS(0.0)))), singles_select(_s35, _s34, singles_select(_s48, _s47, singles_select(_s54, _s53, KS(0.0)))), singles_truth(singles_either(singles_either(singles_either(singles_nowhere(), _s54), _s48), _s35)), _s44, _s47, _s50, _s53, singles_min(_s57, _s33), singles_truth(singles_both(singles_both(_s58, singles_at_most(extent, KS(4096.0))), singles_at_most(speed, KS(4096.0)))) };
+    return (LANES(hoop_ring_opened_out)){ singles_select(_s35, _s21, singles_select(_s48, _s45, singles_select(_s54, _s51, KS(0.0)))), singles_select(_s35, _s34, singles_select(_s48, _s47, singles_select(_s54, _s53, KS(0.0)))), singles_truth(singles_either(singles_either(singles_either(singles_mask_none(), _s54), _s48), _s35)), _s44, _s47, _s50, _s53, singles_min(_s57, _s33), singles_truth(singles_both(singles_both(_s58, singles_at_most(extent, KS(4096.0))), singles_at_most(speed, KS(4096.0)))) };
 }
 
-/* What a search in single precision is given, from where it begins.
+/* Constants, margins and windows of the search in single precision, from its begin.
    running error analysis. 85 operations: 18 additions, 7 subtractions, 42 multiplications, 2 divisions, 1 square root, 5 absolute values, 5 comparisons, 1 conjunction, 4 selections. */
 typedef struct {
-    S share;
-    S t;
-    S end;
-    S x;
-    S y;
-    S z;
-    S vx;
-    S vy;
-    S vz;
-    S steady;
-    S swing;
-    S rho_start;
-    S ceiling;
-    S flat;
-    S tilt;
-    S jerk;
-    S grit;
-    S parting;
-    S drift;
-    S rate_margin;
-    S low1;
-    S high1;
-    S low2;
-    S high2;
+    S share, t, end, x, y, z, vx, vy, vz, energy2, moment2, rho_start, ceiling, flat, tilt, jerk, quotient_margin, start_rate, rho_rate, rate_margin, low1, high1, low2, high2;
     M fits;
-} LANES(hoop_ring_grain_out);
+} LANES(hoop_ring_resolution_out);
 
-LANES_INLINE LANES(hoop_ring_grain_out)
-LANES(hoop_ring_grain)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S parting, S drift, S low1, S high1, S low2, S high2, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9, S _c10, S _c11)
+LANES_INLINE LANES(hoop_ring_resolution_out)
+LANES(hoop_ring_resolution)(S t, S end, S leaving, S horizon, S x, S y, S z, S vx, S vy, S vz, S extent, S speed, S start_rate, S rho_rate, S low1, S high1, S low2, S high2, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9, S _c10, S _c11)
 {
     const Q _s0 = singles_less(KS(0.0), leaving);
     const S _s1 = singles_add(speed, singles_mul(_c0, horizon));
     const S _s2 = singles_mul(_s1, _c3);
     const S _s3 = singles_add(extent, singles_mul(horizon, _s1));
     const S _s4 = singles_mul(KS(5.0), singles_add(singles_mul(_s2, _s3), singles_mul(_c1, _s1)));
-    const S _s5 = singles_div(singles_mul(KS(0.00390625), parting), _s4);
+    const S _s5 = singles_div(singles_mul(KS(0.00390625), start_rate), _s4);
     const S _s6 = singles_min(_s5, KS(2.9802322387695312e-08));
     const S _s7 = singles_select(_s0, singles_max(KS(2.842170943040401e-14), _s6), KS(2.9802322387695312e-08));
     const S _s8 = singles_add(singles_add(singles_mul(KS(2.0), singles_mul(vz, vz)), singles_mul(_c4, z)), singles_mul(KS(2.0), singles_add(singles_mul(vx, vx), singles_mul(vy, vy))));
-    const S _s9 = singles_sub(singles_mul(vy, x), singles_mul(vx, y));
+    const S _s9 = singles_sub(singles_mul(x, vy), singles_mul(y, vx));
     const S _s10 = singles_mul(_c5, singles_mul(_s9, _s9));
     const S _s11 = singles_add(singles_add(_c6, singles_mul(_s10, _c7)), singles_abs(_s8));
     const S _s12 = singles_sub(horizon, t);
     const S _s13 = singles_mul(_c0, singles_mul(_s12, _s12));
     const S _s14 = singles_add(singles_mul(_s3, _s7), singles_mul(KS(9.5367431640625e-07), singles_add(_s13, _c8)));
     const S _s15 = singles_div(singles_mul(KS(0.5), singles_mul(singles_mul(_s10, singles_add(singles_abs(vx), singles_abs(vy))), _c7)), _c2);
-    return (LANES(hoop_ring_grain_out)){ _s7, KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, _s8, _s10, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s11), singles_mul(_c9, _s14), singles_select(_s0, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(parting)), singles_mul(singles_add(KS(5.684341886080802e-14), _s7), _s4))), KS(INFINITY)), singles_mul(KS(1.0009765625), singles_add(singles_mul(_c0, singles_add(singles_mul(_c0, _s12), singles_abs(vz))), _s15)), singles_mul(_c10, _s11), parting, drift, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s2), _s14), singles_mul(singles_mul(singles_add(KS(2.384185791015625e-07), _s7), _c1), _s1))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s13, _c11), singles_at_most(singles_mul(leaving, t), KS(0.0)))) };
+    return (LANES(hoop_ring_resolution_out)){ _s7, KS(0.0), singles_sub(end, t), x, y, z, vx, vy, vz, _s8, _s10, singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y))), singles_mul(KS(1.0009765625), _s11), singles_mul(_c9, _s14), singles_select(_s0, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(4.76837158203125e-07), singles_abs(start_rate)), singles_mul(singles_add(KS(5.684341886080802e-14), _s7), _s4))), KS(INFINITY)), singles_mul(KS(1.0009765625), singles_add(singles_mul(_c0, singles_add(singles_mul(_c0, _s12), singles_abs(vz))), _s15)), singles_mul(_c10, _s11), start_rate, rho_rate, singles_mul(KS(5.0), singles_add(singles_mul(singles_mul(KS(1.0009765625), _s2), _s14), singles_mul(singles_mul(singles_add(KS(2.384185791015625e-07), _s7), _c1), _s1))), singles_sub(low1, t), singles_sub(high1, t), singles_sub(low2, t), singles_sub(high2, t), singles_truth(singles_both(singles_at_most(_s13, _c11), singles_at_most(singles_mul(t, leaving), KS(0.0)))) };
 }
 
-/* Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
+/* Time and window of the search after a step, whether a root is certain, and whether it goes on.
    Newton from the left under a curvature bound. 220 operations: 38 additions, 19 subtractions, 72 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 29 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 33 selections. */
 typedef struct {
-    S t;
-    S end;
-    M certain;
-    M leaping;
-} LANES(hoop_ring_leap_out);
+    S t, end;
+    M certain, stepping;
+} LANES(hoop_ring_step_out);
 
-LANES_INLINE LANES(hoop_ring_leap_out)
-LANES(hoop_ring_leap)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S steady, S swing, S rho_start, S flat, S tilt, S grit, S jerk, S parting, S drift, S low1, S high1, S low2, S high2, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
+LANES_INLINE LANES(hoop_ring_step_out)
+LANES(hoop_ring_step)(S t, S end, S rate_margin, S ceiling, S x, S y, S z, S vx, S vy, S vz, S energy2, S moment2, S rho_start, S flat, S tilt, S quotient_margin, S jerk, S start_rate, S rho_rate, S low1, S high1, S low2, S high2, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
 {
-    const S _s0 = singles_add(tilt, singles_mul(grit, t));
+    const S _s0 = singles_add(tilt, singles_mul(t, quotient_margin));
     const S _s1 = singles_mul(t, _s0);
     const Q _s2 = singles_less(_s1, flat);
-    const S _s3 = singles_mul(jerk, singles_mul(t, t));
+    const S _s3 = singles_mul(singles_mul(t, t), jerk);
     const Q _s4 = singles_both(_s2, singles_less(_s3, rate_margin));
-    const S _s5 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
-    const S _s6 = singles_add(x, singles_mul(t, vx));
-    const S _s7 = singles_add(y, singles_mul(t, vy));
-    const S _s8 = singles_sqrt(singles_add(singles_mul(_s6, _s6), singles_mul(_s7, _s7)));
-    const S _s9 = singles_add(rho_start, _s8);
-    const S _s10 = singles_div(KS(1.0), singles_mul(_s9, _s8));
-    const S _s11 = singles_mul(_s8, _s10);
-    const S _s12 = singles_mul(_s11, singles_add(singles_mul(t, _s5), singles_mul(KS(2.0), singles_add(singles_mul(vx, x), singles_mul(vy, y)))));
-    const S _s13 = singles_sub(vz, singles_mul(_c2, t));
-    const S _s14 = singles_add(singles_add(singles_mul(singles_mul(singles_mul(KS(2.0), singles_sub(rho_start, _c0)), singles_sub(_s5, singles_mul(drift, _s12))), _s11), singles_mul(_s12, _s12)), singles_mul(_s13, _s13));
-    const S _s15 = singles_add(parting, singles_mul(t, singles_sub(_s14, singles_mul(_c1, z))));
-    const S _s16 = singles_mul(_s9, _s10);
-    const S _s17 = singles_mul(_s16, singles_add(singles_mul(vx, _s6), singles_mul(vy, _s7)));
-    const S _s18 = singles_sub(_s8, _c0);
-    const S _s19 = singles_sub(vz, singles_mul(_c1, t));
-    const S _s20 = singles_add(z, singles_mul(t, _s13));
-    const S _s21 = singles_select(_s4, singles_sub(singles_mul(KS(2.0), _s15), parting), singles_mul(KS(2.0), singles_add(singles_mul(_s17, _s18), singles_mul(_s19, _s20))));
-    const S _s22 = singles_select(_s4, singles_add(_s3, singles_mul(KS(2.0), _s0)), rate_margin);
-    const S _s23 = singles_neg(singles_add(_s21, _s22));
+    const S _s5 = singles_select(_s4, singles_add(_s3, singles_mul(KS(2.0), _s0)), rate_margin);
+    const S _s6 = singles_add(singles_mul(vx, vx), singles_mul(vy, vy));
+    const S _s7 = singles_add(x, singles_mul(vx, t));
+    const S _s8 = singles_add(y, singles_mul(vy, t));
+    const S _s9 = singles_sqrt(singles_add(singles_mul(_s7, _s7), singles_mul(_s8, _s8)));
+    const S _s10 = singles_add(rho_start, _s9);
+    const S _s11 = singles_div(KS(1.0), singles_mul(_s10, _s9));
+    const S _s12 = singles_mul(_s9, _s11);
+    const S _s13 = singles_mul(_s12, singles_add(singles_mul(t, _s6), singles_mul(KS(2.0), singles_add(singles_mul(x, vx), singles_mul(y, vy)))));
+    const S _s14 = singles_sub(vz, singles_mul(_c2, t));
+    const S _s15 = singles_add(singles_add(singles_mul(singles_mul(singles_mul(KS(2.0), singles_sub(rho_start, _c0)), singles_sub(_s6, singles_mul(rho_rate, _s13))), _s12), singles_mul(_s13, _s13)), singles_mul(_s14, _s14));
+    const S _s16 = singles_add(start_rate, singles_mul(t, singles_sub(_s15, singles_mul(_c1, z))));
+    const S _s17 = singles_mul(_s10, _s11);
+    const S _s18 = singles_mul(_s17, singles_add(singles_mul(vx, _s7), singles_mul(vy, _s8)));
+    const S _s19 = singles_sub(_s9, _c0);
+    const S _s20 = singles_add(z, singles_mul(t, _s14));
+    const S _s21 = singles_sub(vz, singles_mul(_c1, t));
+    const S _s22 = singles_select(_s4, singles_sub(singles_mul(KS(2.0), _s16), start_rate), singles_mul(KS(2.0), singles_add(singles_mul(_s18, _s19), singles_mul(_s20, _s21))));
+    const S _s23 = singles_neg(singles_add(_s5, _s22));
     const S _s24 = singles_select(_s2, _s1, flat);
-    const S _s25 = singles_sub(singles_select(_s2, singles_mul(t, _s15), singles_sub(singles_add(singles_mul(_s18, _s18), singles_mul(_s20, _s20)), _c3)), _s24);
+    const S _s25 = singles_sub(singles_select(_s2, singles_mul(t, _s16), singles_sub(singles_add(singles_mul(_s19, _s19), singles_mul(_s20, _s20)), _c3)), _s24);
     const S _s26 = singles_max(_s25, KS(0.0));
-    const S _s27 = singles_mul(KS(2.0), singles_add(singles_mul(KS(2.0), _s24), _s26));
-    const S _s28 = singles_sub(_s21, _s22);
+    const S _s27 = singles_mul(KS(2.0), singles_add(_s26, singles_mul(KS(2.0), _s24)));
+    const S _s28 = singles_sub(_s22, _s5);
     const S _s29 = singles_mul(_c4, _s20);
-    const S _s30 = singles_mul(swing, singles_mul(_s16, singles_mul(_s16, _s16)));
-    const S _s31 = singles_sub(singles_add(_s29, _s30), steady);
+    const S _s30 = singles_mul(moment2, singles_mul(_s17, singles_mul(_s17, _s17)));
+    const S _s31 = singles_sub(singles_add(_s29, _s30), energy2);
     const Q _s32 = singles_less(_s28, KS(0.0));
     const S _s33 = singles_mul(KS(2.0), _s26);
-    const S _s34 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s28), _s26, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s32, singles_add(singles_mul(KS(8.0), _s24), _s33), singles_mul(KS(4.0), _s28)), singles_select(_s32, singles_neg(_s28), singles_max(KS(0.0), _s31))));
+    const S _s34 = singles_select(singles_less(KS(0.0), singles_select(singles_at_most(KS(0.0), _s28), _s26, KS(0.0))), KS(INFINITY), singles_div(singles_select(_s32, singles_add(_s33, singles_mul(KS(8.0), _s24)), singles_mul(KS(4.0), _s28)), singles_select(_s32, singles_neg(_s28), singles_max(KS(0.0), _s31))));
     const S _s35 = singles_sub(end, t);
     const S _s36 = singles_min(_s34, _s35);
-    const S _s37 = singles_add(_c6, singles_add(singles_mul(_s36, singles_max(_s19, KS(0.0))), _s20));
+    const S _s37 = singles_add(_c6, singles_add(singles_mul(_s36, singles_max(_s21, KS(0.0))), _s20));
     const S _s38 = singles_mul(_c4, singles_min(_c5, _s37));
     const S _s39 = singles_mul(singles_add(singles_abs(vx), singles_abs(vy)), _s36);
-    const S _s40 = singles_sub(singles_sub(singles_add(singles_mul(_s36, singles_min(KS(0.0), _s17)), _s8), singles_mul(KS(0.0001220703125), _s39)), _c7);
+    const S _s40 = singles_sub(singles_sub(singles_add(singles_mul(_s36, singles_min(KS(0.0), _s18)), _s9), singles_mul(KS(0.0001220703125), _s39)), _c7);
     const S _s41 = singles_div(KS(1.0), singles_max(_s40, _c8));
-    const S _s42 = singles_mul(swing, singles_mul(_s41, singles_mul(_s41, _s41)));
-    const S _s43 = singles_abs(steady);
-    const S _s44 = singles_sub(singles_add(singles_add(_s38, _s42), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s42, _s43), singles_abs(_s38)))), steady);
-    const S _s45 = singles_neg(_s19);
-    const S _s46 = singles_add(singles_mul(_c4, singles_add(_c9, singles_mul(singles_add(singles_mul(_c1, _s36), singles_max(_s45, KS(0.0))), _s36))), singles_mul(singles_mul(KS(3.0), singles_mul(_s30, _s16)), _s39));
-    const S _s47 = singles_add(steady, singles_add(_s46, singles_mul(KS(0.000244140625), singles_add(singles_add(_s43, singles_abs(_s29)), _s30))));
+    const S _s42 = singles_mul(moment2, singles_mul(_s41, singles_mul(_s41, _s41)));
+    const S _s43 = singles_abs(energy2);
+    const S _s44 = singles_sub(singles_add(singles_add(_s38, _s42), singles_mul(KS(3.814697265625e-06), singles_add(singles_add(_s42, _s43), singles_abs(_s38)))), energy2);
+    const S _s45 = singles_neg(_s21);
+    const S _s46 = singles_add(singles_mul(_c4, singles_add(_c9, singles_mul(singles_add(singles_mul(_c1, _s36), singles_max(_s45, KS(0.0))), _s36))), singles_mul(singles_mul(KS(3.0), singles_mul(_s30, _s17)), _s39));
+    const S _s47 = singles_add(energy2, singles_add(_s46, singles_mul(KS(0.000244140625), singles_add(singles_add(_s43, singles_abs(_s29)), _s30))));
     const S _s48 = singles_sub(singles_sub(_s47, _s29), _s30);
-    const S _s49 = singles_sub(singles_mul(_s23, _s23), singles_mul(singles_mul(KS(8.0), singles_select(singles_at_most(_s27, singles_mul(_s23, _s36)), singles_max(_s44, _s48), ceiling)), _s27));
-    const Q _s50 = singles_less(KS(0.0), singles_select(singles_less(KS(0.0), _s23), _s49, _s23));
+    const S _s49 = singles_select(singles_less(KS(0.0), _s23), singles_sub(singles_mul(_s23, _s23), singles_mul(singles_mul(KS(8.0), _s27), singles_select(singles_at_most(_s27, singles_mul(_s23, _s36)), singles_max(_s44, _s48), ceiling))), _s23);
+    const Q _s50 = singles_less(KS(0.0), _s49);
     const S _s51 = singles_add(singles_mul(singles_mul(KS(2.0), _s44), _s26), singles_mul(_s28, _s28));
     const S _s52 = singles_sqrt(_s51);
     const S _s53 = singles_select(singles_at_most(KS(0.0), _s51), singles_div(singles_select(_s32, _s33, singles_add(_s52, _s28)), singles_select(_s32, singles_sub(_s52, _s28), singles_max(KS(0.0), _s44))), KS(INFINITY));
     const S _s54 = singles_min(_s53, _s36);
     const S _s55 = singles_add(t, _s54);
-    const Q _s56 = singles_both(singles_not(_s50), singles_either(singles_both(singles_less(_s21, KS(0.0)), singles_at_most(_s25, _s24)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s55)))));
+    const Q _s56 = singles_both(singles_not(_s50), singles_either(singles_both(singles_less(_s22, KS(0.0)), singles_at_most(_s25, _s24)), singles_both(singles_less(t, end), singles_not(singles_less(t, _s55)))));
     const Q _s57 = singles_not(singles_either(_s50, _s56));
     const Q _s58 = singles_both(_s57, singles_at_most(_s35, _s54));
     const S _s59 = singles_max(end, low1);
     const Q _s60 = singles_less(_s59, high1);
     const S _s61 = singles_max(end, low2);
     const Q _s62 = singles_less(_s61, high2);
-    return (LANES(hoop_ring_leap_out)){ singles_select(_s58, singles_select(_s60, _s59, singles_select(_s62, _s61, KS(INFINITY))), singles_select(_s56, t, _s55)), singles_select(_s58, singles_select(_s60, high1, singles_select(_s62, high2, end)), end), singles_truth(_s50), singles_truth(singles_both(_s57, singles_either(singles_not(_s58), singles_either(singles_either(singles_nowhere(), _s62), _s60)))) };
+    return (LANES(hoop_ring_step_out)){ singles_select(_s58, singles_select(_s60, _s59, singles_select(_s62, _s61, KS(INFINITY))), singles_select(_s56, t, _s55)), singles_select(_s58, singles_select(_s60, high1, singles_select(_s62, high2, end)), end), singles_truth(_s50), singles_truth(singles_both(_s57, singles_either(singles_not(_s58), singles_either(singles_either(singles_mask_none(), _s62), _s60)))) };
 }
 
 /* Distance from the axis, its rate and that of the gap, at the start of a flight.
    Table 2. 13 operations: 3 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root. */
 typedef struct {
-    V rho_start;
-    V parting;
-    V drift;
+    V rho_start, start_rate, rho_rate;
 } LANES(hoop_ring_started_out);
 
 LANES_INLINE LANES(hoop_ring_started_out)
 LANES(hoop_ring_started)(V x, V y, V z, V vx, V vy, V vz, V _c0)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s1 = lanes_div(lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)), _s0);
-    return (LANES(hoop_ring_started_out)){ _s0, lanes_mul(K(2.0), lanes_add(lanes_mul(vz, z), lanes_mul(_s1, lanes_sub(_s0, _c0)))), _s1 };
+    const V _s1 = lanes_div(lanes_add(lanes_mul(x, vx), lanes_mul(y, vy)), _s0);
+    return (LANES(hoop_ring_started_out)){ _s0, lanes_mul(K(2.0), lanes_add(lanes_mul(z, vz), lanes_mul(_s1, lanes_sub(_s0, _c0)))), _s1 };
 }
 
-/* Positive where the bounds of the search do not hold.
-   bounds of the event condition. 16 operations: 4 additions, 2 subtractions, 5 multiplications, 1 square root, 2 comparisons, 2 selections. */
+/* Positive if the bounds of the search do not hold.
+   bounds of the event condition. 15 operations: 3 additions, 2 subtractions, 5 multiplications, 1 square root, 2 comparisons, 2 selections. */
 typedef struct {
-    V lost;
-} LANES(hoop_ring_lost_out);
+    V budget_exceeded;
+} LANES(hoop_ring_budget_exceeded_out);
 
-LANES_INLINE LANES(hoop_ring_lost_out)
-LANES(hoop_ring_lost)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+LANES_INLINE LANES(hoop_ring_budget_exceeded_out)
+LANES(hoop_ring_budget_exceeded)(V horizon, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
 {
-    const V _s0 = lanes_add(lanes_mul(_c1, lanes_sqrt(lanes_mul(_c2, lanes_add(lanes_add(_c3, extent), _c4)))), lanes_mul(lanes_mul(K(2.0), speed), _c2));
-    const V _s1 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s0, horizon))), _c5), _c6);
-    return (LANES(hoop_ring_lost_out)){ lanes_max(_c0, _s1) };
+    const V _s0 = lanes_add(lanes_mul(_c1, lanes_sqrt(lanes_mul(_c2, lanes_add(_c3, extent)))), lanes_mul(lanes_mul(K(2.0), speed), _c2));
+    const V _s1 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s0, horizon))), _c4), _c5);
+    return (LANES(hoop_ring_budget_exceeded_out)){ lanes_max(_c0, _s1) };
 }
 
-/* The first window that ends later than a time, if there is one, from then on.
+/* First window that ends later than a time, from then on.
    Table 1. 18 operations: 6 comparisons, 3 disjunctions, 9 selections. */
 typedef struct {
-    V t;
-    V end;
+    V t, end;
     M searching;
 } LANES(hoop_ring_enter_out);
 
 LANES_INLINE LANES(hoop_ring_enter_out)
-LANES(hoop_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low1, V low2, V t)
+LANES(hoop_ring_enter)(V t, V end, V after, V low0, V low1, V low2, V high0, V high1, V high2)
 {
     const V _s0 = lanes_max(after, low0);
     const M _s1 = lanes_less(_s0, high0);
@@ -1618,15 +1502,13 @@ LANES(hoop_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low1
     const M _s3 = lanes_less(_s2, high1);
     const V _s4 = lanes_max(after, low2);
     const M _s5 = lanes_less(_s4, high2);
-    return (LANES(hoop_ring_enter_out)){ lanes_select(_s1, _s0, lanes_select(_s3, _s2, lanes_select(_s5, _s4, t))), lanes_select(_s1, high0, lanes_select(_s3, high1, lanes_select(_s5, high2, end))), lanes_either(lanes_either(lanes_either(lanes_nowhere(), _s5), _s3), _s1) };
+    return (LANES(hoop_ring_enter_out)){ lanes_select(_s1, _s0, lanes_select(_s3, _s2, lanes_select(_s5, _s4, t))), lanes_select(_s1, high0, lanes_select(_s3, high1, lanes_select(_s5, high2, end))), lanes_either(lanes_either(lanes_either(mask_none(), _s5), _s3), _s1) };
 }
 
 /* Outward unit normal n3 at a contact.
    Table 2. No operations. */
 typedef struct {
-    V nx;
-    V ny;
-    V nz;
+    V nx, ny, nz;
 } LANES(hoop_backboard_normal_out);
 
 LANES_INLINE LANES(hoop_backboard_normal_out)
@@ -1647,13 +1529,10 @@ LANES(hoop_backboard_curvature)(void)
     return (LANES(hoop_backboard_curvature_out)){ K(0.0) };
 }
 
-/* The g of Eq. 2: a contact counts where none is positive.
+/* The g of Eq. 2: a contact counts if none is positive.
    Eq. 2, Table 2. 5 operations: 1 addition, 3 subtractions, 1 negation. */
 typedef struct {
-    V g0;
-    V g1;
-    V g2;
-    V g3;
+    V g0, g1, g2, g3;
 } LANES(hoop_backboard_bounds_out);
 
 LANES_INLINE LANES(hoop_backboard_bounds_out)
@@ -1662,14 +1541,10 @@ LANES(hoop_backboard_bounds)(V y, V z, V _c0, V _c1, V _c2)
     return (LANES(hoop_backboard_bounds_out)){ lanes_neg(lanes_add(_c0, y)), lanes_sub(y, _c0), lanes_sub(_c1, z), lanes_sub(z, _c2) };
 }
 
-/* Time of the only arrival, the gap's rate there and its bend.
+/* Time of the only arrival, the gap's first two derivatives there, and its apex.
    Eq. 3 in Table 2, solved. 8 operations: 1 subtraction, 1 division, 1 negation, 1 absolute value, 2 comparisons, 2 selections. */
 typedef struct {
-    V time;
-    V rate;
-    V bend;
-    V apex;
-    V height;
+    V time, rate, bend, apex, height;
 } LANES(hoop_backboard_arrival_out);
 
 LANES_INLINE LANES(hoop_backboard_arrival_out)
@@ -1692,12 +1567,10 @@ LANES(hoop_backboard_margin)(V horizon, V extent, V speed, V position_error, V v
     return (LANES(hoop_backboard_margin_out)){ lanes_add(lanes_add(_c1, lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
-/* The point of the contact plane nearest to a position.
+/* Point of the contact plane nearest to a position.
    Table 2. No operations. */
 typedef struct {
-    V x;
-    V y;
-    V z;
+    V x, y, z;
 } LANES(hoop_backboard_place_out);
 
 LANES_INLINE LANES(hoop_backboard_place_out)
@@ -1706,7 +1579,7 @@ LANES(hoop_backboard_place)(V y, V z, V _c0)
     return (LANES(hoop_backboard_place_out)){ _c0, y, z };
 }
 
-/* Where a contact counts (Eq. 2).
+/* Whether a contact counts (Eq. 2).
    Table 1. 7 operations: 4 comparisons, 3 conjunctions. */
 typedef struct {
     M arrives;
@@ -1718,14 +1591,14 @@ LANES(hoop_backboard_within)(V g0, V g1, V g2, V g3)
     return (LANES(hoop_backboard_within_out)){ lanes_both(lanes_both(lanes_both(lanes_at_most(g0, K(0.0)), lanes_at_most(g1, K(0.0))), lanes_at_most(g2, K(0.0))), lanes_at_most(g3, K(0.0))) };
 }
 
-/* Where that, or the crossing, lies within its error.
+/* Whether the bounds or the crossing lie within their errors.
    Table 1. 19 operations: 1 negation, 9 comparisons, 8 conjunctions, 1 complement. */
 typedef struct {
     M unsure;
 } LANES(hoop_backboard_edges_out);
 
 LANES_INLINE LANES(hoop_backboard_edges_out)
-LANES(hoop_backboard_edges)(V clearance, V g0, V g1, V g2, V g3, V slack)
+LANES(hoop_backboard_edges)(V clearance, V slack, V g0, V g1, V g2, V g3)
 {
     const V _s0 = lanes_neg(slack);
     const M _s1 = lanes_not(lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(g0, _s0), lanes_less(g1, _s0)), lanes_less(g2, _s0)), lanes_less(g3, _s0)), lanes_less(K(0.0), clearance)));
@@ -1735,9 +1608,7 @@ LANES(hoop_backboard_edges)(V clearance, V g0, V g1, V g2, V g3, V slack)
 /* Outward unit normal n3 at a contact.
    Table 2. No operations. */
 typedef struct {
-    V nx;
-    V ny;
-    V nz;
+    V nx, ny, nz;
 } LANES(hoop_bridge_normal_out);
 
 LANES_INLINE LANES(hoop_bridge_normal_out)
@@ -1758,14 +1629,10 @@ LANES(hoop_bridge_curvature)(void)
     return (LANES(hoop_bridge_curvature_out)){ K(0.0) };
 }
 
-/* The g of Eq. 2: a contact counts where none is positive.
+/* The g of Eq. 2: a contact counts if none is positive.
    Eq. 2, Table 2. 10 operations: 3 additions, 2 subtractions, 2 multiplications, 1 square root, 2 negations. */
 typedef struct {
-    V g0;
-    V g1;
-    V g2;
-    V g3;
-    V g4;
+    V g0, g1, g2, g3, g4;
 } LANES(hoop_bridge_bounds_out);
 
 LANES_INLINE LANES(hoop_bridge_bounds_out)
@@ -1774,14 +1641,10 @@ LANES(hoop_bridge_bounds)(V x, V y, V _c0, V _c1, V _c2)
     return (LANES(hoop_bridge_bounds_out)){ lanes_neg(lanes_add(_c2, y)), lanes_sub(y, _c2), lanes_sub(_c0, lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), x, lanes_neg(lanes_add(_c1, x)) };
 }
 
-/* Time of the only arrival, the gap's rate there and its bend.
+/* Time of the only arrival, the gap's first two derivatives there, and its apex.
    Eq. 3 in Table 2, solved. 21 operations: 2 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 3 negations, 1 absolute value, 2 comparisons, 4 selections. */
 typedef struct {
-    V time;
-    V rate;
-    V bend;
-    V apex;
-    V height;
+    V time, rate, bend, apex, height;
 } LANES(hoop_bridge_arrival_out);
 
 LANES_INLINE LANES(hoop_bridge_arrival_out)
@@ -1808,12 +1671,10 @@ LANES(hoop_bridge_margin)(V horizon, V extent, V speed, V position_error, V velo
     return (LANES(hoop_bridge_margin_out)){ lanes_add(lanes_add(_c1, lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
-/* The point of the contact plane nearest to a position.
+/* Point of the contact plane nearest to a position.
    Table 2. No operations. */
 typedef struct {
-    V x;
-    V y;
-    V z;
+    V x, y, z;
 } LANES(hoop_bridge_place_out);
 
 LANES_INLINE LANES(hoop_bridge_place_out)
@@ -1822,7 +1683,7 @@ LANES(hoop_bridge_place)(V x, V y, V _c0)
     return (LANES(hoop_bridge_place_out)){ x, y, _c0 };
 }
 
-/* Where a contact counts (Eq. 2).
+/* Whether a contact counts (Eq. 2).
    Table 1. 9 operations: 5 comparisons, 4 conjunctions. */
 typedef struct {
     M arrives;
@@ -1834,14 +1695,14 @@ LANES(hoop_bridge_within)(V g0, V g1, V g2, V g3, V g4)
     return (LANES(hoop_bridge_within_out)){ lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(g0, K(0.0)), lanes_at_most(g1, K(0.0))), lanes_at_most(g2, K(0.0))), lanes_at_most(g3, K(0.0))), lanes_at_most(g4, K(0.0))) };
 }
 
-/* Where that, or the crossing, lies within its error.
+/* Whether the bounds or the crossing lie within their errors.
    Table 1. 23 operations: 1 negation, 11 comparisons, 10 conjunctions, 1 complement. */
 typedef struct {
     M unsure;
 } LANES(hoop_bridge_edges_out);
 
 LANES_INLINE LANES(hoop_bridge_edges_out)
-LANES(hoop_bridge_edges)(V clearance, V g0, V g1, V g2, V g3, V g4, V slack)
+LANES(hoop_bridge_edges)(V clearance, V slack, V g0, V g1, V g2, V g3, V g4)
 {
     const V _s0 = lanes_neg(slack);
     const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(g0, _s0), lanes_less(g1, _s0)), lanes_less(g2, _s0)), lanes_less(g3, _s0)), lanes_less(g4, _s0)), lanes_less(K(0.0), clearance));
@@ -1852,9 +1713,7 @@ LANES(hoop_bridge_edges)(V clearance, V g0, V g1, V g2, V g3, V g4, V slack)
 /* Outward unit normal n3 at a contact.
    Table 2. No operations. */
 typedef struct {
-    V nx;
-    V ny;
-    V nz;
+    V nx, ny, nz;
 } LANES(hoop_end_normal_out);
 
 LANES_INLINE LANES(hoop_end_normal_out)
@@ -1863,14 +1722,10 @@ LANES(hoop_end_normal)(void)
     return (LANES(hoop_end_normal_out)){ K(0.0), K(0.0), K(1.0) };
 }
 
-/* Time of the only arrival, the gap's rate there and its bend.
+/* Time of the only arrival, the gap's first two derivatives there, and its apex.
    Eq. 3 in Table 2, solved. 21 operations: 2 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 3 negations, 1 absolute value, 2 comparisons, 4 selections. */
 typedef struct {
-    V time;
-    V rate;
-    V bend;
-    V apex;
-    V height;
+    V time, rate, bend, apex, height;
 } LANES(hoop_end_arrival_out);
 
 LANES_INLINE LANES(hoop_end_arrival_out)
@@ -1897,7 +1752,7 @@ LANES(hoop_end_margin)(V horizon, V extent, V speed, V position_error, V velocit
     return (LANES(hoop_end_margin_out)){ lanes_add(lanes_add(_c1, lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
-/* The bounds of the ends on a plane: the first whose bounds all hold is reached.
+/* Bounds of the ends on a plane; the first whose bounds all hold is reached.
    Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root. */
 typedef struct {
     V g0;
@@ -1909,7 +1764,7 @@ LANES(hoop_end_bounds)(V x, V y, V _c0)
     return (LANES(hoop_end_bounds_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), _c0) };
 }
 
-/* The end that a crossing reaches.
+/* End that a crossing reaches.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
     V reached;
@@ -1921,14 +1776,14 @@ LANES(hoop_end_reached)(V g0)
     return (LANES(hoop_end_reached_out)){ lanes_select(lanes_at_most(g0, K(0.0)), K(0.0), K(1.0)) };
 }
 
-/* Whether that lies within its error.
+/* Whether the choice of the end lies within its error.
    Table 1. 5 operations: 1 negation, 2 comparisons, 1 conjunction, 1 complement. */
 typedef struct {
     M edge;
 } LANES(hoop_end_edge_out);
 
 LANES_INLINE LANES(hoop_end_edge_out)
-LANES(hoop_end_edge)(V g0, V slack)
+LANES(hoop_end_edge)(V slack, V g0)
 {
     return (LANES(hoop_end_edge_out)){ lanes_both(lanes_at_most(g0, slack), lanes_not(lanes_less(g0, lanes_neg(slack)))) };
 }

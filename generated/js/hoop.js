@@ -1,6 +1,6 @@
 /* Flight in the scene hoop.
 
-   Generated from templates/js/flight.js.j2, scene hoop, derivation 8b478a501bbb95cb,
+   Generated from templates/js/flight.js.j2, scene hoop, derivation 813a5c7cf272e36a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Numbers in, an array of numbers out; SI units. */
@@ -13,5 +13,5 @@
  * Returns x, y, z, vx, vy, vz.
  */
 function hoop_flight(t, x, y, z, vx, vy, vz, p_gravity) {
-  return [x + (t * vx), y + (t * vy), z + (t * (vz - ((0.5 * p_gravity) * t))), vx, vy, vz - (p_gravity * t)];
+  return [x + (vx * t), y + (vy * t), z + (t * (vz - ((0.5 * p_gravity) * t))), vx, vy, vz - (p_gravity * t)];
 }

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 8b478a501bbb95cb,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 813a5c7cf272e36a,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -151,27 +151,44 @@ LOG_ROWS = 1
 
 
 class Field(NamedTuple):
-    """What a shot takes from event to event: its start, None if given; whether it bounds errors."""
+    """A number that a shot keeps from event to event: its start, None if given; whether it is
+    diagnostic, and never influences the trajectory."""
 
     name: str
     start: float | None
-    bounds: bool
+    is_diagnostic: bool
     dtype: str = "float64"
 
 
 class Result(NamedTuple):
-    """A result: the fields that it is made of, whether they make a row, whether it is not a number
-    where a shot is invalid, whether it bounds errors, whether it is had by name only, whether it
-    counts contacts by body where they happen."""
+    """A result of a batch, one row for each shot: all that is known of it.
+
+    `hoopgen.derive.state.fields.Result` describes each attribute.
+    """
 
     name: str
     dtype: str
     columns: tuple[str, ...]
-    row: bool
-    blank: bool
-    bounds: bool
-    asked: bool
-    tallied: bool = False
+    summary: str
+    row: bool = False
+    is_empty_if_invalid: bool = False
+    is_diagnostic: bool = False
+    is_on_request: bool = False
+    is_counted: bool = False
+    switch: str = ""
+    absence: str = ""
+    labels: tuple[str, ...] = ()
+    units: tuple[str, ...] = ()
+    dimension: str = ""
+    coordinates: tuple[str, ...] = ()
+    unit_coordinate: str = ""
+    flags: tuple[str, ...] = ()
+    first_flag: int = 0
+    is_at_end: bool = False
+    tally: str = ""
+    tally_summary: str = ""
+    proved: float | None = None
+    is_judged: bool = True
 
 
 FIELDS: tuple[Field, ...] = (
@@ -210,141 +227,24 @@ FIELDS: tuple[Field, ...] = (
 )
 
 RESULTS: tuple[Result, ...] = (
-    Result("outcome", "uint8", ('outcome',), False, False, False, False),
-    Result("contacts", "int32", ('contacts',), False, False, False, False),
-    Result("counts", "int32", ('count_0', 'count_1', 'count_2'), True, False, False, False),
-    Result("first", "int8", ('first',), False, False, False, False),
-    Result("time", "float64", ('clock',), False, True, False, False),
-    Result("state", "float64", ('x', 'y', 'z', 'vx', 'vy', 'vz', 'wx', 'wy', 'wz'), True, True, False, False),
-    Result("time_error", "float64", ('time_claim',), False, True, True, True),
-    Result("state_error", "float64", ('position_claim', 'velocity_claim', 'spin_claim'), True, True, True, True),
-    Result("uncertain", "bool", ('uncertain',), False, False, True, False),
+    Result(name="outcome", dtype="uint8", columns=("outcome",), summary="how it ended", flags=("made", "missed", "capped", "short", "invalid", "lodged", "endless")),
+    Result(name="contacts", dtype="int32", columns=("contacts",), summary="contacts before the end"),
+    Result(name="counts", dtype="int32", columns=("count_0", "count_1", "count_2"), summary="contacts with each body", row=True, labels=("ring_contacts", "backboard_contacts", "bridge_contacts"), dimension="surface", coordinates=("ring", "backboard", "bridge")),
+    Result(name="first", dtype="int8", columns=("first",), summary="first body touched, -1: none", flags=("none", "ring", "backboard", "bridge"), first_flag=-1),
+    Result(name="time", dtype="float64", columns=("clock",), summary="s, at the end; capped or short: at the last contact", is_empty_if_invalid=True, units=("s",), is_at_end=True),
+    Result(name="state", dtype="float64", columns=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), summary="then", row=True, is_empty_if_invalid=True, labels=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), units=("m", "m", "m", "m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"), dimension="component", coordinates=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), unit_coordinate="unit", is_at_end=True),
+    Result(name="time_error", dtype="float64", columns=("time_claim",), summary="bound on the error of time", is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", units=("s",)),
+    Result(name="state_error", dtype="float64", columns=("position_claim", "velocity_claim", "spin_claim"), summary="bounds on the errors of each component of position, velocity and spin", row=True, is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", labels=("position_error", "velocity_error", "spin_error"), units=("m", "m/s", "rad/s"), dimension="part", coordinates=("position", "velocity", "spin")),
+    Result(name="uncertain", dtype="bool", columns=("uncertain",), summary="a decision lies within its rounding-error bound", is_diagnostic=True),
 )
+"""The results of a shot, in the order of the C struct."""
 
-ARGUMENTS: dict[str, tuple[str, ...]] = {
-    "flight": ("t", "x", "y", "z", "vx", "vy", "vz", "p_gravity",),
-    "contact_frame": ("nx", "ny", "nz",),
-    "impact_through_frame": ("vx", "vy", "vz", "wx", "wy", "wz", "n11", "n12", "n13", "n21", "n22", "n23", "n31", "n32", "n33", "p_ball_radius", "restitution",),
-    "crossing": ("margin", "rate_margin", "rate", "ceiling",),
-    "allowance": ("share", "horizon", "extent", "speed", "position_error", "velocity_error", "p_gravity",),
-    "horizon": ("t", "speed", "p_gravity",),
-    "scale": ("x", "y", "z", "vx", "vy", "vz", "p_gravity",),
-    "displacement": ("delay", "horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_gravity", "p_end_depth",),
-    "carry_flight": ("t", "x", "y", "z", "vx", "vy", "vz", "nx", "ny", "nz", "clock", "contacts", "late", "dx", "dy", "dz", "dvx", "dvy", "dvz", "curving", "p_gravity",),
-    "carry_time": ("t", "x", "y", "z", "vx", "vy", "vz", "clock", "clock_error", "dx", "dy", "dz", "dvx", "dvy", "dvz", "p_gravity",),
-    "error_bounds": ("clock_error", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
-    "claimed_errors": ("clock_error", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
-    "allowed": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_bridge_half_width", "p_restitution", "p_gravity", "p_end_depth",),
-    "parameters_in_range": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_restitution", "p_gravity", "p_end_depth", "allowed",),
-    "valid": ("last", "x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_end_depth",),
-    "aside": ("x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_end_depth",),
-    "left": ("index", "last",),
-    "released": ("last",),
-    "meeting_plane": ("apex", "bend", "rate", "time",),
-    "timely": ("arrives", "delay", "late", "time", "when",),
-    "grazed": ("apex", "doubt", "height", "margin",),
-    "questioned": ("doubt", "time", "unsure",),
-    "crossed": ("arrives", "clearance", "doubt", "time",),
-    "tied": ("arrives", "delay", "doubt", "late", "time", "when",),
-    "sooner": ("arrives", "index", "time", "when", "which",),
-    "opens": ("clear",),
-    "beginning": (),
-    "beyond": ("doubt", "excess", "late", "lost", "pad",),
-    "nearby": ("flat", "index", "last", "t", "tilt",),
-    "opened": ("horizon", "time",),
-    "coarse": ("ceiling", "fits", "flat", "rate_margin", "searching", "share", "sound",),
-    "leapt": ("arrival", "certain", "lasting", "searching", "served", "since",),
-    "struck": ("bend", "clearance", "gap", "margin", "rate", "rate_margin", "share",),
-    "finer": ("share",),
-    "exceeded": ("doubt", "excess", "t",),
-    "advanced": ("arrival", "certain", "end", "hit", "next", "step", "sure", "t", "vague",),
-    "found": ("arrival",),
-    "polished": ("arrival", "ceiling", "certain", "gap", "rate", "refined",),
-    "own_margin": ("arrival", "flat", "leaving", "tilt",),
-    "landed": ("arrival",),
-    "landed_surely": ("arrives", "certain", "clearance", "delay", "doubt", "time",),
-    "state_in_range": ("vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
-    "opening": ("excess", "position_error", "velocity_error",),
-    "limited": ("time_limit",),
-    "ticked": ("clock", "when",),
-    "doubted": ("doubt", "edge", "late", "uncertain", "when",),
-    "meeting": ("claims", "ends", "touches",),
-    "here": ("index", "which",),
-    "counted": ("count",),
-    "elsewhere": (),
-    "again": ("index", "last", "which",),
-    "touched": ("body", "first", "which",),
-    "timed": ("claims", "index", "which",),
-    "body_of": ("which",),
-    "admitted": ("doubt", "in_range", "permitted", "valid",),
-    "expiry": ("clock", "doubt", "late", "time_error", "time_limit", "when", "which",),
-    "departed": ("index", "which",),
-    "expired": ("body", "clock", "ends", "index", "reached", "time_limit", "which",),
-    "accounted": ("contacts", "most_contacts", "reached", "touches",),
-    "delayed": ("clock_error", "delay",),
-    "closing": ("claims", "outcome",),
-    "floored": ("dx", "dy", "dz", "shift",),
-    "unturned": (),
-    "reachable": ("p_ball_radius", "p_board_distance", "p_bridge_half_width", "extent", "p_gravity", "horizon", "late", "pad", "position_error", "p_ring_radius", "speed", "velocity_error", "vx", "x",),
-    "impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "p_ball_radius", "p_restitution",),
-    "carry_impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "contacts", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dnx", "dny", "dnz", "turn", "p_ball_radius", "p_restitution",),
-    "ring_coefficients": ("x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_deflated": ("x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_normal": ("x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius",),
-    "ring_curvature": ("p_ball_radius", "p_ring_radius", "p_wire_radius",),
-    "ring_carry_normal": ("x", "y", "dx", "dy", "dz", "shift", "p_ball_radius", "p_ring_radius", "p_wire_radius",),
-    "ring_clear": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_prepare": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_margins": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_opened": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_grain": ("t", "end", "leaving", "horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "parting", "drift", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_leap": ("t", "end", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "flat", "tilt", "grit", "jerk", "parting", "drift", "low1", "high1", "low2", "high2", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_started": ("x", "y", "z", "vx", "vy", "vz", "p_ring_radius",),
-    "ring_lost": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-    "ring_enter": ("after", "end", "high0", "high1", "high2", "low0", "low1", "low2", "t",),
-    "backboard_coefficients": ("x", "vx", "p_ball_radius", "p_board_distance",),
-    "backboard_deflated": ("vx",),
-    "backboard_normal": (),
-    "backboard_curvature": (),
-    "backboard_bounds": ("y", "z", "p_board_half_width", "p_board_bottom", "p_board_top",),
-    "backboard_arrival": ("leaving", "x", "vx", "p_ball_radius", "p_board_distance",),
-    "backboard_margin": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_board_distance", "p_gravity",),
-    "backboard_place": ("y", "z", "p_ball_radius", "p_board_distance",),
-    "backboard_within": ("g0", "g1", "g2", "g3",),
-    "backboard_edges": ("clearance", "g0", "g1", "g2", "g3", "slack",),
-    "bridge_coefficients": ("z", "vz", "p_ball_radius", "p_wire_radius", "p_gravity",),
-    "bridge_deflated": ("vz", "p_gravity",),
-    "bridge_normal": (),
-    "bridge_curvature": (),
-    "bridge_bounds": ("x", "y", "p_ring_radius", "p_board_distance", "p_bridge_half_width",),
-    "bridge_arrival": ("leaving", "z", "vz", "p_ball_radius", "p_wire_radius", "p_gravity",),
-    "bridge_margin": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_wire_radius", "p_gravity",),
-    "bridge_place": ("x", "y", "p_ball_radius", "p_wire_radius",),
-    "bridge_within": ("g0", "g1", "g2", "g3", "g4",),
-    "bridge_edges": ("clearance", "g0", "g1", "g2", "g3", "g4", "slack",),
-    "end_coefficients": ("z", "vz", "p_gravity", "p_end_depth",),
-    "end_deflated": ("vz", "p_gravity",),
-    "end_normal": (),
-    "end_curvature": (),
-    "end_arrival": ("leaving", "z", "vz", "p_gravity", "p_end_depth",),
-    "end_margin": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_gravity", "p_end_depth",),
-    "end_place": ("x", "y", "p_end_depth",),
-    "end_bounds": ("x", "y", "p_ring_radius",),
-    "end_reached": ("g0",),
-    "end_edge": ("g0", "slack",),
-    "aimed_speed": ("slope", "reach", "rise", "p_gravity",),
-    "entry_slope": ("slope", "reach", "rise",),
-    "slope_of_entry": ("entry", "reach", "rise",),
-    "least_speed": ("reach", "rise", "p_gravity",),
-    "slopes_of_speed": ("release_speed", "reach", "rise", "p_gravity",),
-    "descent": ("z", "vz", "level", "p_gravity",),
-    "apex": ("z", "vz", "p_gravity",),
-    "sighted": ("x", "y", "place_x", "place_y",),
-    "ring_nearness": ("t", "x", "y", "z", "vx", "vy", "vz", "half", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
-}
-"""Names of each kernel's arguments; rows to write into, which some take after them, are none."""
+ABSENT_RESULTS: tuple[Result, ...] = (
+    Result(name="rolls", dtype="int32", columns=("rolls",), summary="how many times it began to roll", absence="no ball rolls", tally="rolled", tally_summary="shots that rolled", proved=0.0),
+    Result(name="slip_left", dtype="bool", columns=("slip_left",), summary="its bounces ended with slip left, and so it is capped", absence="no ball rolls", tally="slip_left", tally_summary="capped shots whose bounces ended with slip left", proved=0.0),
+    Result(name="grip_lost", dtype="float64", columns=("grip_lost",), summary="s, when friction first was too little for the ball to roll as it did; infinite: never", is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, absence="no ball rolls", units=("s",), proved=_inf),
+)
+"""The results of other scenes that this one lacks."""
 
 OUTPUTS: dict[str, tuple[str, ...]] = {
     "flight": ("x", "y", "z", "vx", "vy", "vz",),
@@ -366,20 +266,20 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "left": ("leaving",),
     "released": ("released", "reachable",),
     "meeting_plane": ("arrives", "ceiling", "nearest",),
-    "timely": ("possible",),
+    "within_time": ("possible",),
     "grazed": ("doubt",),
     "questioned": ("doubt",),
     "crossed": ("doubt",),
-    "tied": ("doubt", "late",),
-    "sooner": ("when", "which",),
+    "tied": ("doubt", "earliest_delay",),
+    "earliest": ("when", "which",),
     "opens": ("open",),
     "beginning": ("share", "arrival", "certain",),
-    "beyond": ("doubt",),
+    "out_of_budget": ("doubt",),
     "nearby": ("leaving", "margin",),
     "opened": ("time", "latest",),
-    "coarse": ("leaping", "searching", "served", "ceiling", "flat", "tilt", "allowing",),
-    "leapt": ("arrival", "t", "searching",),
-    "struck": ("hit", "sure", "vague",),
+    "coarse": ("stepping", "searching", "single_precision", "ceiling", "flat", "tilt", "allowing",),
+    "stepped": ("arrival", "t", "searching",),
+    "struck": ("hit", "sure", "needs_refinement",),
     "finer": ("share",),
     "exceeded": ("doubt",),
     "advanced": ("arrival", "certain", "exhausted", "searching", "t",),
@@ -389,9 +289,9 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "landed": ("time",),
     "landed_surely": ("delay", "doubt",),
     "state_in_range": ("in_range",),
-    "opening": ("when", "which", "late", "doubt",),
+    "opening": ("when", "which", "earliest_delay", "doubt",),
     "limited": ("limited",),
-    "ticked": ("clock",),
+    "event_clock": ("clock",),
     "doubted": ("uncertain",),
     "meeting": ("meeting",),
     "here": ("here",),
@@ -419,15 +319,15 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_curvature": ("curvature",),
     "ring_carry_normal": ("dnx", "dny", "dnz", "turn",),
     "ring_clear": ("clear",),
-    "ring_prepare": ("steady", "swing", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest", "lost",),
+    "ring_prepare": ("energy2", "moment2", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest", "budget_exceeded",),
     "ring_margins": ("margin", "leaving_margin", "rate_margin",),
     "ring_refine": ("time", "gap", "rate",),
     "ring_advance": ("gap", "rate", "bend", "step", "next", "clearance",),
-    "ring_opened": ("t", "end", "searching", "low1", "high1", "low2", "high2", "latest", "sound",),
-    "ring_grain": ("share", "t", "end", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "ceiling", "flat", "tilt", "jerk", "grit", "parting", "drift", "rate_margin", "low1", "high1", "low2", "high2", "fits",),
-    "ring_leap": ("t", "end", "certain", "leaping",),
-    "ring_started": ("rho_start", "parting", "drift",),
-    "ring_lost": ("lost",),
+    "ring_opened": ("t", "end", "searching", "low1", "high1", "low2", "high2", "latest", "representable",),
+    "ring_resolution": ("share", "t", "end", "x", "y", "z", "vx", "vy", "vz", "energy2", "moment2", "rho_start", "ceiling", "flat", "tilt", "jerk", "quotient_margin", "start_rate", "rho_rate", "rate_margin", "low1", "high1", "low2", "high2", "fits",),
+    "ring_step": ("t", "end", "certain", "stepping",),
+    "ring_started": ("rho_start", "start_rate", "rho_rate",),
+    "ring_budget_exceeded": ("budget_exceeded",),
     "ring_enter": ("t", "end", "searching",),
     "backboard_coefficients": ("c0", "c1",),
     "backboard_deflated": ("c0",),
@@ -497,8 +397,8 @@ _k2 = _float64(0.0)
 _k3 = _float64(0.4)
 _k4 = _float64(0.6)
 _k5 = _float64(0.6666666666666666)
-_k6 = _scalar(0.0)
-_k7 = _scalar(6.0)
+_k6 = _scalar(6.0)
+_k7 = _scalar(0.0)
 _k8 = _scalar(_inf)
 _k9 = _float64(6.0)
 _k10 = _float64(_inf)
@@ -703,17 +603,15 @@ def flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity:
     """Position and velocity at time t of a flight.
 
     Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications.
-    Returns x, y, z, vx, vy, vz.
     """
     _r0, = _room[:1]
-    return x + _multiply(t, vx, _r0), y + _multiply(t, vy, _r0), z + _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), vx, vy, vz - _multiply(p_gravity, t, _r0)
+    return x + _multiply(vx, t, _r0), y + _multiply(vy, t, _r0), z + _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), vx, vy, vz - _multiply(p_gravity, t, _r0)
 
 
 def contact_frame(nx: Any, ny: Any, nz: Any) -> tuple[Any, ...]:
-    """The contact frame R = [n1 n2 n3] of a unit normal.
+    """Contact frame R = [n1 n2 n3] of a unit normal.
 
     Eqs. 7-10, Eq. 7 with the smallest component. 72 operations: 6 additions, 3 subtractions, 18 multiplications, 12 divisions, 3 square roots, 9 negations, 3 comparisons, 18 selections.
-    Returns n11, n12, n13, n21, n22, n23, n31, n32, n33.
     """
     _s0 = nx * nx
     _s1 = ny * ny
@@ -738,10 +636,9 @@ def contact_frame(nx: Any, ny: Any, nz: Any) -> tuple[Any, ...]:
 
 
 def impact_through_frame(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, n11: Any, n12: Any, n13: Any, n21: Any, n22: Any, n23: Any, n31: Any, n32: Any, n33: Any, p_ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
-    """Velocity and spin after a contact, through the contact frame.
+    """Velocity and spin after an impact, through the contact frame.
 
     Eqs. 11-17 by the closed-form inverse. 96 operations: 21 additions, 11 subtractions, 57 multiplications, 6 divisions, 1 negation.
-    Returns vx, vy, vz, wx, wy, wz.
     """
     _s0 = ((n12 * wx) + (n22 * wy)) + (n32 * wz)
     _s1 = 0.4 * p_ball_radius
@@ -763,22 +660,21 @@ def impact_through_frame(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, n
 
 
 def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Positive clearance if a crossing is certain, and the bound on its delay.
+    """Clearance, positive if a crossing is certain, and a bound on its delay.
 
-    Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections.
-    Returns clearance, delay.
+    Taylor's theorem with the margins of the gap and its rate. 10 operations: 1 addition, 1 subtraction, 3 multiplications, 1 division, 1 negation, 1 comparison, 2 selections.
     """
-    _r0, _r1, _r2 = _room[:3]
+    _r0, _r1, _r2, _r3 = _room[:4]
     _s0 = _negative(_add(rate, rate_margin, _r0), _r0)
-    _s1 = _k6 < _s0
-    return _result(_s1, _subtract(_multiply(_s0, _s0, _r1), _multiply(_multiply(_k7, ceiling, _r2), margin, _r2), _r2), _s0, _r0), _result(_s1, _divide(_multiply(_k7, margin, _r2), _s0, _r2), _k8, _r0)
+    _s1 = _multiply(_k6, margin, _r1)
+    _s2 = _k7 < _s0
+    return _result(_s2, _subtract(_multiply(_s0, _s0, _r2), _multiply(_s1, ceiling, _r3), _r3), _s0, _r0), _result(_s2, _divide(_s1, _s0, _r1), _k8, _r0)
 
 
 def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Errors of a state that a search allows for, and by how much the errors exceed them.
+    """Errors of the state that a search allows for, and by how much the errors exceed them.
 
     a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection.
-    Returns position_level, velocity_level, excess.
     """
     _r0, _r1 = _room[:2]
     _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
@@ -790,20 +686,18 @@ def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error:
 
 
 def horizon(t: Any, speed: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """A time after which no event is wanted, and how long that is after t.
+    """Time after which no event is wanted, and how long that is after t.
 
     the earliest arrival, with room for its delay. 5 operations: 2 additions, 2 multiplications, 1 division.
-    Returns horizon, pad.
     """
     _s0 = 9.5367431640625e-07 * (t + (speed * (1.0 / p_gravity)))
     return t + _s0, _s0
 
 
 def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Sums of the sizes of place and velocity; by how much a flight exceeds the largest.
+    """Sums of the sizes of position and velocity, and the excess of the flight's size.
 
-    what rounding errors are measured by. 18 operations: 4 additions, 1 subtraction, 2 multiplications, 1 division, 6 absolute values, 2 comparisons, 2 selections.
-    Returns extent, speed, excess.
+    the measure of rounding errors. 18 operations: 4 additions, 1 subtraction, 2 multiplications, 1 division, 6 absolute values, 2 comparisons, 2 selections.
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(_absolute(x, _r0), _absolute(y, _r1), _r1) + _absolute(z, _r0)
@@ -817,43 +711,21 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
     """Bound on the error of a length at a computed arrival.
 
     running error analysis. 25 operations: 15 additions, 8 multiplications, 2 absolute values.
-    Returns margin.
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s1 = _add(extent, _multiply(horizon, _s0, _r1), _r1)
-    _s2 = (((((p_ball_radius + p_board_distance) + p_board_half_width) + p_bridge_half_width) + p_end_depth) + p_ring_radius) + p_wire_radius
+    _s2 = (((((p_ball_radius + p_ring_radius) + p_wire_radius) + p_board_distance) + p_board_half_width) + p_bridge_half_width) + p_end_depth
     _s3 = _add(_multiply(_multiply(_k14, delay, _r2), _s0, _r2), _multiply(_k15, _add(_s1, (_s2 + _absolute(p_board_bottom)) + _absolute(p_board_top), _r0), _r0), _r0)
     return _s3 + _multiply(_k16, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s1, _r1), _r1), _r1),
 
 
-def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Errors of a state at the end of a flight to a surface, from those at its start.
+def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, earliest_delay: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Errors of the state at the end of a flight to a surface, from those at its start.
 
     derivative of Eq. 3 and of the contact time, with roundings. 125 operations: 27 additions, 1 subtraction, 33 multiplications, 2 divisions, 7 negations, 17 absolute values, 19 comparisons, 19 selections.
-    Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
     """
-    t = _single(t)
-    x = _single(x)
-    y = _single(y)
-    z = _single(z)
-    vx = _single(vx)
-    vy = _single(vy)
-    vz = _single(vz)
-    nx = _single(nx)
-    ny = _single(ny)
-    nz = _single(nz)
-    clock = _single(clock)
-    contacts = _single(contacts)
-    late = _single(late)
-    dx = _single(dx)
-    dy = _single(dy)
-    dz = _single(dz)
-    dvx = _single(dvx)
-    dvy = _single(dvy)
-    dvz = _single(dvz)
-    curving = _single(curving)
-    p_gravity = _single(p_gravity)
+    t, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25 = _halves(_room[:26])
     _s0 = _add(dx, _multiply(dvx, t, _r0), _r0)
     _s1 = _absolute(vx, _r1)
@@ -896,35 +768,19 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     _s38 = _absolute(_s37, _r10)
     _s39 = _select(_s38 < _s32, _s32, _s38, _r15)
     _s40 = _absolute(_s14, _r14)
-    _s41 = _multiply(_k28, late, _r13)
-    return _result(_s15 < _k25, _negative(_s33, _r11), _s33, _r0), _result(_s34 < _k25, _negative(_s36, _r18), _s36, _r0), _result(_s37 < _k25, _negative(_s39, _r16), _s39, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s14, _r6), _multiply(_k29, _add(clock, t, _r6), _r6) + _select(_s40 < _s41, _s41, _s40, _r16), _s31
+    _s41 = _multiply(_k28, earliest_delay, _r13)
+    return _result(_s15 < _k25, _negative(_s33, _r11), _s33, _r0), _result(_s34 < _k25, _negative(_s36, _r18), _s36, _r0), _result(_s37 < _k25, _negative(_s39, _r16), _s39, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s14, _r6), _multiply(_k29, _add(t, clock, _r6), _r6) + _select(_s40 < _s41, _s41, _s40, _r16), _s31
 
 
 def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Errors of a state at the time limit, from those at the start of the flight.
+    """Errors of the state at the time limit, from those at the start of the flight.
 
     derivative of Eq. 3, with roundings. 65 operations: 20 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
-    Returns dx, dy, dz, dvx, dvy, dvz, clock_error.
     """
-    t = _single(t)
-    x = _single(x)
-    y = _single(y)
-    z = _single(z)
-    vx = _single(vx)
-    vy = _single(vy)
-    vz = _single(vz)
-    clock = _single(clock)
-    clock_error = _single(clock_error)
-    dx = _single(dx)
-    dy = _single(dy)
-    dz = _single(dz)
-    dvx = _single(dvx)
-    dvy = _single(dvy)
-    dvz = _single(dvz)
-    p_gravity = _single(p_gravity)
+    t, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _halves(_room[:17])
     _s0 = _absolute(vx, _r0)
-    _s1 = _add(clock_error, _multiply(_k29, _add(clock, t, _r1), _r1), _r1)
+    _s1 = _add(clock_error, _multiply(_k29, _add(t, clock, _r1), _r1), _r1)
     _s2 = _absolute(dvx, _r2)
     _s3 = _absolute(dvy, _r3)
     _s4 = _select(_s2 < _s3, _s3, _s2, _r4)
@@ -942,25 +798,15 @@ def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock:
     _s16 = _absolute(dz, _r15)
     _s17 = _add(_add(_multiply(t, _select(_s4 < _s5, _s5, _s4, _r16), _r16), _select(_s10 < _s12, _s12, _s10, _r4), _r4), _select(_s15 < _s16, _s16, _s15, _r12), _r12)
     _s18 = _absolute(_k30)
-    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(_k38, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(_k38, _s8, _r7), _add(_s5, _multiply(_k38, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), _k30
+    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _multiply(_k38, _s0, _r0), _r0) + _s2, _add(_s18, _multiply(_k38, _s8, _r7), _r7) + _s3, _add(_multiply(_k38, _s11, _r11), _s5, _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), _k30
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Bounds on the errors of a state and its time that decisions allow for.
+    """Bounds on the errors of state and time that decisions allow for.
 
-    the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
-    Returns position_error, velocity_error, spin_error, time_error.
+    the carried errors times a factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     """
-    clock_error = _single(clock_error)
-    dx = _single(dx)
-    dy = _single(dy)
-    dz = _single(dz)
-    dvx = _single(dvx)
-    dvy = _single(dvy)
-    dvz = _single(dvz)
-    dwx = _single(dwx)
-    dwy = _single(dwy)
-    dwz = _single(dwz)
+    clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, = [_single(value) for value in (clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
     _s0 = _absolute(dx, _r0)
     _s1 = _absolute(dy, _r1)
@@ -978,21 +824,11 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
 
 
 def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Bounds on the errors of a state and its time that a shot claims.
+    """Bounds on the errors of state and time that are reported.
 
-    the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
-    Returns position_error, velocity_error, spin_error, time_error.
+    the carried errors times a larger factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     """
-    clock_error = _single(clock_error)
-    dx = _single(dx)
-    dy = _single(dy)
-    dz = _single(dz)
-    dvx = _single(dvx)
-    dvy = _single(dvy)
-    dvz = _single(dvz)
-    dwx = _single(dwx)
-    dwy = _single(dwy)
-    dwz = _single(dwz)
+    clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, = [_single(value) for value in (clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
     _s0 = _absolute(dx, _r0)
     _s1 = _absolute(dy, _r1)
@@ -1010,10 +846,9 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
 
 
 def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
-    """1 where finite parameters are allowed.
+    """1 if finite parameters are allowed.
 
     the scene's requirements. 24 operations: 2 subtractions, 11 comparisons, 11 selections.
-    Returns allowed.
     """
     _s0 = _where((0.0 < p_ring_radius), _where((0.0 < p_ball_radius), _where((0.0 < ((p_ring_radius - p_ball_radius) - p_wire_radius)), 1.0, 0.0), 0.0), 0.0)
     _s1 = _where((0.0 <= p_restitution), _where((0.0 < p_bridge_half_width), _where((0.0 < p_board_half_width), _where((0.0 < p_board_distance), _where((0.0 < p_wire_radius), _s0, 0.0), 0.0), 0.0), 0.0), 0.0)
@@ -1021,10 +856,9 @@ def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_
 
 
 def parameters_in_range(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any, allowed: Any) -> tuple[Any, ...]:
-    """Where the parameters are allowed, and no arithmetic with them over- or underflows.
+    """Whether the parameters are allowed, and no arithmetic with them over- or underflows.
 
     the range of numbers. 38 operations: 11 absolute values, 14 comparisons, 13 conjunctions.
-    Returns permitted.
     """
     _s0 = _absolute(p_ball_radius)
     _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_logical_and((0.0 < allowed), (_s0 <= 1073741824.0)), (9.313225746154785e-10 <= _s0)), (_absolute(p_ring_radius) <= 1073741824.0)), (_absolute(p_wire_radius) <= 1073741824.0)), (_absolute(p_board_distance) <= 1073741824.0))
@@ -1035,10 +869,9 @@ def parameters_in_range(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: A
 
 
 def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """1 where no surface is overlapped; 1 where that is in doubt.
+    """1 if the ball overlaps no surface; 1 if that is undecided.
 
     Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections.
-    Returns valid, doubt.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29 = _room[:30]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
@@ -1046,7 +879,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s2 = p_ball_radius + p_wire_radius
     _s3 = _subtract(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _s2 * _s2, _r0)
     _s4 = _absolute(last, _r2) < _k47
-    _s5 = _select(_s4, _k48, _select(_k6 <= _s3, _k48, _k6, _r2), _r3)
+    _s5 = _select(_s4, _k48, _select(_k7 <= _s3, _k48, _k7, _r2), _r3)
     _s6 = p_ball_radius - p_board_distance
     _s7 = _subtract(x, _s6, _r4)
     _s8 = 2.0 * p_ball_radius
@@ -1061,7 +894,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s17 = _subtract(z, p_board_top, _r13)
     _s18 = _select(_s16 < _s17, _s17, _s16, _r14)
     _s19 = _absolute(_subtract(last, _k48, _r15), _r15) < _k47
-    _s20 = _select(_s19, _s5, _select(_k6 <= _s18, _s5, _k6, _r15), _r16)
+    _s20 = _select(_s19, _s5, _select(_k7 <= _s18, _s5, _k7, _r15), _r16)
     _s21 = _subtract(z, _s2, _r17)
     _s22 = _subtract((_s2 - _s8) - (2.0 * p_wire_radius), z, _r18)
     _s23 = _select(_s21 < _s22, _s22, _s21, _r19)
@@ -1075,24 +908,23 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s31 = _negative(_add(p_board_distance, x, _r26), _r26)
     _s32 = _select(_s30 < _s31, _s31, _s30, _r27)
     _s33 = _absolute(_subtract(last, _k49, _r28), _r28) < _k47
-    _s34 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_top)) + _absolute(p_bridge_half_width)
-    _s35 = _add(_add(((_s34 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius), _absolute(x, _r28), _r28), _absolute(y, _r29), _r29)
+    _s34 = ((((_absolute(p_board_bottom) + _absolute(p_board_top)) + _absolute(p_ball_radius)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)
+    _s35 = _add(_add(((_s34 + _absolute(p_board_half_width)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth), _absolute(x, _r28), _r28), _absolute(y, _r29), _r29)
     _s36 = _multiply(_k50, _add(_s35, _absolute(z, _r28), _r28), _r28)
-    _s37 = _select(_s4, _k6, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), _k48, _k6, _r29), _r0)
+    _s37 = _select(_s4, _k7, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), _k48, _k7, _r29), _r0)
     _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, _k48, _s37, _r14), _r13)
-    return _result(_s33, _s20, _select(_k6 <= _s32, _s20, _k6, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, _k48, _s38, _r27), _r0)
+    return _result(_s33, _s20, _select(_k7 <= _s32, _s20, _k7, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, _k48, _s38, _r27), _r0)
 
 
 def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Where a start may overlap a surface, or be in doubt; and what is said elsewhere.
+    """Whether the ball starts near a surface; otherwise its start is valid and decided.
 
     Table 2. 45 operations: 14 additions, 5 subtractions, 3 multiplications, 1 negation, 12 absolute values, 5 comparisons, 2 conjunctions, 2 disjunctions, 1 complement.
-    Returns close, valid, doubt.
     """
     _r0, _r1, _r2 = _room[:3]
-    _s0 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_top)) + _absolute(p_bridge_half_width)
+    _s0 = ((((_absolute(p_board_bottom) + _absolute(p_board_top)) + _absolute(p_ball_radius)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)
     _s1 = _absolute(x, _r0)
-    _s2 = _add(_add(((_s0 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius), _s1, _r1), _absolute(y, _r2), _r2)
+    _s2 = _add(_add(((_s0 + _absolute(p_board_half_width)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth), _s1, _r1), _absolute(y, _r2), _r2)
     _s3 = _multiply(_k54, _multiply(_k50, _add(_s2, _absolute(z, _r1), _r1), _r1), _r1)
     _s4 = p_ball_radius - p_board_distance
     _s5 = _logical_and((_s3 < _subtract(_s1, (p_ball_radius + p_ring_radius) + p_wire_radius, _r0)), _logical_or((_s3 < _subtract(x, _s4, _r0)), (_s3 < _subtract(_s4 - (2.0 * p_ball_radius), x, _r0))))
@@ -1101,124 +933,111 @@ def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire
 
 
 def left(index: Any, last: Any) -> tuple[Any, ...]:
-    """1 where the ball leaves a surface.
+    """1 if the flight starts on this surface.
 
     Table 1. 2 operations: 1 comparison, 1 selection.
-    Returns leaving.
     """
     return _where((last == index), 1.0, 0.0),
 
 
 def released(last: Any) -> tuple[Any, ...]:
-    """Where a ball has touched nothing yet: only then is asked whether it comes to a plate.
+    """Whether the ball has touched nothing yet.
 
     Table 1. 2 operations: 1 comparison, 1 complement.
-    Returns released, reachable.
     """
     _s0 = last < 0.0
     return _s0, _logical_not(_s0)
 
 
-def meeting_plane(apex: Any, bend: Any, rate: Any, time: Any) -> tuple[Any, ...]:
-    """Whether a plane's only arrival is one, the bend's size; when the ball is nearest.
+def meeting_plane(rate: Any, bend: Any, apex: Any, time: Any) -> tuple[Any, ...]:
+    """Whether a plane's only root is an arrival, the size of F'', and the nearest time.
 
     Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection.
-    Returns arrives, ceiling, nearest.
     """
     _s0 = _logical_and(_logical_and(_logical_or((rate < 0.0), _logical_and(_logical_and((rate <= 0.0), (bend < 0.0)), (time == 0.0))), (0.0 <= time)), (time < _inf))
     return _s0, _absolute(bend), _where(_s0, time, apex)
 
 
-def timely(arrives: Any, delay: Any, late: Any, time: Any, when: Any) -> tuple[Any, ...]:
-    """Whether an arrival may be the earliest, as far as their delays are bounded.
+def within_time(time: Any, when: Any, delay: Any, earliest_delay: Any, arrives: Any) -> tuple[Any, ...]:
+    """Whether an arrival may be the earliest within the delays.
 
     Table 1. 5 operations: 1 addition, 1 subtraction, 1 comparison, 1 conjunction, 1 complement.
-    Returns possible.
     """
-    return _logical_and(arrives, _logical_not(((delay + late) < (time - when)))),
+    return _logical_and(arrives, _logical_not(((delay + earliest_delay) < (time - when)))),
 
 
-def grazed(apex: Any, doubt: Any, height: Any, margin: Any) -> tuple[Any, ...]:
-    """A doubt where the gap's apex is zero within its error.
+def grazed(margin: Any, apex: Any, height: Any, doubt: Any) -> tuple[Any, ...]:
+    """Earliest undecided time, with that of an apex whose gap is zero within its error.
 
     Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection.
-    Returns doubt.
     """
     return _where(_logical_and(_logical_and((0.0 <= apex), (_absolute(height) <= margin)), (apex < doubt)), apex, doubt),
 
 
-def questioned(doubt: Any, time: Any, unsure: Any) -> tuple[Any, ...]:
-    """A doubt about a decision at a time.
+def questioned(time: Any, doubt: Any, unsure: Any) -> tuple[Any, ...]:
+    """Earliest undecided time, with that of an undecided predicate.
 
     Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection.
-    Returns doubt.
     """
     return _where(_logical_and(unsure, (time < doubt)), time, doubt),
 
 
-def crossed(arrives: Any, clearance: Any, doubt: Any, time: Any) -> tuple[Any, ...]:
-    """A doubt about an arrival whose crossing is not certain.
+def crossed(clearance: Any, time: Any, doubt: Any, arrives: Any) -> tuple[Any, ...]:
+    """Earliest undecided time, with that of an arrival whose crossing is not certain.
 
     Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection.
-    Returns doubt.
     """
     return _where(_logical_and(_logical_and(arrives, _logical_not((0.0 < clearance))), (time < doubt)), time, doubt),
 
 
-def tied(arrives: Any, delay: Any, doubt: Any, late: Any, time: Any, when: Any) -> tuple[Any, ...]:
-    """A doubt about two arrivals within their delays; the delay of the earlier one.
+def tied(time: Any, when: Any, delay: Any, earliest_delay: Any, doubt: Any, arrives: Any) -> tuple[Any, ...]:
+    """Earliest undecided time, with that of a tie within the delays; the earlier's delay.
 
     Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections.
-    Returns doubt, late.
     """
     _s0 = time < when
     _s1 = _where(_s0, time, when)
-    _s2 = _where(_logical_and(_logical_and(arrives, (_absolute((time - when)) <= (delay + late))), (_s1 < doubt)), _s1, doubt)
-    return _s2, _where(_logical_and(arrives, _s0), delay, late)
+    _s2 = _where(_logical_and(_logical_and(arrives, (_absolute((time - when)) <= (delay + earliest_delay))), (_s1 < doubt)), _s1, doubt)
+    return _s2, _where(_logical_and(arrives, _s0), delay, earliest_delay)
 
 
-def sooner(arrives: Any, index: Any, time: Any, when: Any, which: Any) -> tuple[Any, ...]:
-    """The earlier of the earliest arrival so far and this one.
+def earliest(index: Any, time: Any, when: Any, which: Any, arrives: Any) -> tuple[Any, ...]:
+    """Time and surface of the earliest arrival, with this one.
 
     Table 1. 4 operations: 1 comparison, 1 conjunction, 2 selections.
-    Returns when, which.
     """
     _s0 = _logical_and(arrives, (time < when))
     return _where(_s0, time, when), _where(_s0, index, which)
 
 
 def opens(clear: Any) -> tuple[Any, ...]:
-    """Where a surface is not certainly missed.
+    """Whether the flight may hit a surface.
 
     Table 1. 2 operations: 1 comparison, 1 complement.
-    Returns open.
     """
     return _logical_not((0.0 < clear)),
 
 
 def beginning() -> tuple[Any, ...]:
-    """How a search begins: with the errors that it allows for, and nothing found.
+    """Start values of a search: its error budget, and no arrival.
 
     Table 1. No operations.
-    Returns share, arrival, certain.
     """
     return 2.9802322387695312e-08, _inf, False
 
 
-def beyond(doubt: Any, excess: Any, late: Any, lost: Any, pad: Any) -> tuple[Any, ...]:
-    """Nothing is certain where the errors exceed what the search allows for.
+def out_of_budget(pad: Any, budget_exceeded: Any, earliest_delay: Any, doubt: Any, excess: Any) -> tuple[Any, ...]:
+    """Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
 
     Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection.
-    Returns doubt.
     """
-    return _where(_logical_or(_logical_or((0.0 < excess), (0.0 < lost)), (pad < late)), 0.0, doubt),
+    return _where(_logical_or(_logical_or((0.0 < excess), (0.0 < budget_exceeded)), (pad < earliest_delay)), 0.0, doubt),
 
 
-def nearby(flat: Any, index: Any, last: Any, t: Any, tilt: Any) -> tuple[Any, ...]:
-    """1 near the surface that the ball left, where F/t is known better than F; the margin.
+def nearby(t: Any, flat: Any, tilt: Any, index: Any, last: Any) -> tuple[Any, ...]:
+    """1 near the surface that the ball left, where F/t is more exact than F; the margin.
 
     Table 1. 6 operations: 1 multiplication, 2 comparisons, 1 conjunction, 2 selections.
-    Returns leaving, margin.
     """
     _s0 = t * tilt
     _s1 = _logical_and((last == index), (_s0 < flat))
@@ -1226,39 +1045,35 @@ def nearby(flat: Any, index: Any, last: Any, t: Any, tilt: Any) -> tuple[Any, ..
 
 
 def opened(horizon: Any, time: Any) -> tuple[Any, ...]:
-    """When the first window opens, in single precision, and when the last one ends.
+    """Begin of the first window and end of the last one, from single precision.
 
     Table 1. No operations.
-    Returns time, latest.
     """
     return time, horizon
 
 
-def coarse(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any, share: Any, sound: Any) -> tuple[Any, ...]:
-    """Whether a search begins in single precision, and what it is known by.
+def coarse(rate_margin: Any, flat: Any, ceiling: Any, share: Any, searching: Any, representable: Any, fits: Any) -> tuple[Any, ...]:
+    """Whether a search begins in single precision; its ceiling, margins and error budget.
 
     Table 1. 6 operations: 3 conjunctions, 1 disjunction, 1 complement, 1 selection.
-    Returns leaping, searching, served, ceiling, flat, tilt, allowing.
     """
-    _s0 = _logical_and(_logical_and(searching, sound), fits)
-    return _s0, _logical_or(searching, _logical_not(sound)), _s0, ceiling, flat, rate_margin, _where(_logical_and(sound, fits), share, 2.9802322387695312e-08)
+    _s0 = _logical_and(_logical_and(searching, representable), fits)
+    return _s0, _logical_or(searching, _logical_not(representable)), _s0, ceiling, flat, rate_margin, _where(_logical_and(representable, fits), share, 2.9802322387695312e-08)
 
 
-def leapt(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
-    """What a search in single precision found, and whether it goes on, and from when.
+def stepped(arrival: Any, lasting: Any, searching: Any, since: Any, single_precision: Any, certain: Any) -> tuple[Any, ...]:
+    """Root from the search in single precision; whether and where the search goes on.
 
     Table 1. 7 operations: 1 addition, 1 comparison, 2 conjunctions, 1 complement, 2 selections.
-    Returns arrival, t, searching.
     """
     _s0 = lasting + since
-    return _where(certain, _s0, arrival), _where(served, _s0, 0.0), _logical_and(_logical_and(searching, _logical_not(certain)), (lasting < _inf))
+    return _where(certain, _s0, arrival), _where(single_precision, _s0, 0.0), _logical_and(_logical_and(searching, _logical_not(certain)), (lasting < _inf))
 
 
-def struck(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_margin: Any, share: Any) -> tuple[Any, ...]:
-    """Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
+def struck(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
+    """Whether the gap closes, certainly closes, or needs a smaller error budget.
 
     Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements.
-    Returns hit, sure, vague.
     """
     _s0 = _logical_or((rate < 0.0), _logical_and((rate <= rate_margin), (bend < 0.0)))
     _s1 = 0.0 < clearance
@@ -1269,86 +1084,77 @@ def struck(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_mar
 
 
 def finer(share: Any) -> tuple[Any, ...]:
-    """The next smaller errors that a search allows for.
+    """Next smaller error budget.
 
     Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection.
-    Returns share.
     """
     return _where((2.842170943040401e-14 < share), (0.03125 * share), 0.0),
 
 
-def exceeded(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
-    """A doubt where the errors exceed what is allowed for.
+def exceeded(t: Any, doubt: Any, excess: Any) -> tuple[Any, ...]:
+    """Earliest undecided time, with the present one if the errors exceed the budget.
 
     Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection.
-    Returns doubt.
     """
     return _where(_logical_and((0.0 < excess), (t < doubt)), t, doubt),
 
 
-def advanced(arrival: Any, certain: Any, end: Any, hit: Any, next: Any, step: Any, sure: Any, t: Any, vague: Any) -> tuple[Any, ...]:
-    """The search after a step: what it found, whether its window is exhausted, where it is.
+def advanced(t: Any, end: Any, step: Any, next: Any, arrival: Any, hit: Any, sure: Any, needs_refinement: Any, certain: Any) -> tuple[Any, ...]:
+    """Root, time and state of a search after a step, and whether its window is exhausted.
 
     Table 1. 14 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 3 selections.
-    Returns arrival, certain, exhausted, searching, t.
     """
     _s0 = _logical_not(hit)
-    _s1 = _logical_and(_logical_and(_s0, _logical_not(vague)), ((end - t) <= step))
-    return _where(hit, _where(sure, next, t), arrival), _logical_or(certain, _logical_and(hit, sure)), _s1, _logical_and(_s0, _logical_not(_s1)), _where(_logical_or(hit, vague), t, next)
+    _s1 = _logical_and(_logical_and(_s0, _logical_not(needs_refinement)), ((end - t) <= step))
+    return _where(hit, _where(sure, next, t), arrival), _logical_or(certain, _logical_and(hit, sure)), _s1, _logical_and(_s0, _logical_not(_s1)), _where(_logical_or(hit, needs_refinement), t, next)
 
 
 def found(arrival: Any) -> tuple[Any, ...]:
     """Whether a search found an arrival.
 
     Table 1. 1 operation: 1 comparison.
-    Returns arrives, refining, rate.
     """
     _s0 = arrival < _inf
     return _s0, _s0, 0.0
 
 
-def polished(arrival: Any, ceiling: Any, certain: Any, gap: Any, rate: Any, refined: Any) -> tuple[Any, ...]:
-    """A root that is certain, refined, and whether h is above 2^-24: then it is again.
+def polished(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
+    """A certain root, refined, and whether h is above 2^-24, so that it is refined again.
 
     Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection.
-    Returns arrival, refining.
     """
     return _where(certain, refined, arrival), _logical_and(certain, ((5.960464477539063e-08 * (rate * rate)) < (ceiling * _absolute(gap))))
 
 
-def own_margin(arrival: Any, flat: Any, leaving: Any, tilt: Any) -> tuple[Any, ...]:
-    """The margin of the form that an arrival was found with.
+def own_margin(leaving: Any, flat: Any, tilt: Any, arrival: Any) -> tuple[Any, ...]:
+    """Margin of the form, F or F/t, in which an arrival was found.
 
     Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection.
-    Returns margin.
     """
-    return _where((0.0 < leaving), (arrival * tilt), flat),
+    return _where((0.0 < leaving), (tilt * arrival), flat),
 
 
 def landed(arrival: Any) -> tuple[Any, ...]:
-    """The time of an arrival, not before the flight.
+    """Time of an arrival, not before the flight.
 
     Table 1. 2 operations: 1 comparison, 1 selection.
-    Returns time.
     """
     return _where((arrival < 0.0), 0.0, arrival),
 
 
-def landed_surely(arrives: Any, certain: Any, clearance: Any, delay: Any, doubt: Any, time: Any) -> tuple[Any, ...]:
-    """The delay of an arrival that is certain, a doubt about another one.
+def landed_surely(clearance: Any, time: Any, delay: Any, doubt: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
+    """Delay of a certain arrival; the earliest undecided time, with that of any other one.
 
     Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections.
-    Returns delay, doubt.
     """
     _s0 = _logical_and(certain, (0.0 < clearance))
     return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (time < doubt)), time, doubt)
 
 
-def state_in_range(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Where no number of a release is so large that arithmetic with it could overflow.
+def state_in_range(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Whether all numbers of a release are small enough not to overflow.
 
     Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions.
-    Returns in_range.
     """
     _r0, = _room[:1]
     _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) <= _k60), (_absolute(y, _r0) <= _k60)), (_absolute(z, _r0) <= _k60)), (_absolute(vx, _r0) <= _k60)), (_absolute(vy, _r0) <= _k60))
@@ -1357,10 +1163,9 @@ def state_in_range(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any,
 
 
 def opening(excess: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
-    """No arrival yet; nothing is certain where the errors are not bounded.
+    """Start values: no arrival; an uncertain shot if its errors are not bounded.
 
     Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection.
-    Returns when, which, late, doubt.
     """
     return _inf, -1.0, 0.0, _where(_logical_and(_logical_and((position_error < _inf), (velocity_error < _inf)), (excess <= 0.0)), _inf, 0.0)
 
@@ -1369,35 +1174,31 @@ def limited(time_limit: Any) -> tuple[Any, ...]:
     """Whether there is a time limit.
 
     Table 1. 1 operation: 1 comparison.
-    Returns limited.
     """
     return time_limit < _inf,
 
 
-def ticked(clock: Any, when: Any) -> tuple[Any, ...]:
-    """The time of the event.
+def event_clock(when: Any, clock: Any) -> tuple[Any, ...]:
+    """Time of the event.
 
     Table 1. 1 operation: 1 addition.
-    Returns clock.
     """
-    return clock + when,
+    return when + clock,
 
 
-def doubted(doubt: Any, edge: Any, late: Any, uncertain: Any, when: Any) -> tuple[Any, ...]:
-    """1 where a decision up to this event, or which end it is, lies within its error.
+def doubted(when: Any, earliest_delay: Any, doubt: Any, uncertain: Any, edge: Any) -> tuple[Any, ...]:
+    """1 if a decision up to this event, or the choice of the end, lies within its error.
 
     Table 1. 7 operations: 1 addition, 2 comparisons, 1 conjunction, 1 disjunction, 1 complement, 1 selection.
-    Returns uncertain.
     """
-    _s0 = _where(_logical_or(_logical_and(_logical_not(((late + when) < doubt)), (doubt < _inf)), edge), 1.0, uncertain)
+    _s0 = _where(_logical_or(_logical_and(_logical_not(((when + earliest_delay) < doubt)), (doubt < _inf)), edge), 1.0, uncertain)
     return _s0,
 
 
 def meeting(claims: Any, ends: Any, touches: Any) -> tuple[Any, ...]:
-    """Where an event changes the ball, or its errors are asked for.
+    """Whether an event changes the motion, or its errors are wanted.
 
     Table 1. 3 operations: 1 comparison, 1 conjunction, 1 disjunction.
-    Returns meeting.
     """
     return _logical_or(touches, _logical_and(ends, (0.0 < claims))),
 
@@ -1406,7 +1207,6 @@ def here(index: Any, which: Any) -> tuple[Any, ...]:
     """Whether the event is on a surface.
 
     Table 1. 1 operation: 1 comparison.
-    Returns here.
     """
     return which == index,
 
@@ -1415,167 +1215,146 @@ def counted(count: Any) -> tuple[Any, ...]:
     """One more contact.
 
     Table 1. 1 operation: 1 addition.
-    Returns count.
     """
     return 1.0 + count,
 
 
 def elsewhere() -> tuple[Any, ...]:
-    """A ball that meets another surface.
+    """Start value: another surface.
 
     Table 1. No operations.
-    Returns curving.
     """
     return _inf,
 
 
 def again(index: Any, last: Any, which: Any) -> tuple[Any, ...]:
-    """Whether the ball meets the surface that it touched last.
+    """Whether the ball meets the same surface again.
 
     Table 1. 3 operations: 2 comparisons, 1 conjunction.
-    Returns again.
     """
     return _logical_and((which == index), (last == which)),
 
 
-def touched(body: Any, first: Any, which: Any) -> tuple[Any, ...]:
-    """The surfaces that were touched first and last.
+def touched(which: Any, body: Any, first: Any) -> tuple[Any, ...]:
+    """Body touched first and surface touched last.
 
     Table 1. 2 operations: 1 comparison, 1 selection.
-    Returns first, last.
     """
     return _where((first < 0.0), body, first), which
 
 
-def timed(claims: Any, index: Any, which: Any) -> tuple[Any, ...]:
-    """Where a shot has ended at the time limit whose errors are asked for.
+def timed(index: Any, which: Any, claims: Any) -> tuple[Any, ...]:
+    """Whether a shot has ended at the time limit and its errors are wanted.
 
     Table 1. 3 operations: 2 comparisons, 1 conjunction.
-    Returns timed.
     """
     return _logical_and((which == index), (0.0 < claims)),
 
 
 def body_of(which: Any) -> tuple[Any, ...]:
-    """The body that the event is on.
+    """Body that the event is on.
 
     Table 1. No operations.
-    Returns body.
     """
     return which,
 
 
-def admitted(doubt: Any, in_range: Any, permitted: Any, valid: Any) -> tuple[Any, ...]:
-    """Whether a shot can start, and whether that is in doubt.
+def admitted(doubt: Any, valid: Any, permitted: Any, in_range: Any) -> tuple[Any, ...]:
+    """Outcome of a shot at its start, and whether that is uncertain.
 
     Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections.
-    Returns outcome, uncertain.
     """
     _s0 = _logical_and(permitted, in_range)
     return _where(_logical_and(_s0, (0.0 < valid)), -1.0, 4.0), _where(_logical_and(_s0, (0.0 < doubt)), 1.0, 0.0)
 
 
-def expiry(clock: Any, doubt: Any, late: Any, time_error: Any, time_limit: Any, when: Any, which: Any) -> tuple[Any, ...]:
-    """The time limit, taken for an arrival.
+def expiry(when: Any, which: Any, earliest_delay: Any, doubt: Any, time_error: Any, clock: Any, time_limit: Any) -> tuple[Any, ...]:
+    """The time limit as an arrival.
 
     Table 1. 12 operations: 2 additions, 1 subtraction, 1 multiplication, 4 comparisons, 1 conjunction, 1 complement, 2 selections.
-    Returns time, delay, arrives, doubt.
     """
     _s0 = time_limit - clock
-    return _where(0.0 < _s0, _s0, 0.0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, _where(_logical_and(_logical_not(((late + when) < doubt)), (doubt < _inf)), 0.0, doubt)
+    return _where(0.0 < _s0, _s0, 0.0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, _where(_logical_and(_logical_not(((when + earliest_delay) < doubt)), (doubt < _inf)), 0.0, doubt)
 
 
 def departed(index: Any, which: Any) -> tuple[Any, ...]:
-    """Whether there is no event, an end, or a contact.
+    """Whether there is no event, an end, or a contact, and the outcome without one.
 
     Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 complement.
-    Returns stays, moves, ends, touches, reached, edge.
     """
     _s0 = which < 0.0
     _s1 = _logical_not(_s0)
     return _s0, _s1, index <= which, _logical_and(_s1, (which < index)), 3.0, False
 
 
-def expired(body: Any, clock: Any, ends: Any, index: Any, reached: Any, time_limit: Any, which: Any) -> tuple[Any, ...]:
-    """What a shot ends with that the time limit ends.
+def expired(index: Any, which: Any, body: Any, clock: Any, reached: Any, time_limit: Any, ends: Any) -> tuple[Any, ...]:
+    """Time, body and outcome of a shot that the time limit ends.
 
     Table 1. 6 operations: 1 comparison, 1 conjunction, 1 complement, 3 selections.
-    Returns clock, body, reached, ends.
     """
     _s0 = which == index
     return _where(_s0, time_limit, clock), _where(_s0, 3.0, body), _where(_s0, 6.0, reached), _logical_and(ends, _logical_not(_s0))
 
 
 def accounted(contacts: Any, most_contacts: Any, reached: Any, touches: Any) -> tuple[Any, ...]:
-    """How many contacts there were, and whether the shot ends and how.
+    """Number of contacts, and the outcome if the shot ends.
 
     Table 1. 5 operations: 1 addition, 1 comparison, 3 selections.
-    Returns contacts, outcome.
     """
     _s0 = 1.0 + contacts
     return _where(touches, _s0, contacts), _where(touches, _where((most_contacts <= _s0), 2.0, -1.0), reached)
 
 
-def delayed(clock_error: Any, delay: Any) -> tuple[Any, ...]:
-    """The error of the event's time.
+def delayed(delay: Any, clock_error: Any) -> tuple[Any, ...]:
+    """Sum of the errors of the contacts' times.
 
     Table 1. 1 operation: 1 addition.
-    Returns clock_error.
     """
-    clock_error = _single(clock_error)
-    delay = _single(delay)
-    return clock_error + delay,
+    delay, clock_error, = [_single(value) for value in (delay, clock_error,)]
+    return delay + clock_error,
 
 
-def closing(claims: Any, outcome: Any) -> tuple[Any, ...]:
-    """Where a shot has ended whose errors are asked for; no other one claims any.
+def closing(outcome: Any, claims: Any) -> tuple[Any, ...]:
+    """Whether a shot has ended and its errors are wanted; start values of their bounds.
 
     Table 1. 3 operations: 2 comparisons, 1 conjunction.
-    Returns closed, position_claim, velocity_claim, spin_claim, time_claim.
     """
-    claims = _single(claims)
-    outcome = _single(outcome)
+    outcome, claims, = [_single(value) for value in (outcome, claims,)]
     return _logical_and((_float32(0.0) < claims), (_float32(0.0) <= outcome)), _float32(0.0), _float32(0.0), _float32(0.0), _float32(0.0)
 
 
 def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
-    """Errors of the position at the end, not below what one flight can make.
+    """Errors of the position at the end, not below the largest that one flight can cause.
 
     Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
-    Returns dx, dy, dz.
     """
-    dx = _single(dx)
-    dy = _single(dy)
-    dz = _single(dz)
-    shift = _single(shift)
+    dx, dy, dz, shift, = [_single(value) for value in (dx, dy, dz, shift,)]
     return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
 
 
 def unturned() -> tuple[Any, ...]:
-    """A normal without error.
+    """Start values: a normal without error.
 
     Table 1. No operations.
-    Returns dnx, dny, dnz, turn.
     """
     return _float32(0.0), _float32(0.0), _float32(0.0), _float32(0.0)
 
 
-def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, extent: Any, p_gravity: Any, horizon: Any, late: Any, pad: Any, position_error: Any, p_ring_radius: Any, speed: Any, velocity_error: Any, vx: Any, x: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Where a flight that begins and ends like that may come to a plate.
+def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_gravity: Any, p_ring_radius: Any, x: Any, vx: Any, horizon: Any, extent: Any, speed: Any, pad: Any, earliest_delay: Any, position_error: Any, velocity_error: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Whether a flight with these ends may come to a plate.
 
     Table 1. 34 operations: 6 additions, 3 subtractions, 10 multiplications, 1 negation, 7 comparisons, 2 conjunctions, 1 complement, 4 selections.
-    Returns reachable.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k63, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
-    _s1 = _select(pad < late, _k8, _s0, _r0)
-    _s2 = _add(x, _multiply(horizon, vx, _r2), _r2)
+    _s1 = _select(pad < earliest_delay, _k8, _s0, _r0)
+    _s2 = _add(x, _multiply(vx, horizon, _r2), _r2)
     _s3 = _select(_s2 < x, _s2, x, _r3)
     _s4 = _subtract(p_ring_radius, _multiply(_k49, _s1, _r4), _r4)
     _s5 = -p_board_distance
     _s6 = _select(_s3 < _s5, _s5, _s3, _r5)
-    _s7 = _select(_k6 < _s6, _k6, _s6, _r6)
-    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k6 < _s4), (_multiply(_k64, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
+    _s7 = _select(_k7 < _s6, _k7, _s6, _r6)
+    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k7 < _s4), (_multiply(_k64, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
     return _logical_not(_s8),
 
 
@@ -1583,7 +1362,6 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
     """Velocity and spin after a contact, frame-free.
 
     Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division.
-    Returns vx, vy, vz, wx, wy, wz.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = 0.4 * p_ball_radius
@@ -1593,46 +1371,24 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
     _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k66, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
     _s5 = _add(_add(_multiply(nx, wx, _r4), _multiply(ny, wy, _r5), _r5), _multiply(nz, wz, _r4), _r4)
     _s6 = 1.0 / p_ball_radius
-    return _s2 - _multiply(_multiply(nx, p_restitution, _r5), _s1, _r5), _s3 - _multiply(_multiply(ny, p_restitution, _r5), _s1, _r5), _s4 - _multiply(_multiply(nz, p_restitution, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
+    return _s2 - _multiply(_multiply(p_restitution, nx, _r5), _s1, _r5), _s3 - _multiply(_multiply(p_restitution, ny, _r5), _s1, _r5), _s4 - _multiply(_multiply(p_restitution, nz, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
 
 
 def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, p_ball_radius: Any, p_restitution: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of velocity and spin after a contact, from those before it.
 
     derivative of the frame-free Eq. 17, with roundings. 222 operations: 56 additions, 18 subtractions, 90 multiplications, 2 divisions, 6 negations, 18 absolute values, 16 comparisons, 16 selections.
-    Returns dvx, dvy, dvz, dwx, dwy, dwz.
     """
-    vx = _single(vx)
-    vy = _single(vy)
-    vz = _single(vz)
-    wx = _single(wx)
-    wy = _single(wy)
-    wz = _single(wz)
-    nx = _single(nx)
-    ny = _single(ny)
-    nz = _single(nz)
-    contacts = _single(contacts)
-    dvx = _single(dvx)
-    dvy = _single(dvy)
-    dvz = _single(dvz)
-    dwx = _single(dwx)
-    dwy = _single(dwy)
-    dwz = _single(dwz)
-    dnx = _single(dnx)
-    dny = _single(dny)
-    dnz = _single(dnz)
-    turn = _single(turn)
-    p_ball_radius = _single(p_ball_radius)
-    p_restitution = _single(p_restitution)
+    vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution, = [_single(value) for value in (vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24 = _halves(_room[:25])
     _s0 = _k67 * p_ball_radius
-    _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
-    _s2 = _add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dvx, nx, _r2), _r2), _add(_multiply(dny, vy, _r1), _multiply(dvy, ny, _r3), _r3), _r3), _add(_multiply(dnz, vz, _r2), _multiply(dvz, nz, _r1), _r1), _r1)
-    _s3 = _add(_multiply(dnx, _s1, _r3), _multiply(nx, _s2, _r2), _r2)
-    _s4 = _add(_multiply(_s0, _subtract(_add(_multiply(dnz, wy, _r3), _multiply(dwy, nz, _r4), _r4), _add(_multiply(dny, wz, _r3), _multiply(dwz, ny, _r5), _r5), _r5), _r5), _multiply(_k68, _subtract(dvx, _s3, _r4), _r4), _r4)
-    _s5 = _subtract(_s4, _multiply(p_restitution, _s3, _r2), _r2)
-    _s6 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r5), _absolute(wy, _r3), _r3), _absolute(wz, _r5), _r5), _r5), _absolute(vx, _r3), _r3), _absolute(vy, _r5), _r5)
-    _s7 = _add(_s6, _absolute(vz, _r3), _r3)
+    _s1 = _add(_add(_add(_multiply(nx, dvx, _r0), _multiply(vx, dnx, _r1), _r1), _add(_multiply(ny, dvy, _r0), _multiply(vy, dny, _r2), _r2), _r2), _add(_multiply(nz, dvz, _r1), _multiply(vz, dnz, _r0), _r0), _r0)
+    _s2 = _add(_add(_multiply(nx, vx, _r2), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r2), _r2)
+    _s3 = _add(_multiply(nx, _s1, _r1), _multiply(dnx, _s2, _r3), _r3)
+    _s4 = _add(_multiply(_s0, _subtract(_add(_multiply(nz, dwy, _r1), _multiply(wy, dnz, _r4), _r4), _add(_multiply(ny, dwz, _r1), _multiply(wz, dny, _r5), _r5), _r5), _r5), _multiply(_k68, _subtract(dvx, _s3, _r4), _r4), _r4)
+    _s5 = _subtract(_s4, _multiply(p_restitution, _s3, _r3), _r3)
+    _s6 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r5), _absolute(wy, _r1), _r1), _absolute(wz, _r5), _r5), _r5), _absolute(vx, _r1), _r1), _absolute(vy, _r5), _r5)
+    _s7 = _add(_s6, _absolute(vz, _r1), _r1)
     _s8 = _add(_k23, _multiply(_k38, _s7, _r5), _r5)
     _s9 = _add(_absolute(_s5, _r6), _s8, _r6)
     _s10 = _absolute(dwx, _r7)
@@ -1643,43 +1399,42 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     _s15 = _absolute(dvy, _r12)
     _s16 = _select(_s14 < _s15, _s15, _s14, _r13)
     _s17 = _absolute(dvz, _r14)
-    _s18 = _multiply(_add(_add(_multiply(p_ball_radius, _select(_s12 < _s13, _s13, _s12, _r15), _r15), _multiply(turn, _s7, _r3), _r3), _select(_s16 < _s17, _s17, _s16, _r15), _r15), _divide(_k26, _add(_k27, _multiply(_k27, contacts, _r14), _r14), _r14), _r14)
+    _s18 = _multiply(_add(_add(_multiply(p_ball_radius, _select(_s12 < _s13, _s13, _s12, _r15), _r15), _multiply(turn, _s7, _r1), _r1), _select(_s16 < _s17, _s17, _s16, _r15), _r15), _divide(_k26, _add(_k27, _multiply(_k27, contacts, _r14), _r14), _r14), _r14)
     _s19 = _select(_s9 < _s18, _s18, _s9, _r15)
-    _s20 = _add(_multiply(dny, _s1, _r13), _multiply(ny, _s2, _r12), _r12)
-    _s21 = _add(_multiply(_s0, _subtract(_add(_multiply(dnx, wz, _r13), _multiply(dwz, nx, _r11), _r11), _add(_multiply(dnz, wx, _r13), _multiply(dwx, nz, _r3), _r3), _r3), _r3), _multiply(_k68, _subtract(dvy, _s20, _r11), _r11), _r11)
+    _s20 = _add(_multiply(ny, _s1, _r13), _multiply(dny, _s2, _r12), _r12)
+    _s21 = _add(_multiply(_s0, _subtract(_add(_multiply(nx, dwz, _r13), _multiply(wz, dnx, _r11), _r11), _add(_multiply(nz, dwx, _r13), _multiply(wx, dnz, _r1), _r1), _r1), _r1), _multiply(_k68, _subtract(dvy, _s20, _r11), _r11), _r11)
     _s22 = _subtract(_s21, _multiply(p_restitution, _s20, _r12), _r12)
-    _s23 = _add(_absolute(_s22, _r3), _s8, _r3)
+    _s23 = _add(_absolute(_s22, _r1), _s8, _r1)
     _s24 = _select(_s23 < _s18, _s18, _s23, _r13)
-    _s25 = _add(_multiply(dnz, _s1, _r10), _multiply(nz, _s2, _r1), _r1)
-    _s26 = _add(_multiply(_s0, _subtract(_add(_multiply(dny, wx, _r10), _multiply(dwx, ny, _r9), _r9), _add(_multiply(dnx, wy, _r10), _multiply(dwy, nx, _r8), _r8), _r8), _r8), _multiply(_k68, _subtract(dvz, _s25, _r9), _r9), _r9)
-    _s27 = _subtract(_s26, _multiply(p_restitution, _s25, _r1), _r1)
+    _s25 = _add(_multiply(nz, _s1, _r0), _multiply(dnz, _s2, _r10), _r10)
+    _s26 = _add(_multiply(_s0, _subtract(_add(_multiply(ny, dwx, _r0), _multiply(wx, dny, _r9), _r9), _add(_multiply(nx, dwy, _r0), _multiply(wy, dnx, _r8), _r8), _r8), _r8), _multiply(_k68, _subtract(dvz, _s25, _r9), _r9), _r9)
+    _s27 = _subtract(_s26, _multiply(p_restitution, _s25, _r10), _r10)
     _s28 = _add(_absolute(_s27, _r8), _s8, _r8)
-    _s29 = _select(_s28 < _s18, _s18, _s28, _r10)
+    _s29 = _select(_s28 < _s18, _s18, _s28, _r0)
     _s30 = _k34 / p_ball_radius
-    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r16), _r16), _r16), _multiply(_k68, _subtract(vz, _multiply(nz, _s1, _r7), _r7), _r7), _r7)
-    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r16), _multiply(nz, wx, _r17), _r17), _r17), _multiply(_k68, _subtract(vy, _multiply(ny, _s1, _r16), _r16), _r16), _r16)
-    _s33 = _add(_add(_multiply(nx, wx, _r17), _multiply(ny, wy, _r18), _r18), _multiply(nz, wz, _r17), _r17)
-    _s34 = _add(_add(_add(_multiply(dnx, wx, _r18), _multiply(dwx, nx, _r19), _r19), _add(_multiply(dny, wy, _r18), _multiply(dwy, ny, _r20), _r20), _r20), _add(_multiply(dnz, wz, _r19), _multiply(dwz, nz, _r18), _r18), _r18)
-    _s35 = _add(_multiply(_s30, _subtract(_add(_multiply(dny, _s31, _r20), _multiply(ny, _s26, _r19), _r19), _add(_multiply(dnz, _s32, _r20), _multiply(nz, _s21, _r21), _r21), _r21), _r21), _add(_multiply(dnx, _s33, _r19), _multiply(nx, _s34, _r20), _r20), _r20)
+    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r16), _r16), _r16), _multiply(_k68, _subtract(vz, _multiply(nz, _s2, _r7), _r7), _r7), _r7)
+    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r16), _multiply(nz, wx, _r17), _r17), _r17), _multiply(_k68, _subtract(vy, _multiply(ny, _s2, _r16), _r16), _r16), _r16)
+    _s33 = _add(_add(_add(_multiply(nx, dwx, _r17), _multiply(wx, dnx, _r18), _r18), _add(_multiply(ny, dwy, _r17), _multiply(wy, dny, _r19), _r19), _r19), _add(_multiply(nz, dwz, _r18), _multiply(wz, dnz, _r17), _r17), _r17)
+    _s34 = _add(_add(_multiply(nx, wx, _r19), _multiply(ny, wy, _r18), _r18), _multiply(nz, wz, _r19), _r19)
+    _s35 = _add(_multiply(_s30, _subtract(_add(_multiply(ny, _s26, _r18), _multiply(dny, _s31, _r20), _r20), _add(_multiply(nz, _s21, _r18), _multiply(dnz, _s32, _r21), _r21), _r21), _r21), _add(_multiply(nx, _s33, _r20), _multiply(dnx, _s34, _r18), _r18), _r18)
     _s36 = _multiply(_s30, _s8, _r5)
     _s37 = _add(_absolute(_s35, _r21), _s36, _r21)
-    _s38 = _multiply(_s30, _s18, _r19)
+    _s38 = _multiply(_s30, _s18, _r20)
     _s39 = _select(_s37 < _s38, _s38, _s37, _r22)
-    _s40 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r23), _multiply(ny, wz, _r24), _r24), _r24), _multiply(_k68, _subtract(vx, _multiply(nx, _s1, _r0), _r0), _r0), _r0)
-    _s41 = _add(_multiply(_s30, _subtract(_add(_multiply(dnz, _s40, _r24), _multiply(nz, _s4, _r23), _r23), _add(_multiply(dnx, _s31, _r7), _multiply(nx, _s26, _r9), _r9), _r9), _r9), _add(_multiply(dny, _s33, _r23), _multiply(ny, _s34, _r7), _r7), _r7)
-    _s42 = _add(_absolute(_s41, _r9), _s36, _r9)
+    _s40 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r23), _multiply(ny, wz, _r24), _r24), _r24), _multiply(_k68, _subtract(vx, _multiply(nx, _s2, _r2), _r2), _r2), _r2)
+    _s41 = _add(_multiply(_s30, _subtract(_add(_multiply(nz, _s4, _r24), _multiply(dnz, _s40, _r23), _r23), _add(_multiply(nx, _s26, _r9), _multiply(dnx, _s31, _r7), _r7), _r7), _r7), _add(_multiply(ny, _s33, _r23), _multiply(dny, _s34, _r9), _r9), _r9)
+    _s42 = _add(_absolute(_s41, _r7), _s36, _r7)
     _s43 = _select(_s42 < _s38, _s38, _s42, _r23)
-    _s44 = _add(_multiply(_s30, _subtract(_add(_multiply(dnx, _s32, _r16), _multiply(nx, _s21, _r11), _r11), _add(_multiply(dny, _s40, _r0), _multiply(ny, _s4, _r4), _r4), _r4), _r4), _add(_multiply(dnz, _s33, _r17), _multiply(nz, _s34, _r18), _r18), _r18)
-    _s45 = _add(_absolute(_s44, _r4), _s36, _r4)
+    _s44 = _add(_multiply(_s30, _subtract(_add(_multiply(nx, _s21, _r11), _multiply(dnx, _s32, _r16), _r16), _add(_multiply(ny, _s4, _r4), _multiply(dny, _s40, _r2), _r2), _r2), _r2), _add(_multiply(nz, _s33, _r17), _multiply(dnz, _s34, _r19), _r19), _r19)
+    _s45 = _add(_absolute(_s44, _r2), _s36, _r2)
     _s46 = _select(_s45 < _s38, _s38, _s45, _r5)
-    return _result(_s5 < _k25, _negative(_s19, _r2), _s19, _r0), _result(_s22 < _k25, _negative(_s24, _r12), _s24, _r0), _result(_s27 < _k25, _negative(_s29, _r1), _s29, _r0), _result(_s35 < _k25, _negative(_s39, _r20), _s39, _r0), _result(_s41 < _k25, _negative(_s43, _r7), _s43, _r0), _result(_s44 < _k25, _negative(_s46, _r18), _s46, _r0)
+    return _result(_s5 < _k25, _negative(_s19, _r3), _s19, _r0), _result(_s22 < _k25, _negative(_s24, _r12), _s24, _r0), _result(_s27 < _k25, _negative(_s29, _r10), _s29, _r0), _result(_s35 < _k25, _negative(_s39, _r18), _s39, _r0), _result(_s41 < _k25, _negative(_s43, _r9), _s43, _r0), _result(_s44 < _k25, _negative(_s46, _r19), _s46, _r0)
 
 
 def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Coefficients in time of the event polynomial, constant first.
+    """Coefficients in time of the constraint polynomial, constant first.
 
     Eq. 3 in Table 2. 64 operations: 12 additions, 8 subtractions, 43 multiplications, 1 negation.
-    Returns c0, c1, c2, c3, c4, c5, c6, c7, c8.
     """
     _s0 = p_ring_radius * p_ring_radius
     _s1 = x * x
@@ -1687,8 +1442,8 @@ def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_
     _s3 = p_ball_radius + p_wire_radius
     _s4 = (((_s0 + _s1) + _s2) + (z * z)) - (_s3 * _s3)
     _s5 = 4.0 * _s0
-    _s6 = ((2.0 * vx) * x) + ((2.0 * vy) * y)
-    _s7 = _s6 + ((2.0 * vz) * z)
+    _s6 = ((2.0 * x) * vx) + ((2.0 * y) * vy)
+    _s7 = _s6 + ((2.0 * z) * vz)
     _s8 = 2.0 * _s7
     _s9 = (vx * vx) + (vy * vy)
     _s10 = vz * vz
@@ -1700,13 +1455,12 @@ def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_
 
 
 def ring_deflated(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Coefficients of the event polynomial over t, after a contact at t = 0.
+    """Coefficients of the constraint polynomial over t, after a contact at t = 0.
 
     Eq. 3 in Table 2, the exact root divided out. 60 operations: 11 additions, 7 subtractions, 41 multiplications, 1 negation.
-    Returns c0, c1, c2, c3, c4, c5, c6, c7.
     """
-    _s0 = ((2.0 * vx) * x) + ((2.0 * vy) * y)
-    _s1 = _s0 + ((2.0 * vz) * z)
+    _s0 = ((2.0 * x) * vx) + ((2.0 * y) * vy)
+    _s1 = _s0 + ((2.0 * z) * vz)
     _s2 = p_ring_radius * p_ring_radius
     _s3 = p_ball_radius + p_wire_radius
     _s4 = (((_s2 + (x * x)) + (y * y)) + (z * z)) - (_s3 * _s3)
@@ -1725,7 +1479,6 @@ def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, 
     """Outward unit normal n3 at a contact.
 
     Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root.
-    Returns nx, ny, nz.
     """
     _r0, _r1 = _room[:2]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
@@ -1738,7 +1491,6 @@ def ring_curvature(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -
     """Bound on the rate at which the normal turns along the contact surface.
 
     Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection.
-    Returns curvature.
     """
     _s0 = (p_ring_radius - p_ball_radius) - p_wire_radius
     _s1 = p_ball_radius + p_wire_radius
@@ -1749,35 +1501,25 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_b
     """Error of the normal, from that of the position.
 
     derivative of Table 2's normal. 34 operations: 6 additions, 3 subtractions, 18 multiplications, 3 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
-    Returns dnx, dny, dnz, turn.
     """
-    x = _single(x)
-    y = _single(y)
-    dx = _single(dx)
-    dy = _single(dy)
-    dz = _single(dz)
-    shift = _single(shift)
-    p_ball_radius = _single(p_ball_radius)
-    p_ring_radius = _single(p_ring_radius)
-    p_wire_radius = _single(p_wire_radius)
+    x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, = [_single(value) for value in (x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius,)]
     _r0, _r1, _r2, _r3, _r4 = _halves(_room[:5])
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _k34 / _s0
     _s2 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s3 = _subtract(_s2, p_ring_radius, _r0)
-    _s4 = _divide(_k26, _s2, _r1)
-    _s5 = _multiply(_multiply(_s1, _s3, _r2), _s4, _r2)
-    _s6 = _multiply(_add(_multiply(dx, x, _r3), _multiply(dy, y, _r4), _r4), _s4, _r4)
-    _s7 = _multiply(_s1, _add(_multiply(_s6, _s4, _r3), _multiply(_negative(_multiply(_s6, _multiply(_s4, _s4, _r1), _r1), _r1), _s3, _r1), _r1), _r1)
+    _s3 = _divide(_k26, _s2, _r0)
+    _s4 = _multiply(_add(_multiply(x, dx, _r2), _multiply(y, dy, _r3), _r3), _s3, _r3)
+    _s5 = _subtract(_s2, p_ring_radius, _r1)
+    _s6 = _multiply(_s1, _add(_multiply(_s4, _s3, _r2), _multiply(_negative(_multiply(_s4, _multiply(_s3, _s3, _r4), _r4), _r4), _s5, _r4), _r4), _r4)
+    _s7 = _multiply(_multiply(_s1, _s5, _r1), _s3, _r1)
     _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius
-    return _multiply(dx, _s5, _r3) + _multiply(x, _s7, _r0), _multiply(dy, _s5, _r2) + _multiply(y, _s7, _r1), dz * _s1, shift * (_k34 / _where(_s8 < _s0, _s8, _s0))
+    return _multiply(x, _s6, _r0) + _multiply(dx, _s7, _r2), _multiply(y, _s6, _r4) + _multiply(dy, _s7, _r1), dz * _s1, shift * (_k34 / _where(_s8 < _s0, _s8, _s0))
 
 
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Positive if there certainly is no contact before the horizon.
+    """Positive if there is certainly no contact before the horizon.
 
     bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections.
-    Returns clear.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
     _s0 = p_ball_radius + p_wire_radius
@@ -1808,33 +1550,32 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s25 = _s24 * _s24
     _s26 = _s24 * _s25
     _s27 = _multiply(_subtract(_add(_add(_multiply(_k49, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(_k49, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
-    _s28 = _subtract(_multiply(vy, x, _r12), _multiply(vx, y, _r15), _r15)
+    _s28 = _subtract(_multiply(x, vy, _r12), _multiply(y, vx, _r15), _r15)
     _s29 = _multiply(_s28, _s28, _r15)
     _s30 = _subtract(_s27, _multiply(2.0 * p_ring_radius, _s29, _r12), _r12)
     _s31 = _add(_multiply(_s16, _add(_multiply(vx, _s12, _r6), _multiply(vy, _s13, _r7), _r7), _r7), _multiply(_multiply(_s17, _subtract(vz, _multiply(p_gravity, _s11, _r10), _r10), _r10), _s15, _r10), _r10)
-    _s32 = _add(x, _multiply(horizon, vx, _r7), _r7)
-    _s33 = _add(y, _multiply(horizon, vy, _r8), _r8)
-    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k6, _k48, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k6, _k48, _k6, _r8), _r15)
-    _s35 = _select(_subtract(_multiply(_multiply(_k71, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k49, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k6, _s34, _k6, _r7)
-    _s36 = _select(horizon < _subtract(_s11, _multiply(_k63, horizon, _r10), _r10), _k48, _select(_k6 < _s20, _select(_k6 < _s30, _s35, _k6, _r12), _k6, _r13), _r10)
-    _s37 = _add(_multiply(vx, x, _r4), _multiply(vy, y, _r9), _r9)
+    _s32 = _add(x, _multiply(vx, horizon, _r7), _r7)
+    _s33 = _add(y, _multiply(vy, horizon, _r8), _r8)
+    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k7, _k48, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k7, _k48, _k7, _r8), _r15)
+    _s35 = _select(_subtract(_multiply(_multiply(_k71, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k49, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
+    _s36 = _select(horizon < _subtract(_s11, _multiply(_k63, horizon, _r10), _r10), _k48, _select(_k7 < _s20, _select(_k7 < _s30, _s35, _k7, _r12), _k7, _r13), _r10)
+    _s37 = _add(_multiply(x, vx, _r4), _multiply(y, vy, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
-    _s39 = _select(_s38 < _k6, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, _k6, _r4), _k6, _r14)
-    _s40 = _select(_add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r9), _r9), _r9), _r9) < (65536.0 * _s5), _select(_k6 < _s7, _select(_s10 < _k6, _s36, _s39, _r5), _k6, _r3), _k6, _r9)
-    return _result(_k6 < _select(_s1 < _s3, _s3, _s1, _r11), _k6, _select(_s2 < (5.820766091346741e-11 * _s5), _s40, _k6, _r0), _r0),
+    _s39 = _select(_s38 < _k7, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, _k7, _r4), _k7, _r14)
+    _s40 = _select(_add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r9), _r9), _r9), _r9) < (65536.0 * _s5), _select(_k7 < _s7, _select(_s10 < _k7, _s36, _s39, _r5), _k7, _r3), _k7, _r9)
+    return _result(_k7 < _select(_s1 < _s3, _s3, _s1, _r11), _k7, _select(_s2 < (5.820766091346741e-11 * _s5), _s40, _k7, _r0), _r0),
 
 
 def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Constants and windows of the search along a flight, and the errors it allows for.
+    """Constants and windows of the search along a flight, and its error budget.
 
     bounds of the event condition. 190 operations: 31 additions, 20 subtractions, 54 multiplications, 3 divisions, 7 square roots, 1 negation, 5 absolute values, 31 comparisons, 38 selections.
-    Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35 = _room[:36]
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
     _s2 = _add(_multiply(_k49, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k49, _s1, _r1)
-    _s3 = _subtract(_multiply(vy, x, _r1), _multiply(vx, y, _r3), _r3)
+    _s3 = _subtract(_multiply(x, vy, _r1), _multiply(y, vx, _r3), _r3)
     _s4 = _multiply(_s3, _s3, _r1)
     _s5 = (2.0 * p_ring_radius) * _s4
     _s6 = _add(_multiply(x, x, _r4), _multiply(y, y, _r5), _r5)
@@ -1846,17 +1587,17 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
     _s14 = _multiply(_k50, _add(_absolute(vz, _r8), _s13, _r8), _r8)
-    _s15 = _k6 <= _s11
+    _s15 = _k7 <= _s11
     _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _k8, _r9)
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
     _s19 = _multiply(_multiply(_k50, _s1, _r10), _add(_s18, _s6, _r11), _r10)
     _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
-    _s21 = _add(_multiply(vx, x, _r12), _multiply(vy, y, _r13), _r13)
+    _s21 = _add(_multiply(x, vx, _r12), _multiply(y, vy, _r13), _r13)
     _s22 = _sqrt(_s20, _r12)
     _s23 = _multiply(_k50, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
     _s24 = _divide(_k48, _s1, _r14)
-    _s25 = _k6 <= _s20
+    _s25 = _k7 <= _s20
     _s26 = _k80 < _s1
     _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k81, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
@@ -1864,14 +1605,14 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
-    _s33 = _sqrt(_select(_s32 < _k6, _k6, _s32, _r1), _r1)
+    _s33 = _sqrt(_select(_s32 < _k7, _k7, _s32, _r1), _r1)
     _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k81, _r10), _k8, _r18)
-    _s35 = _k6 < _select(_s26, _s32, _k6, _r19)
+    _s35 = _k7 < _select(_s26, _s32, _k7, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
-    _s38 = _sqrt(_select(_s37 < _k6, _k6, _s37, _r4), _r4)
+    _s38 = _sqrt(_select(_s37 < _k7, _k7, _s37, _r4), _r4)
     _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k81, _r0)
-    _s40 = _k6 < _s37
+    _s40 = _k7 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
     _s43 = _select(_s35, _multiply(_subtract(_subtract(_s33, _s21, _r1), _s23, _r1), _s24, _r1), _k8, _r14)
@@ -1886,21 +1627,20 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s52 = _select(_s48 < _s44, _s44, _s48, _r29)
     _s53 = _select(_s34 < _s39, _s34, _s39, _r30)
     _s54 = 1.0 / _s31
-    _s55 = _select(_k6 < _s42, _s42, _k6, _r31)
+    _s55 = _select(_k7 < _s42, _s42, _k7, _r31)
     _s56 = _select(_s55 < _s51, _s51, _s55, _r32)
     _s57 = _select(_s56 < _s53, _s53, _s56, _r33)
     _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s12, _add(_add(2.0 * p_ball_radius, extent, _r34), 2.0 * p_wire_radius, _r34), _r34), _r34), _r34)
+    _s59 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s12, _add((2.0 * p_ball_radius) + (2.0 * p_wire_radius), extent, _r34), _r34), _r34), _r34)
     _s60 = _add(_s59, _multiply(_multiply(_k49, speed, _r35), _s12, _r35), _r35)
     _s61 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s60 < horizon, _s60, horizon, _r34), _r34), _r34), 1.52587890625e-05 * p_ball_radius, _r34), 1.52587890625e-05 * p_wire_radius, _r34)
-    return _s2, _s5, _sqrt(_s6), _result(_k6 < _s28, _s28, _k6, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(_k6 < _s50, _s50, _k6, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(_k6 < _s52, _s52, _k6, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s61, _s61, _s58, _r0)
+    return _s2, _s5, _sqrt(_s6), _result(_k7 < _s28, _s28, _k7, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(_k7 < _s50, _s50, _k7, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(_k7 < _s52, _s52, _k7, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s61, _s61, _s58, _r0)
 
 
 def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
 
     running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections.
-    Returns margin, leaving_margin, rate_margin.
     """
     _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = p_ball_radius + p_wire_radius
@@ -1923,96 +1663,81 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     """Newton's next value of a root near t, and gap and rate there.
 
     Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection.
-    Returns time, gap, rate.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
-    _s0 = _add(x, _multiply(t, vx, _r0), _r0)
-    _s1 = _add(y, _multiply(t, vy, _r1), _r1)
+    _s0 = _add(x, _multiply(vx, t, _r0), _r0)
+    _s1 = _add(y, _multiply(vy, t, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _add(rho_start, _s2, _r2)
     _s4 = _divide(_k48, _multiply(_s3, _s2, _r4), _r4)
     _s5 = _subtract(_s2, p_ring_radius, _r5)
     _s6 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r6), _r6)
     _s7 = _add(z, _multiply(t, _s6, _r7), _r7)
-    _s8 = _k49 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_subtract(vz, _multiply(p_gravity, t, _r2), _r2), _s7, _r2), _r2)
-    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k49, _add(_multiply(vx, x, _r2), _multiply(vy, y, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
+    _s8 = _k49 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_s7, _subtract(vz, _multiply(p_gravity, t, _r2), _r2), _r2), _r2)
+    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k49, _add(_multiply(x, vx, _r2), _multiply(y, vy, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
     _s10 = p_ball_radius + p_wire_radius
-    _s11 = _result(_k6 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r0)
+    _s11 = _result(_k7 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r0)
     return t - _divide(_s11, _s8, _r7), _s11, _s8
 
 
-def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Gap, rate, bend, a step without a root, its end, and the clearance of a root.
+def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Gap, rate, second derivative, a step without a root, its end, and the clearance.
 
     Newton from the left under a curvature bound. 143 operations: 29 additions, 16 subtractions, 53 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
-    Returns gap, rate, bend, step, next, clearance.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15 = _room[:16]
-    _s0 = _add(x, _multiply(t, vx, _r0), _r0)
-    _s1 = _add(y, _multiply(t, vy, _r1), _r1)
+    _s0 = _add(x, _multiply(vx, t, _r0), _r0)
+    _s1 = _add(y, _multiply(vy, t, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _subtract(_s2, p_ring_radius, _r2)
     _s4 = _add(rho_start, _s2, _r4)
     _s5 = _divide(_k48, _multiply(_s4, _s2, _r5), _r5)
-    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k49, _add(_multiply(vx, x, _r6), _multiply(vy, y, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
+    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k49, _add(_multiply(x, vx, _r6), _multiply(y, vy, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
     _s7 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r7), _r7)
     _s8 = _add(z, _multiply(t, _s7, _r6), _r6)
     _s9 = p_ball_radius + p_wire_radius
-    _s10 = _result(_k6 < leaving, _multiply(t, _add(_s6, _multiply(_add(z, _s8, _r9), _s7, _r9), _r9), _r9), _subtract(_add(_multiply(_s3, _s3, _r8), _multiply(_s8, _s8, _r7), _r7), _s9 * _s9, _r7), _r0)
+    _s10 = _result(_k7 < leaving, _multiply(t, _add(_s6, _multiply(_add(z, _s8, _r9), _s7, _r9), _r9), _r9), _subtract(_add(_multiply(_s3, _s3, _r8), _multiply(_s8, _s8, _r7), _r7), _s9 * _s9, _r7), _r0)
     _s11 = _multiply(_s4, _s5, _r5)
     _s12 = _multiply(_s11, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
     _s13 = _subtract(vz, _multiply(p_gravity, t, _r0), _r0)
-    _s14 = _k49 * _add(_multiply(_s12, _s3, _r2), _multiply(_s13, _s8, _r4), _r4)
+    _s14 = _k49 * _add(_multiply(_s12, _s3, _r2), _multiply(_s8, _s13, _r4), _r4)
     _s15 = 6.0 * p_gravity
     _s16 = _multiply(_s15, _s8, _r4)
-    _s17 = _multiply(swing, _multiply(_s11, _multiply(_s11, _s11, _r2), _r2), _r2)
+    _s17 = _multiply(moment2, _multiply(_s11, _multiply(_s11, _s11, _r2), _r2), _r2)
     _s18 = 1.00006103515625 * _s9
     _s19 = 9.094947017729282e-13 * (p_ring_radius + _s18)
     _s20 = _subtract(_s14, rate_margin, _r5)
     _s21 = _subtract(_s10, margin, _r7)
-    _s22 = _select(_s21 < _k6, _k6, _s21, _r9)
-    _s23 = _subtract(_add(_s16, _s17, _r8), steady, _r8)
-    _s24 = _s20 < _k6
+    _s22 = _select(_s21 < _k7, _k7, _s21, _r9)
+    _s23 = _subtract(_add(_s16, _s17, _r8), energy2, _r8)
+    _s24 = _s20 < _k7
     _s25 = _multiply(_k49, _s22, _r10)
-    _s26 = _select(_k6 < _select(_k6 <= _s20, _s22, _k6, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k71, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k6 < _s23, _s23, _k6, _r14), _r15), _r12), _r11)
+    _s26 = _select(_k7 < _select(_k7 <= _s20, _s22, _k7, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k71, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k7 < _s23, _s23, _k7, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
-    _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k6, _k6, _s13, _r8), _r8), _s8, _r8), _r8)
+    _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k7, _k7, _s13, _r8), _r8), _s8, _r8), _r8)
     _s30 = _multiply(_s15, _select(_s18 < _s29, _s18, _s29, _r6), _r6)
-    _s31 = _subtract(_add(_multiply(_s28, _select(_k6 < _s12, _k6, _s12, _r8), _r8), _s2, _r8), _s19, _r8)
+    _s31 = _subtract(_add(_multiply(_s28, _select(_k7 < _s12, _k7, _s12, _r8), _r8), _s2, _r8), _s19, _r8)
     _s32 = p_ring_radius - _s18
     _s33 = 0.0001220703125 * p_ring_radius
     _s34 = _where(_s32 < _s33, _s33, _s32)
     _s35 = _divide(_k48, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
-    _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k93, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
+    _s36 = _multiply(moment2, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k93, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
     _s38 = _add(_multiply(_multiply(_k49, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
-    _s40 = _select(_k6 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k6 < _s37, _s37, _k6, _r5), _r1), _r7), _k8, _r9)
+    _s40 = _select(_k7 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k7 < _s37, _s37, _k7, _r5), _r1), _r7), _k8, _r9)
     _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
     _s42 = _negative(_add(rate_margin, _s14, _r1), _r1)
-    return _s10, _s14, _subtract(steady, _s16, _r4) - _s17, _s41, t + _s41, _result(_k6 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k54, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
+    return _s10, _s14, _subtract(energy2, _s16, _r4) - _s17, _s41, t + _s41, _result(_k7 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k54, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
 
 
 def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Windows of the search along a flight, and whether single precision serves for it.
 
     bounds of the event condition. 186 operations: 24 additions, 16 subtractions, 37 multiplications, 2 divisions, 4 square roots, 1 negation, 4 absolute values, 43 comparisons, 7 conjunctions, 3 disjunctions, 45 selections.
-    Returns t, end, searching, low1, high1, low2, high2, latest, sound.
     """
-    horizon = _single(horizon)
-    x = _single(x)
-    y = _single(y)
-    z = _single(z)
-    vx = _single(vx)
-    vy = _single(vy)
-    vz = _single(vz)
-    extent = _single(extent)
-    speed = _single(speed)
-    p_ball_radius = _single(p_ball_radius)
-    p_ring_radius = _single(p_ring_radius)
-    p_wire_radius = _single(p_wire_radius)
-    p_gravity = _single(p_gravity)
+    horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _k95 * (p_ball_radius + p_wire_radius)
@@ -2028,10 +1753,10 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
     _s13 = _multiply(_multiply(_k97, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
-    _s14 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
+    _s14 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
-    _s17 = _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12)
+    _s17 = _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
     _s19 = _multiply(_k97, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
     _s20 = _divide(_k26, _s10, _r13)
@@ -2084,34 +1809,12 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k25, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k25, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k104)), (_k105 <= p_gravity)), (extent <= _k106)), (speed <= _k106))
 
 
-def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """What a search in single precision is given, from where it begins.
+def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Constants, margins and windows of the search in single precision, from its begin.
 
     running error analysis. 109 operations: 21 additions, 8 subtractions, 55 multiplications, 5 divisions, 1 square root, 5 absolute values, 7 comparisons, 1 conjunction, 6 selections.
-    Returns share, t, end, x, y, z, vx, vy, vz, steady, swing, rho_start, ceiling, flat, tilt, jerk, grit, parting, drift, rate_margin, low1, high1, low2, high2, fits.
     """
-    t = _single(t)
-    end = _single(end)
-    leaving = _single(leaving)
-    horizon = _single(horizon)
-    x = _single(x)
-    y = _single(y)
-    z = _single(z)
-    vx = _single(vx)
-    vy = _single(vy)
-    vz = _single(vz)
-    extent = _single(extent)
-    speed = _single(speed)
-    parting = _single(parting)
-    drift = _single(drift)
-    low1 = _single(low1)
-    high1 = _single(high1)
-    low2 = _single(low2)
-    high2 = _single(high2)
-    p_ball_radius = _single(p_ball_radius)
-    p_ring_radius = _single(p_ring_radius)
-    p_wire_radius = _single(p_wire_radius)
-    p_gravity = _single(p_gravity)
+    t, end, leaving, horizon, x, y, z, vx, vy, vz, extent, speed, start_rate, rho_rate, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, end, leaving, horizon, x, y, z, vx, vy, vz, extent, speed, start_rate, rho_rate, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _halves(_room[:13])
     _s0 = _k25 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
@@ -2125,11 +1828,11 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
     _s11 = _multiply(_k113, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k114, parting, _r3), _s11, _r3)
+    _s12 = _divide(_multiply(_k114, start_rate, _r3), _s11, _r3)
     _s13 = _select(_s12 < _k115, _s12, _k115, _r5)
     _s14 = _result(_s0, _select(_k116 < _s13, _s13, _k116, _r6), _k115, _r0)
     _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k117 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
-    _s16 = _subtract(_multiply(vy, x, _r9), _multiply(vx, y, _r8), _r8)
+    _s16 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s17 = (_k33 * p_ring_radius) * _multiply(_s16, _s16, _r8)
     _s18 = _k34 / _s6
     _s19 = _s18 * (_s18 * _s18)
@@ -2139,147 +1842,117 @@ def ring_grain(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: 
     _s23 = p_ring_radius + _s3
     _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k97, _add(_s22, _s23, _r10), _r10), _r10)
     _s25 = _divide(_multiply(_k119, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k120 * _s20, (_k121 * _s2) * _s24, _result(_s0, _multiply(_k120, _add(_multiply(_k96, _absolute(parting, _r12), _r12), _multiply(_add(_k122, _s14, _r2), _s11, _r2), _r2), _r2), _k98, _r0), _k120 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k123 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k113 * _add(_multiply(_multiply(_k120, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k124, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k125 * p_ball_radius) + (_k125 * p_wire_radius))), (_multiply(leaving, t, _r7) <= _k25))
+    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k120 * _s20, (_k121 * _s2) * _s24, _result(_s0, _multiply(_k120, _add(_multiply(_k96, _absolute(start_rate, _r12), _r12), _multiply(_add(_k122, _s14, _r2), _s11, _r2), _r2), _r2), _k98, _r0), _k120 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k123 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k113 * _add(_multiply(_multiply(_k120, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k124, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k125 * p_ball_radius) + (_k125 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k25))
 
 
-def ring_leap(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Where a search is after a step, in which window, whether surely before a root, and whether it goes on.
+def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Time and window of the search after a step, whether a root is certain, and whether it goes on.
 
     Newton from the left under a curvature bound. 237 operations: 42 additions, 20 subtractions, 82 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 34 selections.
-    Returns t, end, certain, leaping.
     """
-    t = _single(t)
-    end = _single(end)
-    rate_margin = _single(rate_margin)
-    ceiling = _single(ceiling)
-    x = _single(x)
-    y = _single(y)
-    z = _single(z)
-    vx = _single(vx)
-    vy = _single(vy)
-    vz = _single(vz)
-    steady = _single(steady)
-    swing = _single(swing)
-    rho_start = _single(rho_start)
-    flat = _single(flat)
-    tilt = _single(tilt)
-    grit = _single(grit)
-    jerk = _single(jerk)
-    parting = _single(parting)
-    drift = _single(drift)
-    low1 = _single(low1)
-    high1 = _single(high1)
-    low2 = _single(low2)
-    high2 = _single(high2)
-    p_ball_radius = _single(p_ball_radius)
-    p_ring_radius = _single(p_ring_radius)
-    p_wire_radius = _single(p_wire_radius)
-    p_gravity = _single(p_gravity)
+    t, end, rate_margin, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, flat, tilt, quotient_margin, jerk, start_rate, rho_rate, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, end, rate_margin, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, flat, tilt, quotient_margin, jerk, start_rate, rho_rate, low1, high1, low2, high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24 = _halves(_room[:25])
-    _s0 = _add(tilt, _multiply(grit, t, _r0), _r0)
+    _s0 = _add(tilt, _multiply(t, quotient_margin, _r0), _r0)
     _s1 = _multiply(t, _s0, _r1)
     _s2 = _s1 < flat
-    _s3 = _multiply(jerk, _multiply(t, t, _r2), _r2)
+    _s3 = _multiply(_multiply(t, t, _r2), jerk, _r2)
     _s4 = _logical_and(_s2, (_s3 < rate_margin))
-    _s5 = _add(_multiply(vx, vx, _r3), _multiply(vy, vy, _r4), _r4)
-    _s6 = _add(x, _multiply(t, vx, _r3), _r3)
-    _s7 = _add(y, _multiply(t, vy, _r5), _r5)
-    _s8 = _sqrt(_add(_multiply(_s6, _s6, _r6), _multiply(_s7, _s7, _r7), _r7), _r7)
-    _s9 = _add(rho_start, _s8, _r6)
-    _s10 = _divide(_k26, _multiply(_s9, _s8, _r8), _r8)
-    _s11 = _multiply(_s8, _s10, _r9)
-    _s12 = _multiply(_s11, _add(_multiply(t, _s5, _r10), _multiply(_k22, _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12), _r12), _r12), _r12)
-    _s13 = _subtract(vz, _multiply(_k132 * p_gravity, t, _r10), _r10)
-    _s14 = _add(_add(_multiply(_multiply(_multiply(_k22, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s5, _multiply(drift, _s12, _r13), _r13), _r11), _s11, _r11), _multiply(_s12, _s12, _r12), _r12), _multiply(_s13, _s13, _r11), _r11)
-    _s15 = _add(parting, _multiply(t, _subtract(_s14, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
-    _s16 = _multiply(_s9, _s10, _r8)
-    _s17 = _multiply(_s16, _add(_multiply(vx, _s6, _r3), _multiply(vy, _s7, _r5), _r5), _r5)
-    _s18 = _subtract(_s8, p_ring_radius, _r3)
-    _s19 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
-    _s20 = _add(z, _multiply(t, _s13, _r10), _r10)
-    _s21 = _select(_s4, _subtract(_multiply(_k22, _s15, _r11), parting, _r11), _multiply(_k22, _add(_multiply(_s17, _s18, _r9), _multiply(_s19, _s20, _r13), _r13), _r13), _r9)
-    _s22 = _select(_s4, _add(_s3, _multiply(_k22, _s0, _r0), _r0), rate_margin, _r2)
-    _s23 = _negative(_add(_s21, _s22, _r4), _r4)
-    _s24 = _select(_s2, _s1, flat, _r14)
-    _s25 = p_ball_radius + p_wire_radius
-    _s26 = _subtract(_select(_s2, _multiply(t, _s15, _r12), _subtract(_add(_multiply(_s18, _s18, _r3), _multiply(_s20, _s20, _r15), _r15), _s25 * _s25, _r15), _r3), _s24, _r3)
+    _s5 = _select(_s4, _add(_s3, _multiply(_k22, _s0, _r0), _r0), rate_margin, _r2)
+    _s6 = _add(_multiply(vx, vx, _r3), _multiply(vy, vy, _r4), _r4)
+    _s7 = _add(x, _multiply(vx, t, _r3), _r3)
+    _s8 = _add(y, _multiply(vy, t, _r5), _r5)
+    _s9 = _sqrt(_add(_multiply(_s7, _s7, _r6), _multiply(_s8, _s8, _r7), _r7), _r7)
+    _s10 = _add(rho_start, _s9, _r6)
+    _s11 = _divide(_k26, _multiply(_s10, _s9, _r8), _r8)
+    _s12 = _multiply(_s9, _s11, _r9)
+    _s13 = _multiply(_s12, _add(_multiply(t, _s6, _r10), _multiply(_k22, _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12), _r12), _r12), _r12)
+    _s14 = _subtract(vz, _multiply(_k132 * p_gravity, t, _r10), _r10)
+    _s15 = _add(_add(_multiply(_multiply(_multiply(_k22, _subtract(rho_start, p_ring_radius, _r11), _r11), _subtract(_s6, _multiply(rho_rate, _s13, _r13), _r13), _r11), _s12, _r11), _multiply(_s13, _s13, _r12), _r12), _multiply(_s14, _s14, _r11), _r11)
+    _s16 = _add(start_rate, _multiply(t, _subtract(_s15, _multiply(p_gravity, z, _r12), _r12), _r12), _r12)
+    _s17 = _multiply(_s10, _s11, _r8)
+    _s18 = _multiply(_s17, _add(_multiply(vx, _s7, _r3), _multiply(vy, _s8, _r5), _r5), _r5)
+    _s19 = _subtract(_s9, p_ring_radius, _r3)
+    _s20 = _add(z, _multiply(t, _s14, _r10), _r10)
+    _s21 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
+    _s22 = _select(_s4, _subtract(_multiply(_k22, _s16, _r11), start_rate, _r11), _multiply(_k22, _add(_multiply(_s18, _s19, _r9), _multiply(_s20, _s21, _r13), _r13), _r13), _r9)
+    _s23 = _negative(_add(_s5, _s22, _r4), _r4)
+    _s24 = p_ball_radius + p_wire_radius
+    _s25 = _select(_s2, _s1, flat, _r14)
+    _s26 = _subtract(_select(_s2, _multiply(t, _s16, _r12), _subtract(_add(_multiply(_s19, _s19, _r3), _multiply(_s20, _s20, _r15), _r15), _s24 * _s24, _r15), _r3), _s25, _r3)
     _s27 = _select(_s26 < _k25, _k25, _s26, _r15)
-    _s28 = _multiply(_k22, _add(_multiply(_k22, _s24, _r12), _s27, _r12), _r12)
-    _s29 = _subtract(_s21, _s22, _r2)
+    _s28 = _multiply(_k22, _add(_s27, _multiply(_k22, _s25, _r12), _r12), _r12)
+    _s29 = _subtract(_s22, _s5, _r2)
     _s30 = _k134 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
-    _s32 = _multiply(swing, _multiply(_s16, _multiply(_s16, _s16, _r16), _r16), _r16)
-    _s33 = _subtract(_add(_s31, _s32, _r17), steady, _r17)
+    _s32 = _multiply(moment2, _multiply(_s17, _multiply(_s17, _s17, _r16), _r16), _r16)
+    _s33 = _subtract(_add(_s31, _s32, _r17), energy2, _r17)
     _s34 = _s29 < _k25
     _s35 = _multiply(_k22, _s27, _r18)
-    _s36 = _select(_k25 < _select(_k25 <= _s29, _s27, _k25, _r19), _k98, _divide(_select(_s34, _add(_multiply(_k27, _s24, _r19), _s35, _r19), _multiply(_k135, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k25 < _s33, _s33, _k25, _r23), _r24), _r21), _r20)
+    _s36 = _select(_k25 < _select(_k25 <= _s29, _s27, _k25, _r19), _k98, _divide(_select(_s34, _add(_s35, _multiply(_k27, _s25, _r19), _r19), _multiply(_k135, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k25 < _s33, _s33, _k25, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k95 * _s25
-    _s40 = _add((_k101 * p_ball_radius) + (_k101 * p_wire_radius), _add(_multiply(_s38, _select(_s19 < _k25, _k25, _s19, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k95 * _s24
+    _s40 = _add((_k101 * p_ball_radius) + (_k101 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k25, _k25, _s21, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k25 < _s17, _k25, _s17, _r23), _r23), _s8, _r23), _multiply(_k136, _s42, _r7), _r7), _k108 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k25 < _s18, _k25, _s18, _r23), _r23), _s9, _r23), _multiply(_k136, _s42, _r7), _r7), _k108 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
     _s45 = _k101 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
     _s47 = _divide(_k26, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
-    _s48 = _multiply(swing, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
-    _s49 = _absolute(steady, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k137, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), steady, _r10)
-    _s51 = _negative(_s19, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k105 * p_ball_radius) + (_k105 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k25, _k25, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k138, _multiply(_s32, _s16, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(steady, _add(_s52, _multiply(_k139, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s48 = _multiply(moment2, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
+    _s49 = _absolute(energy2, _r23)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k137, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
+    _s51 = _negative(_s21, _r6)
+    _s52 = _add(_multiply(_s30, _add((_k105 * p_ball_radius) + (_k105 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k25, _k25, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k138, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(energy2, _add(_s52, _multiply(_k139, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k27, _select(_s28 <= _multiply(_s23, _s38, _r0), _select(_s50 < _s54, _s54, _s50, _r0), ceiling, _r8), _r8), _s28, _r8), _r8)
-    _s56 = _k25 < _select(_k25 < _s23, _s55, _s23, _r16)
+    _s55 = _select(_k25 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k27, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
+    _s56 = _k25 < _s55
     _s57 = _add(_multiply(_multiply(_k22, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
-    _s59 = _select(_k25 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r8), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k25 < _s50, _s50, _k25, _r2), _r4), _r8), _k98, _r15)
+    _s59 = _select(_k25 <= _s57, _divide(_select(_s34, _s35, _add(_s58, _s29, _r15), _r0), _select(_s34, _subtract(_s58, _s29, _r16), _select(_k25 < _s50, _s50, _k25, _r2), _r4), _r0), _k98, _r15)
     _s60 = _select(_s59 < _s38, _s59, _s38, _r4)
     _s61 = _add(t, _s60, _r2)
-    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s21 < _k25), (_s26 <= _s24)), _logical_and((t < end), _logical_not((t < _s61)))))
+    _s62 = _logical_and(_logical_not(_s56), _logical_or(_logical_and((_s22 < _k25), (_s26 <= _s25)), _logical_and((t < end), _logical_not((t < _s61)))))
     _s63 = _logical_not(_logical_or(_s56, _s62))
     _s64 = _logical_and(_s63, (_s37 <= _s60))
     _s65 = _select(end < low1, low1, end, _r4)
     _s66 = _s65 < high1
     _s67 = _select(end < low2, low2, end, _r15)
     _s68 = _s67 < high2
-    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k98, _r8), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
+    return _result(_s64, _select(_s66, _s65, _select(_s68, _s67, _k98, _r0), _r24), _select(_s62, t, _s61, _r19), _r0), _result(_s64, _select(_s66, high1, _select(_s68, high2, end, _r19), _r24), end, _r0), _s56, _logical_and(_s63, _logical_or(_logical_not(_s64), _logical_or(_logical_or(False, _s68), _s66)))
 
 
 def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Distance from the axis, its rate and that of the gap, at the start of a flight.
 
     Table 2. 13 operations: 3 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root.
-    Returns rho_start, parting, drift.
     """
     _r0, _r1 = _room[:2]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1))
-    _s1 = _add(_multiply(vx, x, _r1), _multiply(vy, y, _r0), _r0) / _s0
-    return _s0, _k49 * _add(_multiply(vz, z, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
+    _s1 = _add(_multiply(x, vx, _r1), _multiply(y, vy, _r0), _r0) / _s0
+    return _s0, _k49 * _add(_multiply(z, vz, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
 
 
-def ring_lost(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Positive where the bounds of the search do not hold.
+def ring_budget_exceeded(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Positive if the bounds of the search do not hold.
 
     bounds of the event condition. 26 operations: 5 additions, 4 subtractions, 10 multiplications, 1 division, 2 square roots, 2 comparisons, 2 selections.
-    Returns lost.
     """
     _r0, _r1 = _room[:2]
     _s0 = (0.000244140625 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = 1.0 / p_gravity
-    _s2 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s1, _add(_add(2.0 * p_ball_radius, extent, _r0), 2.0 * p_wire_radius, _r0), _r0), _r0), _r0)
+    _s2 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s1, _add((2.0 * p_ball_radius) + (2.0 * p_wire_radius), extent, _r0), _r0), _r0), _r0)
     _s3 = _add(_s2, _multiply(_multiply(_k49, speed, _r1), _s1, _r1), _r1)
     _s4 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s3 < horizon, _s3, horizon, _r0), _r0), _r0), 1.52587890625e-05 * p_ball_radius, _r0), 1.52587890625e-05 * p_wire_radius, _r0)
     return _result(_s0 < _s4, _s4, _s0, _r0),
 
 
-def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """The first window that ends later than a time, if there is one, from then on.
+def ring_enter(t: Any, end: Any, after: Any, low0: Any, low1: Any, low2: Any, high0: Any, high1: Any, high2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """First window that ends later than a time, from then on.
 
     Table 1. 18 operations: 6 comparisons, 3 disjunctions, 9 selections.
-    Returns t, end, searching.
     """
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = _select(after < low0, low0, after, _r0)
@@ -2292,19 +1965,17 @@ def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: A
 
 
 def backboard_coefficients(x: Any, vx: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
-    """Coefficients in time of the event polynomial, constant first.
+    """Coefficients in time of the constraint polynomial, constant first.
 
     Eq. 3 in Table 2. 2 operations: 2 subtractions.
-    Returns c0, c1.
     """
     return x - (p_ball_radius - p_board_distance), vx
 
 
 def backboard_deflated(vx: Any) -> tuple[Any, ...]:
-    """Coefficients of the event polynomial over t, after a contact at t = 0.
+    """Coefficients of the constraint polynomial over t, after a contact at t = 0.
 
     Eq. 3 in Table 2, the exact root divided out. No operations.
-    Returns c0.
     """
     return vx,
 
@@ -2313,7 +1984,6 @@ def backboard_normal() -> tuple[Any, ...]:
     """Outward unit normal n3 at a contact.
 
     Table 2. No operations.
-    Returns nx, ny, nz.
     """
     return 1.0, 0.0, 0.0
 
@@ -2322,25 +1992,22 @@ def backboard_curvature() -> tuple[Any, ...]:
     """Bound on the rate at which the normal turns along the contact surface.
 
     Table 2. No operations.
-    Returns curvature.
     """
     return 0.0,
 
 
 def backboard_bounds(y: Any, z: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any) -> tuple[Any, ...]:
-    """The g of Eq. 2: a contact counts where none is positive.
+    """The g of Eq. 2: a contact counts if none is positive.
 
     Eq. 2, Table 2. 5 operations: 1 addition, 3 subtractions, 1 negation.
-    Returns g0, g1, g2, g3.
     """
     return -(p_board_half_width + y), y - p_board_half_width, p_board_bottom - z, z - p_board_top
 
 
 def backboard_arrival(leaving: Any, x: Any, vx: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
-    """Time of the only arrival, the gap's rate there and its bend.
+    """Time of the only arrival, the gap's first two derivatives there, and its apex.
 
     Eq. 3 in Table 2, solved. 9 operations: 2 subtractions, 1 division, 1 negation, 1 absolute value, 2 comparisons, 2 selections.
-    Returns time, rate, bend, apex, height.
     """
     _s0 = _where((0.0 < leaving), 0.0, (x - (p_ball_radius - p_board_distance)))
     return -(_s0 / vx), vx, 0.0, _where((_absolute(vx) <= 0.0), 0.0, -1.0), _s0
@@ -2350,7 +2017,6 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
     """Rounding-error bound of the gap up to the horizon.
 
     running error analysis. 15 operations: 7 additions, 8 multiplications.
-    Returns margin.
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
@@ -2358,28 +2024,25 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
 
 
 def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
-    """The point of the contact plane nearest to a position.
+    """Point of the contact plane nearest to a position.
 
     Table 2. 1 operation: 1 subtraction.
-    Returns x, y, z.
     """
     return p_ball_radius - p_board_distance, y, z
 
 
 def backboard_within(g0: Any, g1: Any, g2: Any, g3: Any) -> tuple[Any, ...]:
-    """Where a contact counts (Eq. 2).
+    """Whether a contact counts (Eq. 2).
 
     Table 1. 7 operations: 4 comparisons, 3 conjunctions.
-    Returns arrives.
     """
     return _logical_and(_logical_and(_logical_and((g0 <= 0.0), (g1 <= 0.0)), (g2 <= 0.0)), (g3 <= 0.0)),
 
 
-def backboard_edges(clearance: Any, g0: Any, g1: Any, g2: Any, g3: Any, slack: Any) -> tuple[Any, ...]:
-    """Where that, or the crossing, lies within its error.
+def backboard_edges(clearance: Any, slack: Any, g0: Any, g1: Any, g2: Any, g3: Any) -> tuple[Any, ...]:
+    """Whether the bounds or the crossing lie within their errors.
 
     Table 1. 19 operations: 1 negation, 9 comparisons, 8 conjunctions, 1 complement.
-    Returns unsure.
     """
     _s0 = -slack
     _s1 = _logical_not(_logical_and(_logical_and(_logical_and(_logical_and((g0 < _s0), (g1 < _s0)), (g2 < _s0)), (g3 < _s0)), (0.0 < clearance)))
@@ -2387,19 +2050,17 @@ def backboard_edges(clearance: Any, g0: Any, g1: Any, g2: Any, g3: Any, slack: A
 
 
 def bridge_coefficients(z: Any, vz: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Coefficients in time of the event polynomial, constant first.
+    """Coefficients in time of the constraint polynomial, constant first.
 
     Eq. 3 in Table 2. 4 operations: 1 addition, 1 subtraction, 1 multiplication, 1 negation.
-    Returns c0, c1, c2.
     """
     return z - (p_ball_radius + p_wire_radius), vz, -(0.5 * p_gravity)
 
 
 def bridge_deflated(vz: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Coefficients of the event polynomial over t, after a contact at t = 0.
+    """Coefficients of the constraint polynomial over t, after a contact at t = 0.
 
     Eq. 3 in Table 2, the exact root divided out. 2 operations: 1 multiplication, 1 negation.
-    Returns c0, c1.
     """
     return vz, -(0.5 * p_gravity)
 
@@ -2408,7 +2069,6 @@ def bridge_normal() -> tuple[Any, ...]:
     """Outward unit normal n3 at a contact.
 
     Table 2. No operations.
-    Returns nx, ny, nz.
     """
     return 0.0, 0.0, 1.0
 
@@ -2417,33 +2077,30 @@ def bridge_curvature() -> tuple[Any, ...]:
     """Bound on the rate at which the normal turns along the contact surface.
 
     Table 2. No operations.
-    Returns curvature.
     """
     return 0.0,
 
 
 def bridge_bounds(x: Any, y: Any, p_ring_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """The g of Eq. 2: a contact counts where none is positive.
+    """The g of Eq. 2: a contact counts if none is positive.
 
     Eq. 2, Table 2. 10 operations: 3 additions, 2 subtractions, 2 multiplications, 1 square root, 2 negations.
-    Returns g0, g1, g2, g3, g4.
     """
     _r0, _r1 = _room[:2]
     return -_add(p_bridge_half_width, y, _r0), y - p_bridge_half_width, p_ring_radius - _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), x, -_add(p_board_distance, x, _r1)
 
 
 def bridge_arrival(leaving: Any, z: Any, vz: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Time of the only arrival, the gap's rate there and its bend.
+    """Time of the only arrival, the gap's first two derivatives there, and its apex.
 
     Eq. 3 in Table 2, solved. 27 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 1 absolute value, 2 comparisons, 4 selections.
-    Returns time, rate, bend, apex, height.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _k6 < leaving
-    _s1 = _select(_s0, _k6, _subtract(z, p_ball_radius + p_wire_radius, _r0), _r1)
+    _s0 = _k7 < leaving
+    _s1 = _select(_s0, _k7, _subtract(z, p_ball_radius + p_wire_radius, _r0), _r1)
     _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
-    _s4 = vz < _k6
+    _s4 = vz < _k7
     _s5 = -(1.0 / p_gravity)
     return _select(_s4, _multiply(_k49, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
 
@@ -2452,7 +2109,6 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
     """Rounding-error bound of the gap up to the horizon.
 
     running error analysis. 15 operations: 7 additions, 8 multiplications.
-    Returns margin.
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
@@ -2460,28 +2116,25 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
 
 
 def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
-    """The point of the contact plane nearest to a position.
+    """Point of the contact plane nearest to a position.
 
     Table 2. 1 operation: 1 addition.
-    Returns x, y, z.
     """
     return x, y, p_ball_radius + p_wire_radius
 
 
 def bridge_within(g0: Any, g1: Any, g2: Any, g3: Any, g4: Any) -> tuple[Any, ...]:
-    """Where a contact counts (Eq. 2).
+    """Whether a contact counts (Eq. 2).
 
     Table 1. 9 operations: 5 comparisons, 4 conjunctions.
-    Returns arrives.
     """
     return _logical_and(_logical_and(_logical_and(_logical_and((g0 <= 0.0), (g1 <= 0.0)), (g2 <= 0.0)), (g3 <= 0.0)), (g4 <= 0.0)),
 
 
-def bridge_edges(clearance: Any, g0: Any, g1: Any, g2: Any, g3: Any, g4: Any, slack: Any) -> tuple[Any, ...]:
-    """Where that, or the crossing, lies within its error.
+def bridge_edges(clearance: Any, slack: Any, g0: Any, g1: Any, g2: Any, g3: Any, g4: Any) -> tuple[Any, ...]:
+    """Whether the bounds or the crossing lie within their errors.
 
     Table 1. 23 operations: 1 negation, 11 comparisons, 10 conjunctions, 1 complement.
-    Returns unsure.
     """
     _s0 = -slack
     _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_logical_and((g0 < _s0), (g1 < _s0)), (g2 < _s0)), (g3 < _s0)), (g4 < _s0)), (0.0 < clearance))
@@ -2490,19 +2143,17 @@ def bridge_edges(clearance: Any, g0: Any, g1: Any, g2: Any, g3: Any, g4: Any, sl
 
 
 def end_coefficients(z: Any, vz: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
-    """Coefficients in time of the event polynomial, constant first.
+    """Coefficients in time of the constraint polynomial, constant first.
 
     Eq. 3 in Table 2. 4 operations: 1 subtraction, 1 multiplication, 2 negations.
-    Returns c0, c1, c2.
     """
     return z - (-p_end_depth), vz, -(0.5 * p_gravity)
 
 
 def end_deflated(vz: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Coefficients of the event polynomial over t, after a contact at t = 0.
+    """Coefficients of the constraint polynomial over t, after a contact at t = 0.
 
     Eq. 3 in Table 2, the exact root divided out. 2 operations: 1 multiplication, 1 negation.
-    Returns c0, c1.
     """
     return vz, -(0.5 * p_gravity)
 
@@ -2511,7 +2162,6 @@ def end_normal() -> tuple[Any, ...]:
     """Outward unit normal n3 at a contact.
 
     Table 2. No operations.
-    Returns nx, ny, nz.
     """
     return 0.0, 0.0, 1.0
 
@@ -2520,23 +2170,21 @@ def end_curvature() -> tuple[Any, ...]:
     """Bound on the rate at which the normal turns along the contact surface.
 
     Table 2. No operations.
-    Returns curvature.
     """
     return 0.0,
 
 
 def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Time of the only arrival, the gap's rate there and its bend.
+    """Time of the only arrival, the gap's first two derivatives there, and its apex.
 
     Eq. 3 in Table 2, solved. 27 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 4 selections.
-    Returns time, rate, bend, apex, height.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _k6 < leaving
-    _s1 = _select(_s0, _k6, _subtract(z, -p_end_depth, _r0), _r1)
+    _s0 = _k7 < leaving
+    _s1 = _select(_s0, _k7, _subtract(z, -p_end_depth, _r0), _r1)
     _s2 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s1, _r3), _r3)
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
-    _s4 = vz < _k6
+    _s4 = vz < _k7
     _s5 = -(1.0 / p_gravity)
     return _select(_s4, _multiply(_k49, _s1, _r1), _add(vz, _s3, _r0), _r6) / _select(_s4, _subtract(_s3, vz, _r7), p_gravity, _r8), -_s3, -p_gravity, -_multiply(vz, _s5, _r5), -_multiply(0.5 * _s5, _s2, _r3)
 
@@ -2545,7 +2193,6 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """Rounding-error bound of the gap up to the horizon.
 
     running error analysis. 13 operations: 6 additions, 7 multiplications.
-    Returns margin.
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
@@ -2553,37 +2200,33 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
-    """The point of the contact plane nearest to a position.
+    """Point of the contact plane nearest to a position.
 
     Table 2. 1 operation: 1 negation.
-    Returns x, y, z.
     """
     return x, y, -p_end_depth
 
 
 def end_bounds(x: Any, y: Any, p_ring_radius: Any) -> tuple[Any, ...]:
-    """The bounds of the ends on a plane: the first whose bounds all hold is reached.
+    """Bounds of the ends on a plane; the first whose bounds all hold is reached.
 
     Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root.
-    Returns g0.
     """
     return _sqrt(((x * x) + (y * y))) - p_ring_radius,
 
 
 def end_reached(g0: Any) -> tuple[Any, ...]:
-    """The end that a crossing reaches.
+    """End that a crossing reaches.
 
     Table 1. 2 operations: 1 comparison, 1 selection.
-    Returns reached.
     """
     return _where((g0 <= 0.0), 0.0, 1.0),
 
 
-def end_edge(g0: Any, slack: Any) -> tuple[Any, ...]:
-    """Whether that lies within its error.
+def end_edge(slack: Any, g0: Any) -> tuple[Any, ...]:
+    """Whether the choice of the end lies within its error.
 
     Table 1. 5 operations: 1 negation, 2 comparisons, 1 conjunction, 1 complement.
-    Returns edge.
     """
     return _logical_and((g0 <= slack), _logical_not((g0 < (-slack)))),
 
@@ -2592,9 +2235,8 @@ def aimed_speed(slope: Any, reach: Any, rise: Any, p_gravity: Any) -> tuple[Any,
     """Speed of the flight that goes through a point with a slope of release.
 
     Eq. 3 without its time, solved for the speed. 9 operations: 1 addition, 1 subtraction, 5 multiplications, 1 division, 1 square root.
-    Returns speed.
     """
-    _s0 = reach * _sqrt((((0.5 * p_gravity) * (1.0 + (slope * slope))) / ((reach * slope) - rise)))
+    _s0 = reach * _sqrt((((0.5 * p_gravity) * (1.0 + (slope * slope))) / ((slope * reach) - rise)))
     return _s0,
 
 
@@ -2602,7 +2244,6 @@ def entry_slope(slope: Any, reach: Any, rise: Any) -> tuple[Any, ...]:
     """Slope at a point, positive downwards, of the flight with a slope of release.
 
     derivative of Eq. 3 without its time. 3 operations: 1 subtraction, 1 multiplication, 1 division.
-    Returns entry.
     """
     return slope - ((2.0 * rise) / reach),
 
@@ -2611,7 +2252,6 @@ def slope_of_entry(entry: Any, reach: Any, rise: Any) -> tuple[Any, ...]:
     """Slope of release of the flight that has a slope at a point, positive downwards.
 
     derivative of Eq. 3 without its time, solved for the release. 3 operations: 1 addition, 1 multiplication, 1 division.
-    Returns slope.
     """
     return entry + ((2.0 * rise) / reach),
 
@@ -2620,7 +2260,6 @@ def least_speed(reach: Any, rise: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Slope and speed of the slowest release through a point.
 
     Eq. 3 without its time, least speed: at 45° + atan(rise/reach)/2, v² = g (rise + distance). 14 operations: 2 additions, 1 subtraction, 3 multiplications, 3 divisions, 2 square roots, 1 comparison, 2 selections.
-    Returns slope, speed.
     """
     _s0 = reach * reach
     _s1 = _sqrt((_s0 + (rise * rise)))
@@ -2631,10 +2270,9 @@ def least_speed(reach: Any, rise: Any, p_gravity: Any) -> tuple[Any, ...]:
 
 
 def slopes_of_speed(release_speed: Any, reach: Any, rise: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """The low and the high slope of release through a point at a speed.
+    """Low and high slope of release through a point at a speed.
 
     Eq. 3 without its time, solved for the slope. 25 operations: 5 additions, 2 subtractions, 11 multiplications, 3 divisions, 2 square roots, 1 comparison, 1 selection.
-    Returns low, high.
     """
     _s0 = release_speed * release_speed
     _s1 = reach * reach
@@ -2647,10 +2285,9 @@ def slopes_of_speed(release_speed: Any, reach: Any, rise: Any, p_gravity: Any) -
 
 
 def descent(z: Any, vz: Any, level: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """When the centre comes down to a height, and its upward velocity then.
+    """Time at which the centre comes down to a height, and its upward velocity then.
 
     Eq. 3, solved. 14 operations: 2 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 1 negation, 1 comparison, 2 selections.
-    Returns time, vz.
     """
     _s0 = z - level
     _s1 = _sqrt(((vz * vz) + ((2.0 * p_gravity) * _s0)))
@@ -2659,44 +2296,41 @@ def descent(z: Any, vz: Any, level: Any, p_gravity: Any) -> tuple[Any, ...]:
 
 
 def apex(z: Any, vz: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """When the centre is highest, and its height then.
+    """Time and height of the highest point of the centre.
 
     Eq. 3, its derivative zero. 8 operations: 1 addition, 2 multiplications, 2 divisions, 1 comparison, 2 selections.
-    Returns time, height.
     """
     _s0 = 0.0 < vz
     return _where(_s0, (vz / p_gravity), 0.0), _where(_s0, (z + ((0.5 * (vz * vz)) / p_gravity)), z)
 
 
 def sighted(x: Any, y: Any, place_x: Any, place_y: Any) -> tuple[Any, ...]:
-    """How far a point is past the origin and to the left, seen from a place.
+    """Distances of a point past the origin and to the left, seen from a place.
 
     components along and across the line of sight. 13 operations: 2 additions, 1 subtraction, 6 multiplications, 2 divisions, 1 square root, 1 negation.
-    Returns past, left.
     """
     _s0 = _sqrt(((place_x * place_x) + (place_y * place_y)))
-    return -(((place_x * x) + (place_y * y)) / _s0), ((place_y * x) - (place_x * y)) / _s0
+    return -(((x * place_x) + (y * place_y)) / _s0), ((x * place_y) - (y * place_x)) / _s0
 
 
 def ring_nearness(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, half: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Distance of ball and wire at time t, and what bounds it within half a width of t.
 
     Eq. 3 in Table 2, Taylor's theorem. 153 operations: 35 additions, 15 subtractions, 58 multiplications, 4 divisions, 6 square roots, 2 negations, 7 absolute values, 13 comparisons, 13 selections.
-    Returns gap, rate, lower, concavity, resolution.
     """
-    _s0 = x + (t * vx)
-    _s1 = y + (t * vy)
+    _s0 = x + (vx * t)
+    _s1 = y + (vy * t)
     _s2 = _sqrt(((_s0 * _s0) + (_s1 * _s1)))
     _s3 = _s2 - p_ring_radius
     _s4 = 0.5 * p_gravity
     _s5 = z + (t * (vz - (_s4 * t)))
     _s6 = (_s3 * _s3) + (_s5 * _s5)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = 2.0 * (((((vx * _s0) + (vy * _s1)) / _s2) * _s3) + ((vz - (p_gravity * t)) * _s5))
+    _s8 = 2.0 * (((((vx * _s0) + (vy * _s1)) / _s2) * _s3) + (_s5 * (vz - (p_gravity * t))))
     _s9 = t - half
     _s10 = (vx * vx) + (vy * vy)
-    _s11 = -(((vx * x) + (vy * y)) / _s10)
-    _s12 = half + t
+    _s11 = -(((x * vx) + (y * vy)) / _s10)
+    _s12 = t + half
     _s13 = _where(_s11 < _s12, _s11, _s12)
     _s14 = _where(_s9 < _s13, _s13, _s9)
     _s15 = x + (vx * _s14)
@@ -2726,27 +2360,42 @@ def ring_nearness(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, hal
     _s39 = (_s12 * ((((p_gravity * _s12) + _absolute(vx)) + _absolute(vy)) + _absolute(vz))) + _absolute(x)
     _s40 = 7.105427357601002e-15 * (p_ring_radius + ((_s39 + _absolute(y)) + _absolute(z)))
     _s41 = _s17 - _s40
-    _s42 = (vy * x) - (vx * y)
+    _s42 = (x * vy) - (y * vx)
     _s43 = (((2.0 * p_ring_radius) * (_s42 * _s42)) / (_s41 * (_s41 * _s41))) + (((6.0 * p_gravity) * _s35) - (2.0 * (((2.0 * p_gravity) * z) + ((vz * vz) + _s10))))
     _s44 = _where((0.0 < _s41), _s43, _inf)
     _s45 = _s6 - (half * (((0.5 * half) * _where(0.0 < _s44, _s44, 0.0)) + _absolute(_s8)))
     return _sqrt(_s6) - _s7, _s8, _sqrt(_where(_s38 < _s45, _s45, _s38)) - _s7, _s44, _s40
 
 
+def _arguments(function: Any) -> tuple[str, ...]:
+    """Return the names of a function's arguments without the rows that it writes into."""
+    code = function.__code__
+    return tuple(name for name in code.co_varnames[: code.co_argcount] if name != "_room")
+
+
+ARGUMENTS: dict[str, tuple[str, ...]] = {name: _arguments(globals()[name]) for name in OUTPUTS}
+"""Names of each kernel's arguments; rows to write into, which some take after them, are none."""
+
+
 # The event loop, one function for each stage: it reads and writes the columns of the shots.
 
 
 def _choose(truth: Any, new: Any, old: Any) -> Any:
-    """Return new values where a truth holds."""
-    if type(truth) is _ndarray and truth.ndim and len(truth) >= FEW:
-        for values in (new, old):
-            if type(values) is _ndarray and values.ndim and values.dtype == _float64:
-                return _select(truth, new, old, _empty_like(values))
-        many = _count_nonzero(truth)
-        if many == 0 and _ndim(old):
-            return old
-        if many == len(truth) and _ndim(new):
-            return new
+    """Return new columns where a truth holds."""
+    many = type(truth) is _ndarray and truth.ndim and len(truth) >= FEW
+    return map(_chosen if many else _where, [truth] * len(new), new, old)
+
+
+def _chosen(truth: Any, new: Any, old: Any) -> Any:
+    """Return new values where a truth holds, for many shots."""
+    for values in (new, old):
+        if type(values) is _ndarray and values.ndim and values.dtype == _float64:
+            return _select(truth, new, old, _empty_like(values))
+    many = _count_nonzero(truth)
+    if many == 0 and _ndim(old):
+        return old
+    if many == len(truth) and _ndim(new):
+        return new
     return _where(truth, new, old)
 
 
@@ -2785,31 +2434,47 @@ def _take(values: Any, rows: Any) -> Any:
     return values.take(rows, None, None, "clip")
 
 
+def _taken(rows: Any, *columns: Any) -> Any:
+    """Return some rows of columns."""
+    if rows is None:
+        return columns
+    return [
+        values.take(rows, None, None, "clip") if type(values) is _ndarray and values.ndim else values
+        for values in columns
+    ]
+
+
 def _of(rows: Any, some: Any) -> Any:
     """Return some of the rows; None is all of them."""
     return some if rows is None else rows if some is None else rows[some]
 
 
-def _copy(values: Any, shots: int) -> Any:
-    """Return a column of one's own."""
-    return values.copy() if type(values) is _ndarray and values.ndim else _full(shots, values)
+def _copies(shots: int, *columns: Any) -> list[Any]:
+    """Return columns of one's own."""
+    return [
+        values.copy() if type(values) is _ndarray and values.ndim else _full(shots, values)
+        for values in columns
+    ]
 
 
-def _put(values: Any, rows: Any, new: Any, shots: int, truth: Any = True) -> Any:
-    """Return a column with new values in some rows; if those are all, where a truth holds."""
+def _put(rows: Any, shots: int, columns: Any, new: Any, truth: Any = True) -> Any:
+    """Return columns with new values in some rows; if those are all, where a truth holds."""
     if rows is None:
-        return new if truth is True else _choose(truth, new, values)
-    column = _copy(values, shots)
-    column[rows] = new
-    return column
+        return new if truth is True else _choose(truth, new, columns)
+    copies = _copies(shots, *columns)
+    _store(copies, rows, new, None)
+    return copies
 
 
-def _store(values: Any, rows: Any, new: Any, some: Any) -> None:
-    """Put some of the new values into rows of a column."""
-    values[... if rows is None else rows] = _take(new, some)
+def _store(columns: Any, rows: Any, new: Any, some: Any) -> None:
+    """Put some of the new values into rows of columns."""
+    rows = ... if rows is None else rows
+    for values, own in zip(columns, new, strict=True):
+        values[rows] = _take(own, some)
 
 
-# What lasts for a few shots is done for one at a time, in the same operations.
+# What lasts for a few shots is done for one at a time, in the same operations: what a kernel does
+# for one shot is called like the kernel, with _alone at the end.
 
 
 def _root(value: Any) -> Any:
@@ -2840,19 +2505,17 @@ def _one_by_one(body: Any, rows: Any, own: Any, near: Any, far: Any, into: Any, 
 
 
 def _flight_alone(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Do `flight` for one shot."""
-    return x + (t * vx), y + (t * vy), z + (t * (vz - ((_k0 * p_gravity) * t))), vx, vy, vz - (p_gravity * t)
+    return x + (vx * t), y + (vy * t), z + (t * (vz - ((_k0 * p_gravity) * t))), vx, vy, vz - (p_gravity * t)
 
 
 def _crossing_alone(margin: Any, rate_margin: Any, rate: Any, ceiling: Any) -> tuple[Any, ...]:
-    """Do `crossing` for one shot."""
     _s0 = -(rate + rate_margin)
-    _s1 = _k2 < _s0
-    return ((_s0 * _s0) - ((_k9 * ceiling) * margin)) if _s1 else _s0, ((_k9 * margin) / _s0) if _s1 else _k10
+    _s1 = _k9 * margin
+    _s2 = _k2 < _s0
+    return ((_s0 * _s0) - (_s1 * ceiling)) if _s2 else _s0, (_s1 / _s0) if _s2 else _k10
 
 
 def _allowance_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Do `allowance` for one shot."""
     _s0 = speed + (p_gravity * horizon)
     _s1 = share * (extent + (horizon * _s0))
     _s2 = share * _s0
@@ -2862,65 +2525,54 @@ def _allowance_alone(share: Any, horizon: Any, extent: Any, speed: Any, position
 
 
 def _left_alone(index: Any, last: Any) -> tuple[Any, ...]:
-    """Do `left` for one shot."""
     return _k1 if (last == index) else _k2,
 
 
-def _questioned_alone(doubt: Any, time: Any, unsure: Any) -> tuple[Any, ...]:
-    """Do `questioned` for one shot."""
+def _questioned_alone(time: Any, doubt: Any, unsure: Any) -> tuple[Any, ...]:
     return time if (unsure and (time < doubt)) else doubt,
 
 
-def _tied_alone(arrives: Any, delay: Any, doubt: Any, late: Any, time: Any, when: Any) -> tuple[Any, ...]:
-    """Do `tied` for one shot."""
+def _tied_alone(time: Any, when: Any, delay: Any, earliest_delay: Any, doubt: Any, arrives: Any) -> tuple[Any, ...]:
     _s0 = time < when
     _s1 = time if _s0 else when
-    _s2 = _s1 if ((arrives and (abs((time - when)) <= (delay + late))) and (_s1 < doubt)) else doubt
-    return _s2, delay if (arrives and _s0) else late
+    _s2 = _s1 if ((arrives and (abs((time - when)) <= (delay + earliest_delay))) and (_s1 < doubt)) else doubt
+    return _s2, delay if (arrives and _s0) else earliest_delay
 
 
-def _sooner_alone(arrives: Any, index: Any, time: Any, when: Any, which: Any) -> tuple[Any, ...]:
-    """Do `sooner` for one shot."""
+def _earliest_alone(index: Any, time: Any, when: Any, which: Any, arrives: Any) -> tuple[Any, ...]:
     _s0 = arrives and (time < when)
     return time if _s0 else when, index if _s0 else which
 
 
 def _beginning_alone() -> tuple[Any, ...]:
-    """Do `beginning` for one shot."""
     return _k56, _k10, False
 
 
-def _beyond_alone(doubt: Any, excess: Any, late: Any, lost: Any, pad: Any) -> tuple[Any, ...]:
-    """Do `beyond` for one shot."""
-    return _k2 if (((_k2 < excess) or (_k2 < lost)) or (pad < late)) else doubt,
+def _out_of_budget_alone(pad: Any, budget_exceeded: Any, earliest_delay: Any, doubt: Any, excess: Any) -> tuple[Any, ...]:
+    return _k2 if (((_k2 < excess) or (_k2 < budget_exceeded)) or (pad < earliest_delay)) else doubt,
 
 
-def _nearby_alone(flat: Any, index: Any, last: Any, t: Any, tilt: Any) -> tuple[Any, ...]:
-    """Do `nearby` for one shot."""
+def _nearby_alone(t: Any, flat: Any, tilt: Any, index: Any, last: Any) -> tuple[Any, ...]:
     _s0 = t * tilt
     _s1 = (last == index) and (_s0 < flat)
     return _k1 if _s1 else _k2, _s0 if _s1 else flat
 
 
 def _opened_alone(horizon: Any, time: Any) -> tuple[Any, ...]:
-    """Do `opened` for one shot."""
     return time, horizon
 
 
-def _coarse_alone(ceiling: Any, fits: Any, flat: Any, rate_margin: Any, searching: Any, share: Any, sound: Any) -> tuple[Any, ...]:
-    """Do `coarse` for one shot."""
-    _s0 = (searching and sound) and fits
-    return _s0, searching or (not sound), _s0, ceiling, flat, rate_margin, share if (sound and fits) else _k56
+def _coarse_alone(rate_margin: Any, flat: Any, ceiling: Any, share: Any, searching: Any, representable: Any, fits: Any) -> tuple[Any, ...]:
+    _s0 = (searching and representable) and fits
+    return _s0, searching or (not representable), _s0, ceiling, flat, rate_margin, share if (representable and fits) else _k56
 
 
-def _leapt_alone(arrival: Any, certain: Any, lasting: Any, searching: Any, served: Any, since: Any) -> tuple[Any, ...]:
-    """Do `leapt` for one shot."""
+def _stepped_alone(arrival: Any, lasting: Any, searching: Any, since: Any, single_precision: Any, certain: Any) -> tuple[Any, ...]:
     _s0 = lasting + since
-    return _s0 if certain else arrival, _s0 if served else _k2, (searching and (not certain)) and (lasting < _k10)
+    return _s0 if certain else arrival, _s0 if single_precision else _k2, (searching and (not certain)) and (lasting < _k10)
 
 
-def _struck_alone(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_margin: Any, share: Any) -> tuple[Any, ...]:
-    """Do `struck` for one shot."""
+def _struck_alone(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: Any, clearance: Any, share: Any) -> tuple[Any, ...]:
     _s0 = (rate < _k2) or ((rate <= rate_margin) and (bend < _k2))
     _s1 = _k2 < clearance
     _s2 = _s0 and (((gap - margin) <= margin) or _s1)
@@ -2930,55 +2582,46 @@ def _struck_alone(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, r
 
 
 def _finer_alone(share: Any) -> tuple[Any, ...]:
-    """Do `finer` for one shot."""
     return (_k58 * share) if (_k57 < share) else _k2,
 
 
-def _exceeded_alone(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
-    """Do `exceeded` for one shot."""
+def _exceeded_alone(t: Any, doubt: Any, excess: Any) -> tuple[Any, ...]:
     return t if ((_k2 < excess) and (t < doubt)) else doubt,
 
 
-def _advanced_alone(arrival: Any, certain: Any, end: Any, hit: Any, next: Any, step: Any, sure: Any, t: Any, vague: Any) -> tuple[Any, ...]:
-    """Do `advanced` for one shot."""
+def _advanced_alone(t: Any, end: Any, step: Any, next: Any, arrival: Any, hit: Any, sure: Any, needs_refinement: Any, certain: Any) -> tuple[Any, ...]:
     _s0 = not hit
-    _s1 = (_s0 and (not vague)) and ((end - t) <= step)
-    return (next if sure else t) if hit else arrival, certain or (hit and sure), _s1, _s0 and (not _s1), t if (hit or vague) else next
+    _s1 = (_s0 and (not needs_refinement)) and ((end - t) <= step)
+    return (next if sure else t) if hit else arrival, certain or (hit and sure), _s1, _s0 and (not _s1), t if (hit or needs_refinement) else next
 
 
 def _found_alone(arrival: Any) -> tuple[Any, ...]:
-    """Do `found` for one shot."""
     _s0 = arrival < _k10
     return _s0, _s0, _k2
 
 
-def _polished_alone(arrival: Any, ceiling: Any, certain: Any, gap: Any, rate: Any, refined: Any) -> tuple[Any, ...]:
-    """Do `polished` for one shot."""
+def _polished_alone(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
     return refined if certain else arrival, certain and ((_k59 * (rate * rate)) < (ceiling * abs(gap)))
 
 
-def _own_margin_alone(arrival: Any, flat: Any, leaving: Any, tilt: Any) -> tuple[Any, ...]:
-    """Do `own_margin` for one shot."""
-    return (arrival * tilt) if (_k2 < leaving) else flat,
+def _own_margin_alone(leaving: Any, flat: Any, tilt: Any, arrival: Any) -> tuple[Any, ...]:
+    return (tilt * arrival) if (_k2 < leaving) else flat,
 
 
 def _landed_alone(arrival: Any) -> tuple[Any, ...]:
-    """Do `landed` for one shot."""
     return _k2 if (arrival < _k2) else arrival,
 
 
-def _landed_surely_alone(arrives: Any, certain: Any, clearance: Any, delay: Any, doubt: Any, time: Any) -> tuple[Any, ...]:
-    """Do `landed_surely` for one shot."""
+def _landed_surely_alone(clearance: Any, time: Any, delay: Any, doubt: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     _s0 = certain and (_k2 < clearance)
     return delay if _s0 else _k2, time if ((arrives and (not _s0)) and (time < doubt)) else doubt
 
 
 def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Do `ring_prepare` for one shot."""
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
     _s2 = ((_k51 * _s0) + ((_k52 * p_gravity) * z)) + (_k51 * _s1)
-    _s3 = (vy * x) - (vx * y)
+    _s3 = (x * vy) - (y * vx)
     _s4 = _s3 * _s3
     _s5 = (_k51 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
@@ -2996,7 +2639,7 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s18 = _s17 * _s17
     _s19 = (_k53 * _s1) * (_s18 + _s6)
     _s20 = ((_s18 * _s1) + _s19) - _s4
-    _s21 = (vx * x) + (vy * y)
+    _s21 = (x * vx) + (y * vy)
     _s22 = _root(_s20)
     _s23 = _k53 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
@@ -3034,14 +2677,13 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
     _s58 = (_k72 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = _root(_k51) * _root((_s12 * (((_k51 * p_ball_radius) + extent) + (_k51 * p_wire_radius))))
+    _s59 = _root(_k51) * _root((_s12 * (((_k51 * p_ball_radius) + (_k51 * p_wire_radius)) + extent)))
     _s60 = _s59 + ((_k51 * speed) * _s12)
     _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k73 * p_ball_radius)) - (_k73 * p_wire_radius)
     return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k77 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Do `ring_margins` for one shot."""
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
     _s2 = _k75 * _s0
@@ -3059,31 +2701,29 @@ def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: A
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Do `ring_refine` for one shot."""
-    _s0 = x + (t * vx)
-    _s1 = y + (t * vy)
+    _s0 = x + (vx * t)
+    _s1 = y + (vy * t)
     _s2 = _root(((_s0 * _s0) + (_s1 * _s1)))
     _s3 = rho_start + _s2
     _s4 = _k1 / (_s3 * _s2)
     _s5 = _s2 - p_ring_radius
     _s6 = vz - ((_k0 * p_gravity) * t)
     _s7 = z + (t * _s6)
-    _s8 = _k51 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
-    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k51 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
+    _s8 = _k51 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + (_s7 * (vz - (p_gravity * t))))
+    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k51 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = (t * (_s9 + ((z + _s7) * _s6))) if (_k2 < leaving) else (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))
     return t - (_s11 / _s8), _s11, _s8
 
 
-def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Do `ring_advance` for one shot."""
-    _s0 = x + (t * vx)
-    _s1 = y + (t * vy)
+def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    _s0 = x + (vx * t)
+    _s1 = y + (vy * t)
     _s2 = _root(((_s0 * _s0) + (_s1 * _s1)))
     _s3 = _s2 - p_ring_radius
     _s4 = rho_start + _s2
     _s5 = _k1 / (_s4 * _s2)
-    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k51 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
+    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k51 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
     _s7 = vz - ((_k0 * p_gravity) * t)
     _s8 = z + (t * _s7)
     _s9 = p_ball_radius + p_wire_radius
@@ -3091,16 +2731,16 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s11 = _s4 * _s5
     _s12 = _s11 * ((vx * _s0) + (vy * _s1))
     _s13 = vz - (p_gravity * t)
-    _s14 = _k51 * ((_s12 * _s3) + (_s13 * _s8))
+    _s14 = _k51 * ((_s12 * _s3) + (_s8 * _s13))
     _s15 = _k9 * p_gravity
     _s16 = _s15 * _s8
-    _s17 = swing * (_s11 * (_s11 * _s11))
+    _s17 = moment2 * (_s11 * (_s11 * _s11))
     _s18 = _k75 * _s9
     _s19 = _k94 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
     _s22 = _k2 if _s21 < _k2 else _s21
-    _s23 = (_s16 + _s17) - steady
+    _s23 = (_s16 + _s17) - energy2
     _s24 = _s20 < _k2
     _s25 = _k51 * _s22
     _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k52 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
@@ -3113,18 +2753,17 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s33 = _k78 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
-    _s36 = swing * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (_k94 * ((_s36 + abs(steady)) + abs(_s30)))) - steady
+    _s36 = moment2 * (_s35 * (_s35 * _s35))
+    _s37 = ((_s30 + _s36) + (_k94 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
     _s38 = ((_k51 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
     _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k10
     _s41 = _s40 if _s40 < _s28 else _s28
     _s42 = -(rate_margin + _s14)
-    return _s10, _s14, (steady - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k55 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
+    return _s10, _s14, (energy2 - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k55 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
 
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Do `ring_opened` for one shot."""
     _s0 = vz * vz
     _s1 = _k95 * (p_ball_radius + p_wire_radius)
     _s2 = _k33 * p_gravity
@@ -3139,10 +2778,10 @@ def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, v
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
     _s13 = (_k108 * _s10) * (_s12 + ((x * x) + (y * y)))
-    _s14 = (vy * x) - (vx * y)
+    _s14 = (x * vy) - (y * vx)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
-    _s17 = (vx * x) + (vy * y)
+    _s17 = (x * vx) + (y * vy)
     _s18 = _root(_s16)
     _s19 = _k108 * ((abs(_s17) + abs(_s14)) + _s18)
     _s20 = _k34 / _s10
@@ -3195,8 +2834,7 @@ def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, v
     return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k30)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k30)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k104)) and (_k105 <= p_gravity)) and (extent <= _k104)) and (speed <= _k104)
 
 
-def _ring_grain_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Do `ring_grain` for one shot."""
+def _ring_resolution_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = _k30 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
@@ -3209,11 +2847,11 @@ def _ring_grain_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: A
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
     _s11 = _k128 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k127 * parting) / _s11
+    _s12 = (_k127 * start_rate) / _s11
     _s13 = _s12 if _s12 < _k129 else _k129
     _s14 = (_s13 if _k126 < _s13 else _k126) if _s0 else _k129
     _s15 = ((_k33 * (vz * vz)) + ((_k117 * p_gravity) * z)) + (_k33 * ((vx * vx) + (vy * vy)))
-    _s16 = (vy * x) - (vx * y)
+    _s16 = (x * vy) - (y * vx)
     _s17 = (_k33 * p_ring_radius) * (_s16 * _s16)
     _s18 = _k34 / _s6
     _s19 = _s18 * (_s18 * _s18)
@@ -3223,74 +2861,73 @@ def _ring_grain_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: A
     _s23 = p_ring_radius + _s3
     _s24 = (_s10 * _s14) + (_k108 * (_s22 + _s23))
     _s25 = (_k132 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k130 * _s20, (_k121 * _s2) * _s24, (_k130 * ((_k107 * abs(parting)) + ((_k131 + _s14) * _s11))) if _s0 else _k109, _k130 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k123 * ((_s23 / _s6) * _s8)) * _s20, parting, drift, _k128 * (((_k130 * _s9) * _s24) + (((_k133 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k125 * p_ball_radius) + (_k125 * p_wire_radius))) and ((leaving * t) <= _k30)
+    return _s14, _k30, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k130 * _s20, (_k121 * _s2) * _s24, (_k130 * ((_k107 * abs(start_rate)) + ((_k131 + _s14) * _s11))) if _s0 else _k109, _k130 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k123 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k128 * (((_k130 * _s9) * _s24) + (((_k133 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k125 * p_ball_radius) + (_k125 * p_wire_radius))) and ((t * leaving) <= _k30)
 
 
-def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, flat: Any, tilt: Any, grit: Any, jerk: Any, parting: Any, drift: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Do `ring_leap` for one shot."""
-    _s0 = tilt + (grit * t)
+def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    _s0 = tilt + (t * quotient_margin)
     _s1 = t * _s0
     _s2 = _s1 < flat
-    _s3 = jerk * (t * t)
+    _s3 = (t * t) * jerk
     _s4 = _s2 and (_s3 < rate_margin)
-    _s5 = (vx * vx) + (vy * vy)
-    _s6 = x + (t * vx)
-    _s7 = y + (t * vy)
-    _s8 = _root(((_s6 * _s6) + (_s7 * _s7)))
-    _s9 = rho_start + _s8
-    _s10 = _k34 / (_s9 * _s8)
-    _s11 = _s8 * _s10
-    _s12 = _s11 * ((t * _s5) + (_k33 * ((vx * x) + (vy * y))))
-    _s13 = vz - ((_k132 * p_gravity) * t)
-    _s14 = ((((_k33 * (rho_start - p_ring_radius)) * (_s5 - (drift * _s12))) * _s11) + (_s12 * _s12)) + (_s13 * _s13)
-    _s15 = parting + (t * (_s14 - (p_gravity * z)))
-    _s16 = _s9 * _s10
-    _s17 = _s16 * ((vx * _s6) + (vy * _s7))
-    _s18 = _s8 - p_ring_radius
-    _s19 = vz - (p_gravity * t)
-    _s20 = z + (t * _s13)
-    _s21 = ((_k33 * _s15) - parting) if _s4 else (_k33 * ((_s17 * _s18) + (_s19 * _s20)))
-    _s22 = (_s3 + (_k33 * _s0)) if _s4 else rate_margin
-    _s23 = -(_s21 + _s22)
-    _s24 = _s1 if _s2 else flat
-    _s25 = p_ball_radius + p_wire_radius
-    _s26 = ((t * _s15) if _s2 else (((_s18 * _s18) + (_s20 * _s20)) - (_s25 * _s25))) - _s24
+    _s5 = (_s3 + (_k33 * _s0)) if _s4 else rate_margin
+    _s6 = (vx * vx) + (vy * vy)
+    _s7 = x + (vx * t)
+    _s8 = y + (vy * t)
+    _s9 = _root(((_s7 * _s7) + (_s8 * _s8)))
+    _s10 = rho_start + _s9
+    _s11 = _k34 / (_s10 * _s9)
+    _s12 = _s9 * _s11
+    _s13 = _s12 * ((t * _s6) + (_k33 * ((x * vx) + (y * vy))))
+    _s14 = vz - ((_k132 * p_gravity) * t)
+    _s15 = ((((_k33 * (rho_start - p_ring_radius)) * (_s6 - (rho_rate * _s13))) * _s12) + (_s13 * _s13)) + (_s14 * _s14)
+    _s16 = start_rate + (t * (_s15 - (p_gravity * z)))
+    _s17 = _s10 * _s11
+    _s18 = _s17 * ((vx * _s7) + (vy * _s8))
+    _s19 = _s9 - p_ring_radius
+    _s20 = z + (t * _s14)
+    _s21 = vz - (p_gravity * t)
+    _s22 = ((_k33 * _s16) - start_rate) if _s4 else (_k33 * ((_s18 * _s19) + (_s20 * _s21)))
+    _s23 = -(_s5 + _s22)
+    _s24 = p_ball_radius + p_wire_radius
+    _s25 = _s1 if _s2 else flat
+    _s26 = ((t * _s16) if _s2 else (((_s19 * _s19) + (_s20 * _s20)) - (_s24 * _s24))) - _s25
     _s27 = _k30 if _s26 < _k30 else _s26
-    _s28 = _k33 * ((_k33 * _s24) + _s27)
-    _s29 = _s21 - _s22
+    _s28 = _k33 * (_s27 + (_k33 * _s25))
+    _s29 = _s22 - _s5
     _s30 = _k134 * p_gravity
     _s31 = _s30 * _s20
-    _s32 = swing * (_s16 * (_s16 * _s16))
-    _s33 = (_s31 + _s32) - steady
+    _s32 = moment2 * (_s17 * (_s17 * _s17))
+    _s33 = (_s31 + _s32) - energy2
     _s34 = _s29 < _k30
     _s35 = _k33 * _s27
-    _s36 = _k109 if (_k30 < (_s27 if (_k30 <= _s29) else _k30)) else ((((_k35 * _s24) + _s35) if _s34 else (_k117 * _s29)) / ((-_s29) if _s34 else (_s33 if _k30 < _s33 else _k30)))
+    _s36 = _k109 if (_k30 < (_s27 if (_k30 <= _s29) else _k30)) else (((_s35 + (_k35 * _s25)) if _s34 else (_k117 * _s29)) / ((-_s29) if _s34 else (_s33 if _k30 < _s33 else _k30)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k95 * _s25
-    _s40 = ((_k101 * p_ball_radius) + (_k101 * p_wire_radius)) + ((_s38 * (_k30 if _s19 < _k30 else _s19)) + _s20)
+    _s39 = _k95 * _s24
+    _s40 = ((_k101 * p_ball_radius) + (_k101 * p_wire_radius)) + ((_s38 * (_k30 if _s21 < _k30 else _s21)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k30 if _k30 < _s17 else _s17)) + _s8) - (_k101 * _s42)) - (_k108 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k30 if _k30 < _s18 else _s18)) + _s9) - (_k101 * _s42)) - (_k108 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
     _s45 = _k101 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
     _s47 = _k34 / (_s46 if _s43 < _s46 else _s43)
-    _s48 = swing * (_s47 * (_s47 * _s47))
-    _s49 = abs(steady)
-    _s50 = ((_s41 + _s48) + (_k140 * ((_s48 + _s49) + abs(_s41)))) - steady
-    _s51 = -_s19
-    _s52 = (_s30 * (((_k105 * p_ball_radius) + (_k105 * p_wire_radius)) + (((p_gravity * _s38) + (_k30 if _s51 < _k30 else _s51)) * _s38))) + ((_k141 * (_s32 * _s16)) * _s42)
-    _s53 = steady + (_s52 + (_k105 * ((_s49 + abs(_s31)) + _s32)))
+    _s48 = moment2 * (_s47 * (_s47 * _s47))
+    _s49 = abs(energy2)
+    _s50 = ((_s41 + _s48) + (_k140 * ((_s48 + _s49) + abs(_s41)))) - energy2
+    _s51 = -_s21
+    _s52 = (_s30 * (((_k105 * p_ball_radius) + (_k105 * p_wire_radius)) + (((p_gravity * _s38) + (_k30 if _s51 < _k30 else _s51)) * _s38))) + ((_k141 * (_s32 * _s17)) * _s42)
+    _s53 = energy2 + (_s52 + (_k105 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = (_s23 * _s23) - ((_k35 * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling)) * _s28)
-    _s56 = _k30 < (_s55 if (_k30 < _s23) else _s23)
+    _s55 = ((_s23 * _s23) - ((_k35 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k30 < _s23) else _s23
+    _s56 = _k30 < _s55
     _s57 = ((_k33 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
     _s59 = ((_s35 if _s34 else (_s58 + _s29)) / ((_s58 - _s29) if _s34 else (_s50 if _k30 < _s50 else _k30))) if (_k30 <= _s57) else _k109
     _s60 = _s59 if _s59 < _s38 else _s38
     _s61 = t + _s60
-    _s62 = (not _s56) and (((_s21 < _k30) and (_s26 <= _s24)) or ((t < end) and (not (t < _s61))))
+    _s62 = (not _s56) and (((_s22 < _k30) and (_s26 <= _s25)) or ((t < end) and (not (t < _s61))))
     _s63 = not (_s56 or _s62)
     _s64 = _s63 and (_s37 <= _s60)
     _s65 = low1 if end < low1 else end
@@ -3301,24 +2938,21 @@ def _ring_leap_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
 
 
 def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any) -> tuple[Any, ...]:
-    """Do `ring_started` for one shot."""
     _s0 = _root(((x * x) + (y * y)))
-    _s1 = ((vx * x) + (vy * y)) / _s0
-    return _s0, _k51 * ((vz * z) + (_s1 * (_s0 - p_ring_radius))), _s1
+    _s1 = ((x * vx) + (y * vy)) / _s0
+    return _s0, _k51 * ((z * vz) + (_s1 * (_s0 - p_ring_radius))), _s1
 
 
-def _ring_lost_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    """Do `ring_lost` for one shot."""
+def _ring_budget_exceeded_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = (_k72 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
-    _s2 = _root(_k51) * _root((_s1 * (((_k51 * p_ball_radius) + extent) + (_k51 * p_wire_radius))))
+    _s2 = _root(_k51) * _root((_s1 * (((_k51 * p_ball_radius) + (_k51 * p_wire_radius)) + extent)))
     _s3 = _s2 + ((_k51 * speed) * _s1)
     _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k73 * p_ball_radius)) - (_k73 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 
-def _ring_enter_alone(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
-    """Do `ring_enter` for one shot."""
+def _ring_enter_alone(t: Any, end: Any, after: Any, low0: Any, low1: Any, low2: Any, high0: Any, high1: Any, high2: Any) -> tuple[Any, ...]:
     _s0 = low0 if after < low0 else after
     _s1 = _s0 < high0
     _s2 = low1 if after < low1 else after
@@ -3330,103 +2964,103 @@ def _ring_enter_alone(after: Any, end: Any, high0: Any, high1: Any, high2: Any, 
 
 def _alone0(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _speed_: Any, _until_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `open` for one shot."""
-    _share_, _arrival_, _certain_, = _beginning_alone()
+    _share_, _arrival_, _certain_ = _beginning_alone()
     _leaving_, = _left_alone(_k2, _last_)
-    _onset_, _wide_end_, _searching_, _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _lapsed_, _sound_, = _ring_opened_alone(_float32(_until_), _float32(_x_), _float32(_y_), _float32(_z_), _float32(_vx_), _float32(_vy_), _float32(_vz_), _float32(_extent_), _float32(_speed_), _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
-    _since_, _, = _opened_alone(_float64(_lapsed_), _float64(_onset_))
-    _rho_start_, _parting_, _drift_, = _ring_started_alone(_x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ring_radius_)
-    _near_x_, _near_y_, _near_z_, _, _, _near_vz_, = _flight_alone(_since_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_gravity_)
-    _short_share_, _short_t_, _short_end_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_ceiling_, _short_flat_, _short_tilt_, _short_jerk_, _short_grit_, _short_parting_, _short_drift_, _short_rate_margin_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _fits_, = _ring_grain_alone(_onset_, _wide_end_, _float32(_leaving_), _lapsed_, _float32(_near_x_), _float32(_near_y_), _float32(_near_z_), _float32(_vx_), _float32(_vy_), _float32(_near_vz_), _float32(_extent_), _float32(_speed_), _float32(_parting_), _float32(_drift_), _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
-    _leaping_, _searching_, _served_, _ceiling_, _flat_, _tilt_, _, = _coarse_alone(_float64(_short_ceiling_), _fits_, _float64(_short_flat_), _float64(_short_rate_margin_), _searching_, _float64(_short_share_), _sound_)
-    if _leaping_:
-        _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _onset_, _wide_end_, _searching_, _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _lapsed_, _representable_ = _ring_opened_alone(_float32(_until_), _float32(_x_), _float32(_y_), _float32(_z_), _float32(_vx_), _float32(_vy_), _float32(_vz_), _float32(_extent_), _float32(_speed_), _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _since_, _ = _opened_alone(_float64(_lapsed_), _float64(_onset_))
+    _rho_start_, _start_rate_, _rho_rate_ = _ring_started_alone(_x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ring_radius_)
+    _near_x_, _near_y_, _near_z_, _, _, _near_vz_ = _flight_alone(_since_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_gravity_)
+    _short_share_, _short_t_, _short_end_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_energy2_, _short_moment2_, _short_rho_start_, _short_ceiling_, _short_flat_, _short_tilt_, _short_jerk_, _short_quotient_margin_, _short_start_rate_, _short_rho_rate_, _short_rate_margin_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _fits_ = _ring_resolution_alone(_onset_, _wide_end_, _float32(_leaving_), _lapsed_, _float32(_near_x_), _float32(_near_y_), _float32(_near_z_), _float32(_vx_), _float32(_vy_), _float32(_near_vz_), _float32(_extent_), _float32(_speed_), _float32(_start_rate_), _float32(_rho_rate_), _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _stepping_, _searching_, _single_precision_, _ceiling_, _flat_, _tilt_, _ = _coarse_alone(_float64(_short_rate_margin_), _float64(_short_flat_), _float64(_short_ceiling_), _float64(_short_share_), _searching_, _representable_, _fits_)
+    if _stepping_:
+        _short_t_, _short_end_, _certain_, _stepping_ = _ring_step_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_energy2_, _short_moment2_, _short_rho_start_, _short_flat_, _short_tilt_, _short_quotient_margin_, _short_jerk_, _short_start_rate_, _short_rho_rate_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     for _ in range(24):
-        if not _leaping_:
+        if not _stepping_:
             break
-        _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
-    _arrival_, _t_, _searching_, = _leapt_alone(_arrival_, _certain_, _float64(_short_t_), _searching_, _served_, _since_)
+        _short_t_, _short_end_, _certain_, _stepping_ = _ring_step_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_energy2_, _short_moment2_, _short_rho_start_, _short_flat_, _short_tilt_, _short_quotient_margin_, _short_jerk_, _short_start_rate_, _short_rho_rate_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _arrival_, _t_, _searching_ = _stepped_alone(_arrival_, _float64(_short_t_), _searching_, _since_, _single_precision_, _certain_)
     if _searching_:
-        _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
-        _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+        _energy2_, _moment2_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _ = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
+        _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _t_, _end_, _searching_ = _ring_enter_alone(_t_, _k2, _t_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
         for _ in range(201):
             if not _searching_:
                 break
-            _leaving_, _margin_, = _nearby_alone(_flat_, _k2, _last_, _t_, _tilt_)
-            _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-            _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
-            if _vague_:
+            _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
+            _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+            if _needs_refinement_:
                 _share_, = _finer_alone(_share_)
-                _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
-                _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-            _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
+                _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
+                _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
             if _exhausted_:
-                _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
-    _arrives_, _refining_, _, = _found_alone(_arrival_)
-    _leaving_, _, = _nearby_alone(_flat_, _k2, _last_, _arrival_, _tilt_)
+                _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
+    _arrives_, _refining_, _ = _found_alone(_arrival_)
+    _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k2, _last_)
     if _refining_:
-        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+        _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
-        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+        _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
-        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+        _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _time_, = _landed_alone(_arrival_)
-    _when_, _which_, = _sooner_alone(_arrives_, _k2, _time_, _when_, _which_)
+    _when_, _which_ = _earliest_alone(_k2, _time_, _when_, _which_, _arrives_)
     return (_when_, _which_,)
 
 
-def _alone1(_certain_: Any, _leaping_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _short_ceiling_: Any, _short_drift_: Any, _short_end_: Any, _short_flat_: Any, _short_grit_: Any, _short_high1_: Any, _short_high2_: Any, _short_jerk_: Any, _short_low1_: Any, _short_low2_: Any, _short_parting_: Any, _short_rate_margin_: Any, _short_rho_start_: Any, _short_steady_: Any, _short_swing_: Any, _short_t_: Any, _short_tilt_: Any, _short_vx_: Any, _short_vy_: Any, _short_vz_: Any, _short_x_: Any, _short_y_: Any, _short_z_: Any, _turns: Any) -> tuple[Any, ...]:
-    """Do the body of `leaping` for one shot."""
+def _alone1(_certain_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _short_ceiling_: Any, _short_end_: Any, _short_energy2_: Any, _short_flat_: Any, _short_high1_: Any, _short_high2_: Any, _short_jerk_: Any, _short_low1_: Any, _short_low2_: Any, _short_moment2_: Any, _short_quotient_margin_: Any, _short_rate_margin_: Any, _short_rho_rate_: Any, _short_rho_start_: Any, _short_start_rate_: Any, _short_t_: Any, _short_tilt_: Any, _short_vx_: Any, _short_vy_: Any, _short_vz_: Any, _short_x_: Any, _short_y_: Any, _short_z_: Any, _stepping_: Any, _turns: Any) -> tuple[Any, ...]:
+    """Do the body of `stepping` for one shot."""
     for _ in range(_turns):
-        if not _leaping_:
+        if not _stepping_:
             break
-        _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+        _short_t_, _short_end_, _certain_, _stepping_ = _ring_step_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_energy2_, _short_moment2_, _short_rho_start_, _short_flat_, _short_tilt_, _short_quotient_margin_, _short_jerk_, _short_start_rate_, _short_rho_rate_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     return (_certain_, _short_t_,)
 
 
 def _alone2(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _share_: Any, _speed_: Any, _t_: Any, _until_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
-    _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-    _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
-    _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-    _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+    _energy2_, _moment2_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _ = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
+    _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _t_, _end_, _searching_ = _ring_enter_alone(_t_, _k2, _t_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
     for _ in range(201):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k2, _last_, _t_, _tilt_)
-        _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
-        if _vague_:
+        _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
+        _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+        if _needs_refinement_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
-            _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
+            _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
+            _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
-            _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+            _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
     return (_arrival_, _ceiling_, _certain_, _flat_, _rho_start_, _tilt_,)
 
 
-def _alone3(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _flat_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _rho_start_: Any, _searching_: Any, _share_: Any, _steady_: Any, _swing_: Any, _t_: Any, _tilt_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _high2_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _low2_: Any, _speed_: Any, _turns: Any) -> tuple[Any, ...]:
+def _alone3(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _energy2_: Any, _flat_: Any, _last_: Any, _moment2_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _rho_start_: Any, _searching_: Any, _share_: Any, _t_: Any, _tilt_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _high2_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _low2_: Any, _speed_: Any, _turns: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
     for _ in range(_turns):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k2, _last_, _t_, _tilt_)
-        _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
-        if _vague_:
+        _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
+        _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+        if _needs_refinement_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
-            _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
+            _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
+            _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
-            _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+            _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
     return (_arrival_, _certain_, _flat_, _tilt_,)
 
 
@@ -3435,123 +3069,123 @@ def _alone4(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
     for _ in range(_turns):
         if not _refining_:
             break
-        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+        _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_,)
 
 
-def _alone5(_doubt_: Any, _extent_: Any, _last_: Any, _late_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _pad_: Any, _position_error_: Any, _speed_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
+def _alone5(_doubt_: Any, _earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _pad_: Any, _position_error_: Any, _speed_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `open` for one shot."""
-    _share_, _arrival_, _certain_, = _beginning_alone()
+    _share_, _arrival_, _certain_ = _beginning_alone()
     _leaving_, = _left_alone(_k2, _last_)
-    _onset_, _wide_end_, _searching_, _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _lapsed_, _sound_, = _ring_opened_alone(_float32(_until_), _float32(_x_), _float32(_y_), _float32(_z_), _float32(_vx_), _float32(_vy_), _float32(_vz_), _float32(_extent_), _float32(_speed_), _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
-    _since_, _latest_, = _opened_alone(_float64(_lapsed_), _float64(_onset_))
-    _rho_start_, _parting_, _drift_, = _ring_started_alone(_x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ring_radius_)
-    _near_x_, _near_y_, _near_z_, _, _, _near_vz_, = _flight_alone(_since_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_gravity_)
-    _short_share_, _short_t_, _short_end_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_ceiling_, _short_flat_, _short_tilt_, _short_jerk_, _short_grit_, _short_parting_, _short_drift_, _short_rate_margin_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _fits_, = _ring_grain_alone(_onset_, _wide_end_, _float32(_leaving_), _lapsed_, _float32(_near_x_), _float32(_near_y_), _float32(_near_z_), _float32(_vx_), _float32(_vy_), _float32(_near_vz_), _float32(_extent_), _float32(_speed_), _float32(_parting_), _float32(_drift_), _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
-    _leaping_, _searching_, _served_, _ceiling_, _flat_, _tilt_, _allowing_, = _coarse_alone(_float64(_short_ceiling_), _fits_, _float64(_short_flat_), _float64(_short_rate_margin_), _searching_, _float64(_short_share_), _sound_)
-    _, _, _excess_, = _allowance_alone(_allowing_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
-    _lost_, = _ring_lost_alone(_until_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-    _doubt_, = _beyond_alone(_doubt_, _excess_, _late_, _lost_, _pad_)
-    if _leaping_:
-        _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _onset_, _wide_end_, _searching_, _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _lapsed_, _representable_ = _ring_opened_alone(_float32(_until_), _float32(_x_), _float32(_y_), _float32(_z_), _float32(_vx_), _float32(_vy_), _float32(_vz_), _float32(_extent_), _float32(_speed_), _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _since_, _latest_ = _opened_alone(_float64(_lapsed_), _float64(_onset_))
+    _rho_start_, _start_rate_, _rho_rate_ = _ring_started_alone(_x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ring_radius_)
+    _near_x_, _near_y_, _near_z_, _, _, _near_vz_ = _flight_alone(_since_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_gravity_)
+    _short_share_, _short_t_, _short_end_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_energy2_, _short_moment2_, _short_rho_start_, _short_ceiling_, _short_flat_, _short_tilt_, _short_jerk_, _short_quotient_margin_, _short_start_rate_, _short_rho_rate_, _short_rate_margin_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _fits_ = _ring_resolution_alone(_onset_, _wide_end_, _float32(_leaving_), _lapsed_, _float32(_near_x_), _float32(_near_y_), _float32(_near_z_), _float32(_vx_), _float32(_vy_), _float32(_near_vz_), _float32(_extent_), _float32(_speed_), _float32(_start_rate_), _float32(_rho_rate_), _wide_low1_, _wide_high1_, _wide_low2_, _wide_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _stepping_, _searching_, _single_precision_, _ceiling_, _flat_, _tilt_, _allowing_ = _coarse_alone(_float64(_short_rate_margin_), _float64(_short_flat_), _float64(_short_ceiling_), _float64(_short_share_), _searching_, _representable_, _fits_)
+    _, _, _excess_ = _allowance_alone(_allowing_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
+    _budget_exceeded_, = _ring_budget_exceeded_alone(_until_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _doubt_, = _out_of_budget_alone(_pad_, _budget_exceeded_, _earliest_delay_, _doubt_, _excess_)
+    if _stepping_:
+        _short_t_, _short_end_, _certain_, _stepping_ = _ring_step_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_energy2_, _short_moment2_, _short_rho_start_, _short_flat_, _short_tilt_, _short_quotient_margin_, _short_jerk_, _short_start_rate_, _short_rho_rate_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     for _ in range(24):
-        if not _leaping_:
+        if not _stepping_:
             break
-        _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
-    _arrival_, _t_, _searching_, = _leapt_alone(_arrival_, _certain_, _float64(_short_t_), _searching_, _served_, _since_)
+        _short_t_, _short_end_, _certain_, _stepping_ = _ring_step_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_energy2_, _short_moment2_, _short_rho_start_, _short_flat_, _short_tilt_, _short_quotient_margin_, _short_jerk_, _short_start_rate_, _short_rho_rate_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+    _arrival_, _t_, _searching_ = _stepped_alone(_arrival_, _float64(_short_t_), _searching_, _since_, _single_precision_, _certain_)
     if _searching_:
-        _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
-        _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+        _energy2_, _moment2_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _ = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
+        _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _t_, _end_, _searching_ = _ring_enter_alone(_t_, _k2, _t_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
         for _ in range(201):
             if not _searching_:
                 break
-            _leaving_, _margin_, = _nearby_alone(_flat_, _k2, _last_, _t_, _tilt_)
-            _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-            _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
-            if _vague_:
+            _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
+            _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+            if _needs_refinement_:
                 _share_, = _finer_alone(_share_)
-                _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
-                _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-                _doubt_, = _exceeded_alone(_doubt_, _excess_, _t_)
-            _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
+                _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
+                _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+                _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+            _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
             if _exhausted_:
-                _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
-        _doubt_, = _questioned_alone(_doubt_, _t_, _searching_)
-    _arrives_, _refining_, _rate_, = _found_alone(_arrival_)
-    _leaving_, _, = _nearby_alone(_flat_, _k2, _last_, _arrival_, _tilt_)
+                _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
+        _doubt_, = _questioned_alone(_t_, _doubt_, _searching_)
+    _arrives_, _refining_, _rate_ = _found_alone(_arrival_)
+    _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k2, _last_)
     if _refining_:
-        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+        _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
-        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+        _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
-        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
-    _flat_, _tilt_, _rate_margin_, = _ring_margins_alone(_latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-    _margin_, = _own_margin_alone(_arrival_, _flat_, _leaving_, _tilt_)
-    _clearance_, _delay_, = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
+        _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+    _flat_, _tilt_, _rate_margin_ = _ring_margins_alone(_latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
+    _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
     _time_, = _landed_alone(_arrival_)
-    _delay_, _doubt_, = _landed_surely_alone(_arrives_, _certain_, _clearance_, _delay_, _doubt_, _time_)
-    _doubt_, _late_, = _tied_alone(_arrives_, _delay_, _doubt_, _late_, _time_, _when_)
-    _when_, _which_, = _sooner_alone(_arrives_, _k2, _time_, _when_, _which_)
-    return (_doubt_, _late_, _when_, _which_,)
+    _delay_, _doubt_ = _landed_surely_alone(_clearance_, _time_, _delay_, _doubt_, _arrives_, _certain_)
+    _doubt_, _earliest_delay_ = _tied_alone(_time_, _when_, _delay_, _earliest_delay_, _doubt_, _arrives_)
+    _when_, _which_ = _earliest_alone(_k2, _time_, _when_, _which_, _arrives_)
+    return (_doubt_, _earliest_delay_, _when_, _which_,)
 
 
-def _alone6(_certain_: Any, _leaping_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _short_ceiling_: Any, _short_drift_: Any, _short_end_: Any, _short_flat_: Any, _short_grit_: Any, _short_high1_: Any, _short_high2_: Any, _short_jerk_: Any, _short_low1_: Any, _short_low2_: Any, _short_parting_: Any, _short_rate_margin_: Any, _short_rho_start_: Any, _short_steady_: Any, _short_swing_: Any, _short_t_: Any, _short_tilt_: Any, _short_vx_: Any, _short_vy_: Any, _short_vz_: Any, _short_x_: Any, _short_y_: Any, _short_z_: Any, _turns: Any) -> tuple[Any, ...]:
-    """Do the body of `leaping` for one shot."""
+def _alone6(_certain_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _short_ceiling_: Any, _short_end_: Any, _short_energy2_: Any, _short_flat_: Any, _short_high1_: Any, _short_high2_: Any, _short_jerk_: Any, _short_low1_: Any, _short_low2_: Any, _short_moment2_: Any, _short_quotient_margin_: Any, _short_rate_margin_: Any, _short_rho_rate_: Any, _short_rho_start_: Any, _short_start_rate_: Any, _short_t_: Any, _short_tilt_: Any, _short_vx_: Any, _short_vy_: Any, _short_vz_: Any, _short_x_: Any, _short_y_: Any, _short_z_: Any, _stepping_: Any, _turns: Any) -> tuple[Any, ...]:
+    """Do the body of `stepping` for one shot."""
     for _ in range(_turns):
-        if not _leaping_:
+        if not _stepping_:
             break
-        _short_t_, _short_end_, _certain_, _leaping_, = _ring_leap_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_steady_, _short_swing_, _short_rho_start_, _short_flat_, _short_tilt_, _short_grit_, _short_jerk_, _short_parting_, _short_drift_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
+        _short_t_, _short_end_, _certain_, _stepping_ = _ring_step_alone(_short_t_, _short_end_, _short_rate_margin_, _short_ceiling_, _short_x_, _short_y_, _short_z_, _short_vx_, _short_vy_, _short_vz_, _short_energy2_, _short_moment2_, _short_rho_start_, _short_flat_, _short_tilt_, _short_quotient_margin_, _short_jerk_, _short_start_rate_, _short_rho_rate_, _short_low1_, _short_high1_, _short_low2_, _short_high2_, _float32(_p_ball_radius_), _float32(_p_ring_radius_), _float32(_p_wire_radius_), _float32(_p_gravity_))
     return (_certain_, _short_t_,)
 
 
 def _alone7(_arrival_: Any, _certain_: Any, _doubt_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _share_: Any, _speed_: Any, _t_: Any, _until_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
-    _steady_, _swing_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _, = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-    _position_level_, _velocity_level_, _, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
-    _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-    _t_, _end_, _searching_, = _ring_enter_alone(_t_, _k2, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+    _energy2_, _moment2_, _rho_start_, _low0_, _high0_, _low1_, _high1_, _low2_, _high2_, _ceiling_, _latest_, _ = _ring_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
+    _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+    _t_, _end_, _searching_ = _ring_enter_alone(_t_, _k2, _t_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
     for _ in range(201):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k2, _last_, _t_, _tilt_)
-        _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
-        if _vague_:
+        _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
+        _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+        if _needs_refinement_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
-            _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-            _doubt_, = _exceeded_alone(_doubt_, _excess_, _t_)
-        _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
+            _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
+            _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+        _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
-            _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
-    _doubt_, = _questioned_alone(_doubt_, _t_, _searching_)
+            _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
+    _doubt_, = _questioned_alone(_t_, _doubt_, _searching_)
     return (_arrival_, _ceiling_, _certain_, _doubt_, _flat_, _latest_, _rho_start_, _tilt_,)
 
 
-def _alone8(_arrival_: Any, _ceiling_: Any, _certain_: Any, _doubt_: Any, _end_: Any, _flat_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _rho_start_: Any, _searching_: Any, _share_: Any, _steady_: Any, _swing_: Any, _t_: Any, _tilt_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _high2_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _low2_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _turns: Any) -> tuple[Any, ...]:
+def _alone8(_arrival_: Any, _ceiling_: Any, _certain_: Any, _doubt_: Any, _end_: Any, _energy2_: Any, _flat_: Any, _last_: Any, _moment2_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _rho_start_: Any, _searching_: Any, _share_: Any, _t_: Any, _tilt_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _high2_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _low2_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _turns: Any) -> tuple[Any, ...]:
     """Do the body of `searching` for one shot."""
     for _ in range(_turns):
         if not _searching_:
             break
-        _leaving_, _margin_, = _nearby_alone(_flat_, _k2, _last_, _t_, _tilt_)
-        _gap_, _rate_, _bend_, _step_, _next_, _clearance_, = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _steady_, _swing_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _hit_, _sure_, _vague_, = _struck_alone(_bend_, _clearance_, _gap_, _margin_, _rate_, _rate_slack_, _share_)
-        if _vague_:
+        _leaving_, _margin_ = _nearby_alone(_t_, _flat_, _tilt_, _k2, _last_)
+        _gap_, _rate_, _bend_, _step_, _next_, _clearance_ = _ring_advance_alone(_t_, _end_, _leaving_, _margin_, _rate_slack_, _ceiling_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _energy2_, _moment2_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _hit_, _sure_, _needs_refinement_ = _struck_alone(_gap_, _rate_, _bend_, _margin_, _rate_slack_, _clearance_, _share_)
+        if _needs_refinement_:
             _share_, = _finer_alone(_share_)
-            _position_level_, _velocity_level_, _excess_, = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
-            _flat_, _tilt_, _rate_slack_, = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-            _doubt_, = _exceeded_alone(_doubt_, _excess_, _t_)
-        _arrival_, _certain_, _exhausted_, _searching_, _t_, = _advanced_alone(_arrival_, _certain_, _end_, _hit_, _next_, _step_, _sure_, _t_, _vague_)
+            _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_gravity_)
+            _flat_, _tilt_, _rate_slack_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+            _doubt_, = _exceeded_alone(_t_, _doubt_, _excess_)
+        _arrival_, _certain_, _exhausted_, _searching_, _t_ = _advanced_alone(_t_, _end_, _step_, _next_, _arrival_, _hit_, _sure_, _needs_refinement_, _certain_)
         if _exhausted_:
-            _t_, _end_, _searching_, = _ring_enter_alone(_end_, _end_, _high0_, _high1_, _high2_, _low0_, _low1_, _low2_, _t_)
+            _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
     return (_arrival_, _certain_, _doubt_, _flat_, _searching_, _t_, _tilt_,)
 
 
@@ -3560,99 +3194,38 @@ def _alone9(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
     for _ in range(_turns):
         if not _refining_:
             break
-        _refined_, _gap_, _rate_, = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_, = _polished_alone(_arrival_, _ceiling_, _certain_, _gap_, _rate_, _refined_)
+        _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
+        _arrival_, _refining_ = _polished_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_, _rate_,)
 
 
-def permit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
-    """Stage permit of the event loop, the path alone."""
-    _p_ball_radius_0 = columns["p_ball_radius"]
-    _p_board_bottom_0 = columns["p_board_bottom"]
-    _p_board_distance_0 = columns["p_board_distance"]
-    _p_board_half_width_0 = columns["p_board_half_width"]
-    _p_board_top_0 = columns["p_board_top"]
-    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
-    _p_end_depth_0 = columns["p_end_depth"]
-    _p_gravity_0 = columns["p_gravity"]
-    _p_restitution_0 = columns["p_restitution"]
-    _p_ring_radius_0 = columns["p_ring_radius"]
-    _p_wire_radius_0 = columns["p_wire_radius"]
+def validate_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage validate of the event loop, the path alone."""
+    _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, = map(columns.__getitem__, ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_top", "p_bridge_half_width", "p_end_depth", "p_gravity", "p_restitution", "p_ring_radius", "p_wire_radius",))
     _allowed_0, = allowed(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0)
     _permitted_0, = parameters_in_range(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0, _allowed_0)
-    columns["permitted"] = _permitted_0
+    columns |= {"permitted": _permitted_0, }
 
 
-def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
-    """Stage admit of the event loop, the path alone."""
-    _last_0 = columns["last"]
-    _p_ball_radius_0 = columns["p_ball_radius"]
-    _p_board_bottom_0 = columns["p_board_bottom"]
-    _p_board_distance_0 = columns["p_board_distance"]
-    _p_board_half_width_0 = columns["p_board_half_width"]
-    _p_board_top_0 = columns["p_board_top"]
-    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
-    _p_end_depth_0 = columns["p_end_depth"]
-    _p_ring_radius_0 = columns["p_ring_radius"]
-    _p_wire_radius_0 = columns["p_wire_radius"]
-    _permitted_0 = columns["permitted"]
-    _vx_0 = columns["vx"]
-    _vy_0 = columns["vy"]
-    _vz_0 = columns["vz"]
-    _wx_0 = columns["wx"]
-    _wy_0 = columns["wy"]
-    _wz_0 = columns["wz"]
-    _x_0 = columns["x"]
-    _y_0 = columns["y"]
-    _z_0 = columns["z"]
+def start_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage start of the event loop, the path alone."""
+    _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_ring_radius_0, _p_wire_radius_0, _permitted_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("last", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_top", "p_bridge_half_width", "p_end_depth", "p_ring_radius", "p_wire_radius", "permitted", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",))
     _room_0 = room(shots)
-    _in_range_0, = state_in_range(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
+    _in_range_0, = state_in_range(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _room_0)
     _close_0, _valid_0, *_ = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
     _rows1, _count2 = _most(_close_0, shots)
     if _count2:
-        _last_1 = _take(_last_0, _rows1)
-        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
-        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows1)
-        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
-        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows1)
-        _p_board_top_1 = _take(_p_board_top_0, _rows1)
-        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows1)
-        _p_end_depth_1 = _take(_p_end_depth_0, _rows1)
-        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
-        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
-        _x_1 = _take(_x_0, _rows1)
-        _y_1 = _take(_y_0, _rows1)
-        _z_1 = _take(_z_0, _rows1)
+        _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_ring_radius_1, _p_wire_radius_1, _x_1, _y_1, _z_1 = _taken(_rows1, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_ring_radius_0, _p_wire_radius_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count2)
         _valid_1, *_ = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _room_1)
-        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _close_0)
-    _outcome_0, *_ = admitted(_inf, _in_range_0, _permitted_0, _valid_0)
-    columns["outcome"] = _outcome_0
+        _valid_0, = _put(_rows1, shots, (_valid_0,), (_valid_1,), _close_0)
+    _outcome_0, *_ = admitted(_inf, _valid_0, _permitted_0, _in_range_0)
+    columns |= {"outcome": _outcome_0, }
 
 
-def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
-    """Stage reach of the event loop, the path alone."""
-    _clock_0 = columns["clock"]
-    _contacts_0 = columns["contacts"]
-    _last_0 = columns["last"]
-    _most_contacts_0 = columns["most_contacts"]
-    _p_ball_radius_0 = columns["p_ball_radius"]
-    _p_board_bottom_0 = columns["p_board_bottom"]
-    _p_board_distance_0 = columns["p_board_distance"]
-    _p_board_half_width_0 = columns["p_board_half_width"]
-    _p_board_top_0 = columns["p_board_top"]
-    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
-    _p_end_depth_0 = columns["p_end_depth"]
-    _p_gravity_0 = columns["p_gravity"]
-    _p_ring_radius_0 = columns["p_ring_radius"]
-    _p_wire_radius_0 = columns["p_wire_radius"]
-    _time_limit_0 = columns["time_limit"]
-    _vx_0 = columns["vx"]
-    _vy_0 = columns["vy"]
-    _vz_0 = columns["vz"]
-    _x_0 = columns["x"]
-    _y_0 = columns["y"]
-    _z_0 = columns["z"]
+def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage detect of the event loop, the path alone."""
+    _clock_0, _contacts_0, _last_0, _most_contacts_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _time_limit_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("clock", "contacts", "last", "most_contacts", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_top", "p_bridge_half_width", "p_end_depth", "p_gravity", "p_ring_radius", "p_wire_radius", "time_limit", "vx", "vy", "vz", "x", "y", "z",))
     _room_0 = room(shots)
     _, _, _, _time_error_0 = _fixed(error_bounds, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
@@ -3660,1820 +3233,623 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _limited_0, = limited(_time_limit_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, _apex_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
-    _arrives_0, *_ = meeting_plane(_apex_0, _bend_0, _rate_0, _time_0)
-    _possible_0, = timely(_arrives_0, 0.0, 0.0, _time_0, _when_0)
-    _when_1, _which_1 = sooner(_arrives_0, 3.0, _time_0, _when_0, _which_0)
-    _when_0 = _choose(_possible_0, _when_1, _when_0)
-    _which_0 = _choose(_possible_0, _which_1, _which_0)
+    _arrives_0, *_ = meeting_plane(_rate_0, _bend_0, _apex_0, _time_0)
+    _possible_0, = within_time(_time_0, _when_0, 0.0, 0.0, _arrives_0)
+    _when_1, _which_1 = earliest(3.0, _time_0, _when_0, _which_0, _arrives_0)
+    _when_0, _which_0 = _choose(_possible_0, (_when_1, _which_1,), (_when_0, _which_0,))
     _released_0, _reachable_0 = released(_last_0)
     _rows1, _count2 = _most(_released_0, shots)
     if _count2:
-        _extent_1 = _take(_extent_0, _rows1)
-        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
-        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
-        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows1)
-        _p_gravity_1 = _take(_p_gravity_0, _rows1)
-        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
-        _speed_1 = _take(_speed_0, _rows1)
-        _vx_1 = _take(_vx_0, _rows1)
-        _when_1 = _take(_when_0, _rows1)
-        _x_1 = _take(_x_0, _rows1)
+        _extent_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _speed_1, _vx_1, _when_1, _x_1 = _taken(_rows1, _extent_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _speed_0, _vx_0, _when_0, _x_0)
         _room_1 = room(_count2)
         _until_1, _pad_1 = horizon(_when_1, _speed_1, _p_gravity_1)
-        _reachable_1, = reachable(_p_ball_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _extent_1, _p_gravity_1, _until_1, 0.0, _pad_1, 0.0, _p_ring_radius_1, _speed_1, 0.0, _vx_1, _x_1, _room_1)
-        _reachable_0 = _put(_reachable_0, _rows1, _reachable_1, shots, _released_0)
+        _reachable_1, = reachable(_p_ball_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _x_1, _vx_1, _until_1, _extent_1, _speed_1, _pad_1, 0.0, 0.0, 0.0, _room_1)
+        _reachable_0, = _put(_rows1, shots, (_reachable_0,), (_reachable_1,), _released_0)
     _rows3, _count4 = _rows(_reachable_0, shots)
     if _count4:
-        _last_1 = _take(_last_0, _rows3)
-        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows3)
-        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows3)
-        _p_board_distance_1 = _take(_p_board_distance_0, _rows3)
-        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows3)
-        _p_board_top_1 = _take(_p_board_top_0, _rows3)
-        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows3)
-        _p_gravity_1 = _take(_p_gravity_0, _rows3)
-        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows3)
-        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows3)
-        _vx_1 = _take(_vx_0, _rows3)
-        _vy_1 = _take(_vy_0, _rows3)
-        _vz_1 = _take(_vz_0, _rows3)
-        _when_1 = _take(_when_0, _rows3)
-        _which_1 = _take(_which_0, _rows3)
-        _x_1 = _take(_x_0, _rows3)
-        _y_1 = _take(_y_0, _rows3)
-        _z_1 = _take(_z_0, _rows3)
+        _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows3, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count4)
         _leaving_1, = left(1.0, _last_1)
         _time_1, _rate_1, _bend_1, _apex_1, *_ = backboard_arrival(_leaving_1, _x_1, _vx_1, _p_ball_radius_1, _p_board_distance_1)
-        _arrives_1, *_ = meeting_plane(_apex_1, _bend_1, _rate_1, _time_1)
-        _possible_1, = timely(_arrives_1, 0.0, 0.0, _time_1, _when_1)
+        _arrives_1, *_ = meeting_plane(_rate_1, _bend_1, _apex_1, _time_1)
+        _possible_1, = within_time(_time_1, _when_1, 0.0, 0.0, _arrives_1)
         _, _there_y_2, _there_z_2, *_ = flight(_time_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _g0_2, _g1_2, _g2_2, _g3_2 = backboard_bounds(_there_y_2, _there_z_2, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1)
         _arrives_2, = backboard_within(_g0_2, _g1_2, _g2_2, _g3_2)
-        _when_2, _which_2 = sooner(_arrives_2, 1.0, _time_1, _when_1, _which_1)
-        _when_1 = _choose(_possible_1, _when_2, _when_1)
-        _which_1 = _choose(_possible_1, _which_2, _which_1)
+        _when_2, _which_2 = earliest(1.0, _time_1, _when_1, _which_1, _arrives_2)
+        _when_1, _which_1 = _choose(_possible_1, (_when_2, _which_2,), (_when_1, _which_1,))
         _leaving_1, = left(2.0, _last_1)
         _time_1, _rate_1, _bend_1, _apex_1, *_ = bridge_arrival(_leaving_1, _z_1, _vz_1, _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _arrives_1, *_ = meeting_plane(_apex_1, _bend_1, _rate_1, _time_1)
-        _possible_1, = timely(_arrives_1, 0.0, 0.0, _time_1, _when_1)
+        _arrives_1, *_ = meeting_plane(_rate_1, _bend_1, _apex_1, _time_1)
+        _possible_1, = within_time(_time_1, _when_1, 0.0, 0.0, _arrives_1)
         _rows5, _count6 = _most(_possible_1, _count4)
         if _count6:
-            _p_board_distance_2 = _take(_p_board_distance_1, _rows5)
-            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows5)
-            _p_gravity_2 = _take(_p_gravity_1, _rows5)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows5)
-            _time_2 = _take(_time_1, _rows5)
-            _vx_2 = _take(_vx_1, _rows5)
-            _vy_2 = _take(_vy_1, _rows5)
-            _vz_2 = _take(_vz_1, _rows5)
-            _when_2 = _take(_when_1, _rows5)
-            _which_2 = _take(_which_1, _rows5)
-            _x_2 = _take(_x_1, _rows5)
-            _y_2 = _take(_y_1, _rows5)
-            _z_2 = _take(_z_1, _rows5)
+            _p_board_distance_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _time_2, _vx_2, _vy_2, _vz_2, _when_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows5, _p_board_distance_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _time_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count6)
             _there_x_2, _there_y_2, *_ = flight(_time_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_gravity_2, _room_2)
             _g0_2, _g1_2, _g2_2, _g3_2, _g4_2 = bridge_bounds(_there_x_2, _there_y_2, _p_ring_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _room_2)
             _arrives_2, = bridge_within(_g0_2, _g1_2, _g2_2, _g3_2, _g4_2)
-            _when_2, _which_2 = sooner(_arrives_2, 2.0, _time_2, _when_2, _which_2)
-            _when_1 = _put(_when_1, _rows5, _when_2, _count4, _possible_1)
-            _which_1 = _put(_which_1, _rows5, _which_2, _count4, _possible_1)
-        _when_0 = _put(_when_0, _rows3, _when_1, shots)
-        _which_0 = _put(_which_0, _rows3, _which_1, shots)
+            _when_2, _which_2 = earliest(2.0, _time_2, _when_2, _which_2, _arrives_2)
+            _when_1, _which_1 = _put(_rows5, _count4, (_when_1, _which_1,), (_when_2, _which_2,), _possible_1)
+        _when_0, _which_0 = _put(_rows3, shots, (_when_0, _which_0,), (_when_1, _which_1,))
     _until_0, *_ = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _open_0, = opens(_clear_0)
     _rows7, _count8 = _rows(_open_0, shots)
-    if 0 < _count8 <= ALONE:
-        _when_0 = _copy(_when_0, shots)
-        _which_0 = _copy(_which_0, shots)
+    if (0 < _count8) and (_count8 <= ALONE):
+        _when_0, _which_0 = _copies(shots, _when_0, _which_0)
         _one_by_one(_alone0, _rows7, _rows7, (_extent_0, _last_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _speed_0, _until_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_when_0, _which_0,))
     elif _count8:
-        _extent_1 = _take(_extent_0, _rows7)
-        _last_1 = _take(_last_0, _rows7)
-        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows7)
-        _p_gravity_1 = _take(_p_gravity_0, _rows7)
-        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows7)
-        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows7)
-        _speed_1 = _take(_speed_0, _rows7)
-        _until_1 = _take(_until_0, _rows7)
-        _vx_1 = _take(_vx_0, _rows7)
-        _vy_1 = _take(_vy_0, _rows7)
-        _vz_1 = _take(_vz_0, _rows7)
-        _when_1 = _take(_when_0, _rows7)
-        _which_1 = _take(_which_0, _rows7)
-        _x_1 = _take(_x_0, _rows7)
-        _y_1 = _take(_y_0, _rows7)
-        _z_1 = _take(_z_0, _rows7)
+        _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _speed_1, _until_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows7, _extent_0, _last_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _speed_0, _until_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count8)
         _share_1, _arrival_1, _certain_1 = beginning()
         _leaving_1, = left(0.0, _last_1)
-        _onset_1, _wide_end_1, _searching_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _lapsed_1, _sound_1 = ring_opened(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _onset_1, _wide_end_1, _searching_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _lapsed_1, _representable_1 = ring_opened(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _since_1, *_ = opened(_double(_lapsed_1), _double(_onset_1))
-        _rho_start_1, _parting_1, _drift_1 = ring_started(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _room_1)
+        _rho_start_1, _start_rate_1, _rho_rate_1 = ring_started(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _room_1)
         _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
-        _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_jerk_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _lapsed_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1, *_ = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _double(_short_share_1), _sound_1)
-        _rows9, _count10 = _most(_leaping_1, _count8)
+        _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_energy2_1, _short_moment2_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_jerk_1, _short_quotient_margin_1, _short_start_rate_1, _short_rho_rate_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_resolution(_onset_1, _wide_end_1, _leaving_1, _lapsed_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _start_rate_1, _rho_rate_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _stepping_1, _searching_1, _single_precision_1, _ceiling_1, _flat_1, _tilt_1, *_ = coarse(_double(_short_rate_margin_1), _double(_short_flat_1), _double(_short_ceiling_1), _double(_short_share_1), _searching_1, _representable_1, _fits_1)
+        _rows9, _count10 = _most(_stepping_1, _count8)
         if _count10:
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows9)
-            _p_gravity_2 = _take(_p_gravity_1, _rows9)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows9)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows9)
-            _short_ceiling_2 = _take(_short_ceiling_1, _rows9)
-            _short_drift_2 = _take(_short_drift_1, _rows9)
-            _short_end_2 = _take(_short_end_1, _rows9)
-            _short_flat_2 = _take(_short_flat_1, _rows9)
-            _short_grit_2 = _take(_short_grit_1, _rows9)
-            _short_high1_2 = _take(_short_high1_1, _rows9)
-            _short_high2_2 = _take(_short_high2_1, _rows9)
-            _short_jerk_2 = _take(_short_jerk_1, _rows9)
-            _short_low1_2 = _take(_short_low1_1, _rows9)
-            _short_low2_2 = _take(_short_low2_1, _rows9)
-            _short_parting_2 = _take(_short_parting_1, _rows9)
-            _short_rate_margin_2 = _take(_short_rate_margin_1, _rows9)
-            _short_rho_start_2 = _take(_short_rho_start_1, _rows9)
-            _short_steady_2 = _take(_short_steady_1, _rows9)
-            _short_swing_2 = _take(_short_swing_1, _rows9)
-            _short_t_2 = _take(_short_t_1, _rows9)
-            _short_tilt_2 = _take(_short_tilt_1, _rows9)
-            _short_vx_2 = _take(_short_vx_1, _rows9)
-            _short_vy_2 = _take(_short_vy_1, _rows9)
-            _short_vz_2 = _take(_short_vz_1, _rows9)
-            _short_x_2 = _take(_short_x_1, _rows9)
-            _short_y_2 = _take(_short_y_1, _rows9)
-            _short_z_2 = _take(_short_z_1, _rows9)
+            _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_end_2, _short_energy2_2, _short_flat_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_moment2_2, _short_quotient_margin_2, _short_rate_margin_2, _short_rho_rate_2, _short_rho_start_2, _short_start_rate_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2 = _taken(_rows9, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _short_ceiling_1, _short_end_1, _short_energy2_1, _short_flat_1, _short_high1_1, _short_high2_1, _short_jerk_1, _short_low1_1, _short_low2_1, _short_moment2_1, _short_quotient_margin_1, _short_rate_margin_1, _short_rho_rate_1, _short_rho_start_1, _short_start_rate_1, _short_t_1, _short_tilt_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_x_1, _short_y_1, _short_z_1)
             _room_2 = room(_count10)
-            _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _certain_1 = _put(_certain_1, _rows9, _certain_2, _count8, _leaping_1)
-            _short_end_1 = _put(_short_end_1, _rows9, _short_end_2, _count8, _leaping_1)
-            _short_t_1 = _put(_short_t_1, _rows9, _short_t_2, _count8, _leaping_1)
-            _leaping_1 = _put(_leaping_1, _rows9, _leaping_2, _count8, _leaping_1)
-        _rows11, _count12 = _rows(_leaping_1, _count8)
-        if 0 < _count12 <= ALONE:
-            _certain_1 = _copy(_certain_1, _count8)
-            _short_t_1 = _copy(_short_t_1, _count8)
-            _one_by_one(_alone1, _rows11, _rows11, (_certain_1, _leaping_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _short_ceiling_1, _short_drift_1, _short_end_1, _short_flat_1, _short_grit_1, _short_high1_1, _short_high2_1, _short_jerk_1, _short_low1_1, _short_low2_1, _short_parting_1, _short_rate_margin_1, _short_rho_start_1, _short_steady_1, _short_swing_1, _short_t_1, _short_tilt_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_x_1, _short_y_1, _short_z_1,), (), (_certain_1, _short_t_1,), 24)
+            _short_t_2, _short_end_2, _certain_2, _stepping_2 = ring_step(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_energy2_2, _short_moment2_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_quotient_margin_2, _short_jerk_2, _short_start_rate_2, _short_rho_rate_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _certain_1, _short_end_1, _short_t_1, _stepping_1 = _put(_rows9, _count8, (_certain_1, _short_end_1, _short_t_1, _stepping_1,), (_certain_2, _short_end_2, _short_t_2, _stepping_2,), _stepping_1)
+        _rows11, _count12 = _rows(_stepping_1, _count8)
+        if (0 < _count12) and (_count12 <= ALONE):
+            _certain_1, _short_t_1 = _copies(_count8, _certain_1, _short_t_1)
+            _one_by_one(_alone1, _rows11, _rows11, (_certain_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _short_ceiling_1, _short_end_1, _short_energy2_1, _short_flat_1, _short_high1_1, _short_high2_1, _short_jerk_1, _short_low1_1, _short_low2_1, _short_moment2_1, _short_quotient_margin_1, _short_rate_margin_1, _short_rho_rate_1, _short_rho_start_1, _short_start_rate_1, _short_t_1, _short_tilt_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_x_1, _short_y_1, _short_z_1, _stepping_1,), (), (_certain_1, _short_t_1,), 24)
         elif _count12:
-            _leaping_2 = _take(_leaping_1, _rows11)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows11)
-            _p_gravity_2 = _take(_p_gravity_1, _rows11)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows11)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows11)
-            _short_ceiling_2 = _take(_short_ceiling_1, _rows11)
-            _short_drift_2 = _take(_short_drift_1, _rows11)
-            _short_end_2 = _take(_short_end_1, _rows11)
-            _short_flat_2 = _take(_short_flat_1, _rows11)
-            _short_grit_2 = _take(_short_grit_1, _rows11)
-            _short_high1_2 = _take(_short_high1_1, _rows11)
-            _short_high2_2 = _take(_short_high2_1, _rows11)
-            _short_jerk_2 = _take(_short_jerk_1, _rows11)
-            _short_low1_2 = _take(_short_low1_1, _rows11)
-            _short_low2_2 = _take(_short_low2_1, _rows11)
-            _short_parting_2 = _take(_short_parting_1, _rows11)
-            _short_rate_margin_2 = _take(_short_rate_margin_1, _rows11)
-            _short_rho_start_2 = _take(_short_rho_start_1, _rows11)
-            _short_steady_2 = _take(_short_steady_1, _rows11)
-            _short_swing_2 = _take(_short_swing_1, _rows11)
-            _short_t_2 = _take(_short_t_1, _rows11)
-            _short_tilt_2 = _take(_short_tilt_1, _rows11)
-            _short_vx_2 = _take(_short_vx_1, _rows11)
-            _short_vy_2 = _take(_short_vy_1, _rows11)
-            _short_vz_2 = _take(_short_vz_1, _rows11)
-            _short_x_2 = _take(_short_x_1, _rows11)
-            _short_y_2 = _take(_short_y_1, _rows11)
-            _short_z_2 = _take(_short_z_1, _rows11)
-            _certain_1 = _copy(_certain_1, _count8)
-            _short_t_1 = _copy(_short_t_1, _count8)
+            _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_end_2, _short_energy2_2, _short_flat_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_moment2_2, _short_quotient_margin_2, _short_rate_margin_2, _short_rho_rate_2, _short_rho_start_2, _short_start_rate_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2, _stepping_2 = _taken(_rows11, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _short_ceiling_1, _short_end_1, _short_energy2_1, _short_flat_1, _short_high1_1, _short_high2_1, _short_jerk_1, _short_low1_1, _short_low2_1, _short_moment2_1, _short_quotient_margin_1, _short_rate_margin_1, _short_rho_rate_1, _short_rho_start_1, _short_start_rate_1, _short_t_1, _short_tilt_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_x_1, _short_y_1, _short_z_1, _stepping_1)
+            _certain_1, _short_t_1 = _copies(_count8, _certain_1, _short_t_1)
             for _turn13 in range(24):
                 _room_2 = room(_count12)
-                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _going14 = _where_true(_leaping_2)
+                _short_t_2, _short_end_2, _certain_2, _stepping_2 = ring_step(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_energy2_2, _short_moment2_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_quotient_margin_2, _short_jerk_2, _short_start_rate_2, _short_rho_rate_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _going14 = _where_true(_stepping_2)
                 if len(_going14) == _count12:
                     continue
-                _done = _where_true(_logical_not(_leaping_2))
-                _store(_certain_1, _of(_rows11, _done), _certain_2, _done)
-                _store(_short_t_1, _of(_rows11, _done), _short_t_2, _done)
-                _rows11, _count12 = _of(_rows11, _going14), len(_going14)
-                if not _count12:
+                _done = _where_true(_logical_not(_stepping_2))
+                _store((_certain_1, _short_t_1,), _of(_rows11, _done), (_certain_2, _short_t_2,), _done)
+                _rows11 = _of(_rows11, _going14)
+                _count12 = len(_going14)
+                if _count12 == 0:
                     break
                 if _count12 <= ALONE:
-                    _one_by_one(_alone1, _rows11, _going14, (_certain_2, _leaping_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_drift_2, _short_end_2, _short_flat_2, _short_grit_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_parting_2, _short_rate_margin_2, _short_rho_start_2, _short_steady_2, _short_swing_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2,), (), (_certain_1, _short_t_1,), 23 - _turn13)
+                    _one_by_one(_alone1, _rows11, _going14, (_certain_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_end_2, _short_energy2_2, _short_flat_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_moment2_2, _short_quotient_margin_2, _short_rate_margin_2, _short_rho_rate_2, _short_rho_start_2, _short_start_rate_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2, _stepping_2,), (), (_certain_1, _short_t_1,), 23 - _turn13)
                     break
-                _certain_2 = _take(_certain_2, _going14)
-                _leaping_2 = _take(_leaping_2, _going14)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going14)
-                _p_gravity_2 = _take(_p_gravity_2, _going14)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going14)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going14)
-                _short_ceiling_2 = _take(_short_ceiling_2, _going14)
-                _short_drift_2 = _take(_short_drift_2, _going14)
-                _short_end_2 = _take(_short_end_2, _going14)
-                _short_flat_2 = _take(_short_flat_2, _going14)
-                _short_grit_2 = _take(_short_grit_2, _going14)
-                _short_high1_2 = _take(_short_high1_2, _going14)
-                _short_high2_2 = _take(_short_high2_2, _going14)
-                _short_jerk_2 = _take(_short_jerk_2, _going14)
-                _short_low1_2 = _take(_short_low1_2, _going14)
-                _short_low2_2 = _take(_short_low2_2, _going14)
-                _short_parting_2 = _take(_short_parting_2, _going14)
-                _short_rate_margin_2 = _take(_short_rate_margin_2, _going14)
-                _short_rho_start_2 = _take(_short_rho_start_2, _going14)
-                _short_steady_2 = _take(_short_steady_2, _going14)
-                _short_swing_2 = _take(_short_swing_2, _going14)
-                _short_t_2 = _take(_short_t_2, _going14)
-                _short_tilt_2 = _take(_short_tilt_2, _going14)
-                _short_vx_2 = _take(_short_vx_2, _going14)
-                _short_vy_2 = _take(_short_vy_2, _going14)
-                _short_vz_2 = _take(_short_vz_2, _going14)
-                _short_x_2 = _take(_short_x_2, _going14)
-                _short_y_2 = _take(_short_y_2, _going14)
-                _short_z_2 = _take(_short_z_2, _going14)
+                _certain_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_end_2, _short_energy2_2, _short_flat_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_moment2_2, _short_quotient_margin_2, _short_rate_margin_2, _short_rho_rate_2, _short_rho_start_2, _short_start_rate_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2, _stepping_2 = _taken(_going14, _certain_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_end_2, _short_energy2_2, _short_flat_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_moment2_2, _short_quotient_margin_2, _short_rate_margin_2, _short_rho_rate_2, _short_rho_start_2, _short_start_rate_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2, _stepping_2)
             else:
-                _store(_certain_1, _rows11, _certain_2, None)
-                _store(_short_t_1, _rows11, _short_t_2, None)
-        _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
+                _store((_certain_1, _short_t_1,), _rows11, (_certain_2, _short_t_2,), None)
+        _arrival_1, _t_1, _searching_1 = stepped(_arrival_1, _double(_short_t_1), _searching_1, _since_1, _single_precision_1, _certain_1)
         _rows15, _count16 = _rows(_searching_1, _count8)
-        if 0 < _count16 <= ALONE:
-            _arrival_1 = _copy(_arrival_1, _count8)
-            _ceiling_1 = _copy(_ceiling_1, _count8)
-            _certain_1 = _copy(_certain_1, _count8)
-            _flat_1 = _copy(_flat_1, _count8)
-            _rho_start_1 = _copy(_rho_start_1, _count8)
-            _tilt_1 = _copy(_tilt_1, _count8)
+        if (0 < _count16) and (_count16 <= ALONE):
+            _arrival_1, _ceiling_1, _certain_1, _flat_1, _rho_start_1, _tilt_1 = _copies(_count8, _arrival_1, _ceiling_1, _certain_1, _flat_1, _rho_start_1, _tilt_1)
             _one_by_one(_alone2, _rows15, _rows15, (_arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _share_1, _speed_1, _t_1, _until_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _ceiling_1, _certain_1, _flat_1, _rho_start_1, _tilt_1,))
         elif _count16:
-            _arrival_2 = _take(_arrival_1, _rows15)
-            _certain_2 = _take(_certain_1, _rows15)
-            _extent_2 = _take(_extent_1, _rows15)
-            _last_2 = _take(_last_1, _rows15)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows15)
-            _p_gravity_2 = _take(_p_gravity_1, _rows15)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows15)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows15)
-            _share_2 = _take(_share_1, _rows15)
-            _speed_2 = _take(_speed_1, _rows15)
-            _t_2 = _take(_t_1, _rows15)
-            _until_2 = _take(_until_1, _rows15)
-            _vx_2 = _take(_vx_1, _rows15)
-            _vy_2 = _take(_vy_1, _rows15)
-            _vz_2 = _take(_vz_1, _rows15)
-            _x_2 = _take(_x_1, _rows15)
-            _y_2 = _take(_y_1, _rows15)
-            _z_2 = _take(_z_1, _rows15)
+            _arrival_2, _certain_2, _extent_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _share_2, _speed_2, _t_2, _until_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows15, _arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _share_1, _speed_1, _t_1, _until_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count16)
-            _steady_2, _swing_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _extent_2, _speed_2, 0.0, 0.0, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _energy2_2, _moment2_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _extent_2, _speed_2, 0.0, 0.0, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, 0.0, 0.0, _p_gravity_2, _room_2)
             _flat_2, _tilt_2, _rate_slack_2 = ring_margins(_latest_2, _extent_2, _speed_2, _position_level_2, _velocity_level_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2, _room_2)
+            _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _t_2, _low0_2, _low1_2, _low2_2, _high0_2, _high1_2, _high2_2, _room_2)
             _rows17, _count18 = _rows(_searching_2, _count16)
-            if 0 < _count18 <= ALONE:
-                _arrival_2 = _copy(_arrival_2, _count16)
-                _certain_2 = _copy(_certain_2, _count16)
-                _flat_2 = _copy(_flat_2, _count16)
-                _tilt_2 = _copy(_tilt_2, _count16)
-                _one_by_one(_alone3, _rows17, _rows17, (_arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _steady_2, _swing_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _speed_2,), (), (_arrival_2, _certain_2, _flat_2, _tilt_2,), 201)
+            if (0 < _count18) and (_count18 <= ALONE):
+                _arrival_2, _certain_2, _flat_2, _tilt_2 = _copies(_count16, _arrival_2, _certain_2, _flat_2, _tilt_2)
+                _one_by_one(_alone3, _rows17, _rows17, (_arrival_2, _ceiling_2, _certain_2, _end_2, _energy2_2, _flat_2, _last_2, _moment2_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _speed_2,), (), (_arrival_2, _certain_2, _flat_2, _tilt_2,), 201)
             elif _count18:
-                _arrival_3 = _take(_arrival_2, _rows17)
-                _ceiling_3 = _take(_ceiling_2, _rows17)
-                _certain_3 = _take(_certain_2, _rows17)
-                _end_3 = _take(_end_2, _rows17)
-                _flat_3 = _take(_flat_2, _rows17)
-                _last_3 = _take(_last_2, _rows17)
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows17)
-                _p_gravity_3 = _take(_p_gravity_2, _rows17)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows17)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows17)
-                _rate_slack_3 = _take(_rate_slack_2, _rows17)
-                _rho_start_3 = _take(_rho_start_2, _rows17)
-                _searching_3 = _take(_searching_2, _rows17)
-                _share_3 = _take(_share_2, _rows17)
-                _steady_3 = _take(_steady_2, _rows17)
-                _swing_3 = _take(_swing_2, _rows17)
-                _t_3 = _take(_t_2, _rows17)
-                _tilt_3 = _take(_tilt_2, _rows17)
-                _vx_3 = _take(_vx_2, _rows17)
-                _vy_3 = _take(_vy_2, _rows17)
-                _vz_3 = _take(_vz_2, _rows17)
-                _x_3 = _take(_x_2, _rows17)
-                _y_3 = _take(_y_2, _rows17)
-                _z_3 = _take(_z_2, _rows17)
-                _arrival_2 = _copy(_arrival_2, _count16)
-                _certain_2 = _copy(_certain_2, _count16)
-                _flat_2 = _copy(_flat_2, _count16)
-                _tilt_2 = _copy(_tilt_2, _count16)
+                _arrival_3, _ceiling_3, _certain_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows17, _arrival_2, _ceiling_2, _certain_2, _end_2, _energy2_2, _flat_2, _last_2, _moment2_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _certain_2, _flat_2, _tilt_2 = _copies(_count16, _arrival_2, _certain_2, _flat_2, _tilt_2)
                 for _turn19 in range(201):
                     _room_3 = room(_count18)
-                    _leaving_3, _margin_3 = nearby(_flat_3, 0.0, _last_3, _t_3, _tilt_3)
-                    _gap_3, _rate_3, _bend_3, _step_3, _next_3, _clearance_3 = ring_advance(_t_3, _end_3, _leaving_3, _margin_3, _rate_slack_3, _ceiling_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _steady_3, _swing_3, _rho_start_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
-                    _hit_3, _sure_3, _vague_3 = struck(_bend_3, _clearance_3, _gap_3, _margin_3, _rate_3, _rate_slack_3, _share_3)
-                    _rows20, _count21 = _most(_vague_3, _count18)
+                    _leaving_3, _margin_3 = nearby(_t_3, _flat_3, _tilt_3, 0.0, _last_3)
+                    _gap_3, _rate_3, _bend_3, _step_3, _next_3, _clearance_3 = ring_advance(_t_3, _end_3, _leaving_3, _margin_3, _rate_slack_3, _ceiling_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _energy2_3, _moment2_3, _rho_start_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
+                    _hit_3, _sure_3, _needs_refinement_3 = struck(_gap_3, _rate_3, _bend_3, _margin_3, _rate_slack_3, _clearance_3, _share_3)
+                    _rows20, _count21 = _most(_needs_refinement_3, _count18)
                     if _count21:
                         _far = _of(_rows17, _rows20)
-                        _extent_4 = _take(_extent_2, _far)
-                        _latest_4 = _take(_latest_2, _far)
-                        _p_ball_radius_4 = _take(_p_ball_radius_3, _rows20)
-                        _p_gravity_4 = _take(_p_gravity_3, _rows20)
-                        _p_ring_radius_4 = _take(_p_ring_radius_3, _rows20)
-                        _p_wire_radius_4 = _take(_p_wire_radius_3, _rows20)
-                        _share_4 = _take(_share_3, _rows20)
-                        _speed_4 = _take(_speed_2, _far)
+                        _extent_4, _latest_4, _speed_4 = _taken(_far, _extent_2, _latest_2, _speed_2)
+                        _p_ball_radius_4, _p_gravity_4, _p_ring_radius_4, _p_wire_radius_4, _share_4 = _taken(_rows20, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3)
                         _room_4 = room(_count21)
                         _share_4, = finer(_share_4)
                         _position_level_4, _velocity_level_4, *_ = allowance(_share_4, _latest_4, _extent_4, _speed_4, 0.0, 0.0, _p_gravity_4, _room_4)
                         _flat_4, _tilt_4, _rate_slack_4 = ring_margins(_latest_4, _extent_4, _speed_4, _position_level_4, _velocity_level_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
-                        _flat_3 = _put(_flat_3, _rows20, _flat_4, _count18, _vague_3)
-                        _rate_slack_3 = _put(_rate_slack_3, _rows20, _rate_slack_4, _count18, _vague_3)
-                        _share_3 = _put(_share_3, _rows20, _share_4, _count18, _vague_3)
-                        _tilt_3 = _put(_tilt_3, _rows20, _tilt_4, _count18, _vague_3)
-                    _arrival_3, _certain_3, _exhausted_3, _searching_3, _t_3 = advanced(_arrival_3, _certain_3, _end_3, _hit_3, _next_3, _step_3, _sure_3, _t_3, _vague_3)
+                        _flat_3, _rate_slack_3, _share_3, _tilt_3 = _put(_rows20, _count18, (_flat_3, _rate_slack_3, _share_3, _tilt_3,), (_flat_4, _rate_slack_4, _share_4, _tilt_4,), _needs_refinement_3)
+                    _arrival_3, _certain_3, _exhausted_3, _searching_3, _t_3 = advanced(_t_3, _end_3, _step_3, _next_3, _arrival_3, _hit_3, _sure_3, _needs_refinement_3, _certain_3)
                     _rows22, _count23 = _most(_exhausted_3, _count18)
                     if _count23:
                         _far = _of(_rows17, _rows22)
-                        _end_4 = _take(_end_3, _rows22)
-                        _high0_4 = _take(_high0_2, _far)
-                        _high1_4 = _take(_high1_2, _far)
-                        _high2_4 = _take(_high2_2, _far)
-                        _low0_4 = _take(_low0_2, _far)
-                        _low1_4 = _take(_low1_2, _far)
-                        _low2_4 = _take(_low2_2, _far)
-                        _t_4 = _take(_t_3, _rows22)
+                        _high0_4, _high1_4, _high2_4, _low0_4, _low1_4, _low2_4 = _taken(_far, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2)
+                        _end_4, _t_4 = _taken(_rows22, _end_3, _t_3)
                         _room_4 = room(_count23)
-                        _t_4, _end_4, _searching_4 = ring_enter(_end_4, _end_4, _high0_4, _high1_4, _high2_4, _low0_4, _low1_4, _low2_4, _t_4, _room_4)
-                        _end_3 = _put(_end_3, _rows22, _end_4, _count18, _exhausted_3)
-                        _searching_3 = _put(_searching_3, _rows22, _searching_4, _count18, _exhausted_3)
-                        _t_3 = _put(_t_3, _rows22, _t_4, _count18, _exhausted_3)
+                        _t_4, _end_4, _searching_4 = ring_enter(_t_4, _end_4, _end_4, _low0_4, _low1_4, _low2_4, _high0_4, _high1_4, _high2_4, _room_4)
+                        _end_3, _searching_3, _t_3 = _put(_rows22, _count18, (_end_3, _searching_3, _t_3,), (_end_4, _searching_4, _t_4,), _exhausted_3)
                     _going24 = _where_true(_searching_3)
                     if len(_going24) == _count18:
                         continue
                     _done = _where_true(_logical_not(_searching_3))
-                    _store(_arrival_2, _of(_rows17, _done), _arrival_3, _done)
-                    _store(_certain_2, _of(_rows17, _done), _certain_3, _done)
-                    _store(_flat_2, _of(_rows17, _done), _flat_3, _done)
-                    _store(_tilt_2, _of(_rows17, _done), _tilt_3, _done)
-                    _rows17, _count18 = _of(_rows17, _going24), len(_going24)
-                    if not _count18:
+                    _store((_arrival_2, _certain_2, _flat_2, _tilt_2,), _of(_rows17, _done), (_arrival_3, _certain_3, _flat_3, _tilt_3,), _done)
+                    _rows17 = _of(_rows17, _going24)
+                    _count18 = len(_going24)
+                    if _count18 == 0:
                         break
                     if _count18 <= ALONE:
-                        _one_by_one(_alone3, _rows17, _going24, (_arrival_3, _ceiling_3, _certain_3, _end_3, _flat_3, _last_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _steady_3, _swing_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3,), (_extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _speed_2,), (_arrival_2, _certain_2, _flat_2, _tilt_2,), 200 - _turn19)
+                        _one_by_one(_alone3, _rows17, _going24, (_arrival_3, _ceiling_3, _certain_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3,), (_extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _speed_2,), (_arrival_2, _certain_2, _flat_2, _tilt_2,), 200 - _turn19)
                         break
-                    _arrival_3 = _take(_arrival_3, _going24)
-                    _ceiling_3 = _take(_ceiling_3, _going24)
-                    _certain_3 = _take(_certain_3, _going24)
-                    _end_3 = _take(_end_3, _going24)
-                    _flat_3 = _take(_flat_3, _going24)
-                    _last_3 = _take(_last_3, _going24)
-                    _p_ball_radius_3 = _take(_p_ball_radius_3, _going24)
-                    _p_gravity_3 = _take(_p_gravity_3, _going24)
-                    _p_ring_radius_3 = _take(_p_ring_radius_3, _going24)
-                    _p_wire_radius_3 = _take(_p_wire_radius_3, _going24)
-                    _rate_slack_3 = _take(_rate_slack_3, _going24)
-                    _rho_start_3 = _take(_rho_start_3, _going24)
-                    _searching_3 = _take(_searching_3, _going24)
-                    _share_3 = _take(_share_3, _going24)
-                    _steady_3 = _take(_steady_3, _going24)
-                    _swing_3 = _take(_swing_3, _going24)
-                    _t_3 = _take(_t_3, _going24)
-                    _tilt_3 = _take(_tilt_3, _going24)
-                    _vx_3 = _take(_vx_3, _going24)
-                    _vy_3 = _take(_vy_3, _going24)
-                    _vz_3 = _take(_vz_3, _going24)
-                    _x_3 = _take(_x_3, _going24)
-                    _y_3 = _take(_y_3, _going24)
-                    _z_3 = _take(_z_3, _going24)
+                    _arrival_3, _ceiling_3, _certain_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_going24, _arrival_3, _ceiling_3, _certain_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3)
                 else:
-                    _store(_arrival_2, _rows17, _arrival_3, None)
-                    _store(_certain_2, _rows17, _certain_3, None)
-                    _store(_flat_2, _rows17, _flat_3, None)
-                    _store(_tilt_2, _rows17, _tilt_3, None)
-            _arrival_1 = _put(_arrival_1, _rows15, _arrival_2, _count8)
-            _ceiling_1 = _put(_ceiling_1, _rows15, _ceiling_2, _count8)
-            _certain_1 = _put(_certain_1, _rows15, _certain_2, _count8)
-            _flat_1 = _put(_flat_1, _rows15, _flat_2, _count8)
-            _rho_start_1 = _put(_rho_start_1, _rows15, _rho_start_2, _count8)
-            _tilt_1 = _put(_tilt_1, _rows15, _tilt_2, _count8)
+                    _store((_arrival_2, _certain_2, _flat_2, _tilt_2,), _rows17, (_arrival_3, _certain_3, _flat_3, _tilt_3,), None)
+            _arrival_1, _ceiling_1, _certain_1, _flat_1, _rho_start_1, _tilt_1 = _put(_rows15, _count8, (_arrival_1, _ceiling_1, _certain_1, _flat_1, _rho_start_1, _tilt_1,), (_arrival_2, _ceiling_2, _certain_2, _flat_2, _rho_start_2, _tilt_2,))
         _arrives_1, _refining_1, *_ = found(_arrival_1)
-        _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
+        _leaving_1, *_ = nearby(_arrival_1, _flat_1, _tilt_1, 0.0, _last_1)
         _rows25, _count26 = _most(_refining_1, _count8)
         if _count26:
-            _arrival_2 = _take(_arrival_1, _rows25)
-            _ceiling_2 = _take(_ceiling_1, _rows25)
-            _certain_2 = _take(_certain_1, _rows25)
-            _leaving_2 = _take(_leaving_1, _rows25)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows25)
-            _p_gravity_2 = _take(_p_gravity_1, _rows25)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows25)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows25)
-            _rho_start_2 = _take(_rho_start_1, _rows25)
-            _vx_2 = _take(_vx_1, _rows25)
-            _vy_2 = _take(_vy_1, _rows25)
-            _vz_2 = _take(_vz_1, _rows25)
-            _x_2 = _take(_x_1, _rows25)
-            _y_2 = _take(_y_1, _rows25)
-            _z_2 = _take(_z_1, _rows25)
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows25, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count26)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
-            _arrival_1 = _put(_arrival_1, _rows25, _arrival_2, _count8, _refining_1)
-            _refining_1 = _put(_refining_1, _rows25, _refining_2, _count8, _refining_1)
+            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_1, _refining_1 = _put(_rows25, _count8, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows27, _count28 = _most(_refining_1, _count8)
         if _count28:
-            _arrival_2 = _take(_arrival_1, _rows27)
-            _ceiling_2 = _take(_ceiling_1, _rows27)
-            _certain_2 = _take(_certain_1, _rows27)
-            _leaving_2 = _take(_leaving_1, _rows27)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows27)
-            _p_gravity_2 = _take(_p_gravity_1, _rows27)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows27)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows27)
-            _rho_start_2 = _take(_rho_start_1, _rows27)
-            _vx_2 = _take(_vx_1, _rows27)
-            _vy_2 = _take(_vy_1, _rows27)
-            _vz_2 = _take(_vz_1, _rows27)
-            _x_2 = _take(_x_1, _rows27)
-            _y_2 = _take(_y_1, _rows27)
-            _z_2 = _take(_z_1, _rows27)
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows27, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count28)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
-            _arrival_1 = _put(_arrival_1, _rows27, _arrival_2, _count8, _refining_1)
-            _refining_1 = _put(_refining_1, _rows27, _refining_2, _count8, _refining_1)
+            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_1, _refining_1 = _put(_rows27, _count8, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows29, _count30 = _rows(_refining_1, _count8)
-        if 0 < _count30 <= ALONE:
-            _arrival_1 = _copy(_arrival_1, _count8)
+        if (0 < _count30) and (_count30 <= ALONE):
+            _arrival_1, = _copies(_count8, _arrival_1)
             _one_by_one(_alone4, _rows29, _rows29, (_arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _refining_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1,), 8)
         elif _count30:
-            _arrival_2 = _take(_arrival_1, _rows29)
-            _ceiling_2 = _take(_ceiling_1, _rows29)
-            _certain_2 = _take(_certain_1, _rows29)
-            _leaving_2 = _take(_leaving_1, _rows29)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows29)
-            _p_gravity_2 = _take(_p_gravity_1, _rows29)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows29)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows29)
-            _refining_2 = _take(_refining_1, _rows29)
-            _rho_start_2 = _take(_rho_start_1, _rows29)
-            _vx_2 = _take(_vx_1, _rows29)
-            _vy_2 = _take(_vy_1, _rows29)
-            _vz_2 = _take(_vz_1, _rows29)
-            _x_2 = _take(_x_1, _rows29)
-            _y_2 = _take(_y_1, _rows29)
-            _z_2 = _take(_z_1, _rows29)
-            _arrival_1 = _copy(_arrival_1, _count8)
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows29, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _refining_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_1, = _copies(_count8, _arrival_1)
             for _turn31 in range(8):
                 _room_2 = room(_count30)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
+                _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going32 = _where_true(_refining_2)
                 if len(_going32) == _count30:
                     continue
                 _done = _where_true(_logical_not(_refining_2))
-                _store(_arrival_1, _of(_rows29, _done), _arrival_2, _done)
-                _rows29, _count30 = _of(_rows29, _going32), len(_going32)
-                if not _count30:
+                _store((_arrival_1,), _of(_rows29, _done), (_arrival_2,), _done)
+                _rows29 = _of(_rows29, _going32)
+                _count30 = len(_going32)
+                if _count30 == 0:
                     break
                 if _count30 <= ALONE:
                     _one_by_one(_alone4, _rows29, _going32, (_arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (), (_arrival_1,), 7 - _turn31)
                     break
-                _arrival_2 = _take(_arrival_2, _going32)
-                _ceiling_2 = _take(_ceiling_2, _going32)
-                _certain_2 = _take(_certain_2, _going32)
-                _leaving_2 = _take(_leaving_2, _going32)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going32)
-                _p_gravity_2 = _take(_p_gravity_2, _going32)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going32)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going32)
-                _refining_2 = _take(_refining_2, _going32)
-                _rho_start_2 = _take(_rho_start_2, _going32)
-                _vx_2 = _take(_vx_2, _going32)
-                _vy_2 = _take(_vy_2, _going32)
-                _vz_2 = _take(_vz_2, _going32)
-                _x_2 = _take(_x_2, _going32)
-                _y_2 = _take(_y_2, _going32)
-                _z_2 = _take(_z_2, _going32)
+                _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going32, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
-                _store(_arrival_1, _rows29, _arrival_2, None)
+                _store((_arrival_1,), _rows29, (_arrival_2,), None)
         _time_1, = landed(_arrival_1)
-        _when_1, _which_1 = sooner(_arrives_1, 0.0, _time_1, _when_1, _which_1)
-        _when_0 = _put(_when_0, _rows7, _when_1, shots)
-        _which_0 = _put(_which_0, _rows7, _which_1, shots)
+        _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
+        _when_0, _which_0 = _put(_rows7, shots, (_when_0, _which_0,), (_when_1, _which_1,))
     _rows33, _count34 = _most(_limited_0, shots)
     if _count34:
-        _clock_1 = _take(_clock_0, _rows33)
-        _time_error_1 = _take(_time_error_0, _rows33)
-        _time_limit_1 = _take(_time_limit_0, _rows33)
-        _when_1 = _take(_when_0, _rows33)
-        _which_1 = _take(_which_0, _rows33)
-        _time_1, _, _arrives_1, *_ = expiry(_clock_1, _inf, 0.0, _double(_time_error_1), _time_limit_1, _when_1, _which_1)
-        _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
-        _when_0 = _put(_when_0, _rows33, _when_1, shots, _limited_0)
-        _which_0 = _put(_which_0, _rows33, _which_1, shots, _limited_0)
+        _clock_1, _time_error_1, _time_limit_1, _when_1, _which_1 = _taken(_rows33, _clock_0, _time_error_0, _time_limit_0, _when_0, _which_0)
+        _time_1, _, _arrives_1, *_ = expiry(_when_1, _which_1, 0.0, _inf, _double(_time_error_1), _clock_1, _time_limit_1)
+        _when_1, _which_1 = earliest(4.0, _time_1, _when_1, _which_1, _arrives_1)
+        _when_0, _which_0 = _put(_rows33, shots, (_when_0, _which_0,), (_when_1, _which_1,), _limited_0)
     _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
-    _clock_1, = ticked(_clock_0, _when_0)
-    _clock_0 = _choose(_moves_0, _clock_1, _clock_0)
-    _vx_0 = _choose(_moves_0, _vx_1, _vx_0)
-    _vy_0 = _choose(_moves_0, _vy_1, _vy_0)
-    _vz_0 = _choose(_moves_0, _vz_1, _vz_0)
-    _x_0 = _choose(_moves_0, _x_1, _x_0)
-    _y_0 = _choose(_moves_0, _y_1, _y_0)
-    _z_0 = _choose(_moves_0, _z_1, _z_0)
+    _clock_1, = event_clock(_when_0, _clock_0)
+    _clock_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _choose(_moves_0, (_clock_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (_clock_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,))
     _rows35, _count36 = _most(_limited_0, shots)
     if _count36:
-        _body_1 = _take(_body_0, _rows35)
-        _clock_1 = _take(_clock_0, _rows35)
-        _ends_1 = _take(_ends_0, _rows35)
-        _reached_1 = _take(_reached_0, _rows35)
-        _time_limit_1 = _take(_time_limit_0, _rows35)
-        _which_1 = _take(_which_0, _rows35)
-        _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows35, _body_1, shots, _limited_0)
-        _clock_0 = _put(_clock_0, _rows35, _clock_1, shots, _limited_0)
-        _ends_0 = _put(_ends_0, _rows35, _ends_1, shots, _limited_0)
-        _reached_0 = _put(_reached_0, _rows35, _reached_1, shots, _limited_0)
+        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows35, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
+        _clock_1, _body_1, _reached_1, _ends_1 = expired(4.0, _which_1, _body_1, _clock_1, _reached_1, _time_limit_1, _ends_1)
+        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows35, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_g0_1)
-    _reached_0 = _choose(_here_0, _reached_1, _reached_0)
+    _reached_0, = _choose(_here_0, (_reached_1,), (_reached_0,))
     _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
-    columns["body"] = _body_0
-    columns["clock"] = _clock_0
-    columns["contacts"] = _contacts_0
-    columns["ends"] = _ends_0
-    columns["outcome"] = _outcome_0
-    columns["touches"] = _touches_0
-    columns["vx"] = _vx_0
-    columns["vy"] = _vy_0
-    columns["vz"] = _vz_0
-    columns["which"] = _which_0
-    columns["x"] = _x_0
-    columns["y"] = _y_0
-    columns["z"] = _z_0
+    columns |= {"body": _body_0, "clock": _clock_0, "contacts": _contacts_0, "ends": _ends_0, "outcome": _outcome_0, "touches": _touches_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "which": _which_0, "x": _x_0, "y": _y_0, "z": _z_0, }
 
 
-def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
-    """Stage meet of the event loop, the path alone."""
-    _body_0 = columns["body"]
-    _count_0_0 = columns["count_0"]
-    _count_1_0 = columns["count_1"]
-    _count_2_0 = columns["count_2"]
-    _ends_0 = columns["ends"]
-    _first_0 = columns["first"]
-    _last_0 = columns["last"]
-    _p_ball_radius_0 = columns["p_ball_radius"]
-    _p_board_distance_0 = columns["p_board_distance"]
-    _p_restitution_0 = columns["p_restitution"]
-    _p_ring_radius_0 = columns["p_ring_radius"]
-    _p_wire_radius_0 = columns["p_wire_radius"]
-    _touches_0 = columns["touches"]
-    _vx_0 = columns["vx"]
-    _vy_0 = columns["vy"]
-    _vz_0 = columns["vz"]
-    _which_0 = columns["which"]
-    _wx_0 = columns["wx"]
-    _wy_0 = columns["wy"]
-    _wz_0 = columns["wz"]
-    _x_0 = columns["x"]
-    _y_0 = columns["y"]
-    _z_0 = columns["z"]
+def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage resolve of the event loop, the path alone."""
+    _body_0, _count_0_0, _count_1_0, _count_2_0, _ends_0, _first_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _touches_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("body", "count_0", "count_1", "count_2", "ends", "first", "last", "p_ball_radius", "p_board_distance", "p_restitution", "p_ring_radius", "p_wire_radius", "touches", "vx", "vy", "vz", "which", "wx", "wy", "wz", "x", "y", "z",))
     _meeting_0, = meeting(0.0, _ends_0, _touches_0)
     _rows1, _count2 = _rows(_meeting_0, shots)
     if _count2:
-        _body_1 = _take(_body_0, _rows1)
-        _count_0_1 = _take(_count_0_0, _rows1)
-        _count_1_1 = _take(_count_1_0, _rows1)
-        _count_2_1 = _take(_count_2_0, _rows1)
-        _first_1 = _take(_first_0, _rows1)
-        _last_1 = _take(_last_0, _rows1)
-        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
-        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
-        _p_restitution_1 = _take(_p_restitution_0, _rows1)
-        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
-        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
-        _touches_1 = _take(_touches_0, _rows1)
-        _vx_1 = _take(_vx_0, _rows1)
-        _vy_1 = _take(_vy_0, _rows1)
-        _vz_1 = _take(_vz_0, _rows1)
-        _which_1 = _take(_which_0, _rows1)
-        _wx_1 = _take(_wx_0, _rows1)
-        _wy_1 = _take(_wy_0, _rows1)
-        _wz_1 = _take(_wz_0, _rows1)
-        _x_1 = _take(_x_0, _rows1)
-        _y_1 = _take(_y_0, _rows1)
-        _z_1 = _take(_z_0, _rows1)
+        _body_1, _count_0_1, _count_1_1, _count_2_1, _first_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_restitution_1, _p_ring_radius_1, _p_wire_radius_1, _touches_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows1, _body_0, _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _touches_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count2)
         _nx_1, _ny_1, _nz_1 = end_normal()
         _here_1, = here(0.0, _which_1)
         _nx_2, _ny_2, _nz_2 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _room_1)
         _count_0_2, = counted(_count_0_1)
-        _count_0_1 = _choose(_here_1, _count_0_2, _count_0_1)
-        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
-        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
-        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
+        _count_0_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_0_2, _nx_2, _ny_2, _nz_2,), (_count_0_1, _nx_1, _ny_1, _nz_1,))
         _here_1, = here(1.0, _which_1)
         _nx_2, _ny_2, _nz_2 = backboard_normal()
         _count_1_2, = counted(_count_1_1)
-        _count_1_1 = _choose(_here_1, _count_1_2, _count_1_1)
-        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
-        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
-        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
+        _count_1_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_1_2, _nx_2, _ny_2, _nz_2,), (_count_1_1, _nx_1, _ny_1, _nz_1,))
         _here_1, = here(2.0, _which_1)
         _nx_2, _ny_2, _nz_2 = bridge_normal()
         _count_2_2, = counted(_count_2_1)
-        _count_2_1 = _choose(_here_1, _count_2_2, _count_2_1)
-        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
-        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
-        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
+        _count_2_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_2_2, _nx_2, _ny_2, _nz_2,), (_count_2_1, _nx_1, _ny_1, _nz_1,))
         _rows3, _count4 = _most(_touches_1, _count2)
         if _count4:
-            _nx_2 = _take(_nx_1, _rows3)
-            _ny_2 = _take(_ny_1, _rows3)
-            _nz_2 = _take(_nz_1, _rows3)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows3)
-            _p_restitution_2 = _take(_p_restitution_1, _rows3)
-            _vx_2 = _take(_vx_1, _rows3)
-            _vy_2 = _take(_vy_1, _rows3)
-            _vz_2 = _take(_vz_1, _rows3)
-            _wx_2 = _take(_wx_1, _rows3)
-            _wy_2 = _take(_wy_1, _rows3)
-            _wz_2 = _take(_wz_1, _rows3)
+            _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = _taken(_rows3, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_restitution_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1)
             _room_2 = room(_count4)
             _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _room_2)
-            _vx_1 = _put(_vx_1, _rows3, _vx_2, _count2, _touches_1)
-            _vy_1 = _put(_vy_1, _rows3, _vy_2, _count2, _touches_1)
-            _vz_1 = _put(_vz_1, _rows3, _vz_2, _count2, _touches_1)
-            _wx_1 = _put(_wx_1, _rows3, _wx_2, _count2, _touches_1)
-            _wy_1 = _put(_wy_1, _rows3, _wy_2, _count2, _touches_1)
-            _wz_1 = _put(_wz_1, _rows3, _wz_2, _count2, _touches_1)
+            _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows3, _count2, (_vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _touches_1)
         _here_1, = here(1.0, _which_1)
         _x_2, _y_2, _z_2 = backboard_place(_y_1, _z_1, _p_ball_radius_1, _p_board_distance_1)
-        _x_1 = _choose(_here_1, _x_2, _x_1)
-        _y_1 = _choose(_here_1, _y_2, _y_1)
-        _z_1 = _choose(_here_1, _z_2, _z_1)
+        _x_1, _y_1, _z_1 = _choose(_here_1, (_x_2, _y_2, _z_2,), (_x_1, _y_1, _z_1,))
         _here_1, = here(2.0, _which_1)
         _x_2, _y_2, _z_2 = bridge_place(_x_1, _y_1, _p_ball_radius_1, _p_wire_radius_1)
-        _x_1 = _choose(_here_1, _x_2, _x_1)
-        _y_1 = _choose(_here_1, _y_2, _y_1)
-        _z_1 = _choose(_here_1, _z_2, _z_1)
-        _first_2, _last_2 = touched(_body_1, _first_1, _which_1)
-        _first_1 = _choose(_touches_1, _first_2, _first_1)
-        _last_1 = _choose(_touches_1, _last_2, _last_1)
-        _count_0_0 = _put(_count_0_0, _rows1, _count_0_1, shots)
-        _count_1_0 = _put(_count_1_0, _rows1, _count_1_1, shots)
-        _count_2_0 = _put(_count_2_0, _rows1, _count_2_1, shots)
-        _first_0 = _put(_first_0, _rows1, _first_1, shots)
-        _last_0 = _put(_last_0, _rows1, _last_1, shots)
-        _vx_0 = _put(_vx_0, _rows1, _vx_1, shots)
-        _vy_0 = _put(_vy_0, _rows1, _vy_1, shots)
-        _vz_0 = _put(_vz_0, _rows1, _vz_1, shots)
-        _wx_0 = _put(_wx_0, _rows1, _wx_1, shots)
-        _wy_0 = _put(_wy_0, _rows1, _wy_1, shots)
-        _wz_0 = _put(_wz_0, _rows1, _wz_1, shots)
-        _x_0 = _put(_x_0, _rows1, _x_1, shots)
-        _y_0 = _put(_y_0, _rows1, _y_1, shots)
-        _z_0 = _put(_z_0, _rows1, _z_1, shots)
-    columns["count_0"] = _count_0_0
-    columns["count_1"] = _count_1_0
-    columns["count_2"] = _count_2_0
-    columns["first"] = _first_0
-    columns["last"] = _last_0
-    columns["vx"] = _vx_0
-    columns["vy"] = _vy_0
-    columns["vz"] = _vz_0
-    columns["wx"] = _wx_0
-    columns["wy"] = _wy_0
-    columns["wz"] = _wz_0
-    columns["x"] = _x_0
-    columns["y"] = _y_0
-    columns["z"] = _z_0
+        _x_1, _y_1, _z_1 = _choose(_here_1, (_x_2, _y_2, _z_2,), (_x_1, _y_1, _z_1,))
+        _first_2, _last_2 = touched(_which_1, _body_1, _first_1)
+        _first_1, _last_1 = _choose(_touches_1, (_first_2, _last_2,), (_first_1, _last_1,))
+        _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows1, shots, (_count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_count_0_1, _count_1_1, _count_2_1, _first_1, _last_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
+    columns |= {"count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "last": _last_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
 
 
-def permit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
-    """Stage permit of the event loop, with bounds on errors."""
-    _p_ball_radius_0 = columns["p_ball_radius"]
-    _p_board_bottom_0 = columns["p_board_bottom"]
-    _p_board_distance_0 = columns["p_board_distance"]
-    _p_board_half_width_0 = columns["p_board_half_width"]
-    _p_board_top_0 = columns["p_board_top"]
-    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
-    _p_end_depth_0 = columns["p_end_depth"]
-    _p_gravity_0 = columns["p_gravity"]
-    _p_restitution_0 = columns["p_restitution"]
-    _p_ring_radius_0 = columns["p_ring_radius"]
-    _p_wire_radius_0 = columns["p_wire_radius"]
+def validate_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage validate of the event loop, with bounds on errors."""
+    _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, = map(columns.__getitem__, ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_top", "p_bridge_half_width", "p_end_depth", "p_gravity", "p_restitution", "p_ring_radius", "p_wire_radius",))
     _allowed_0, = allowed(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0)
     _permitted_0, = parameters_in_range(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0, _allowed_0)
-    columns["permitted"] = _permitted_0
+    columns |= {"permitted": _permitted_0, }
 
 
-def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
-    """Stage admit of the event loop, with bounds on errors."""
-    _last_0 = columns["last"]
-    _p_ball_radius_0 = columns["p_ball_radius"]
-    _p_board_bottom_0 = columns["p_board_bottom"]
-    _p_board_distance_0 = columns["p_board_distance"]
-    _p_board_half_width_0 = columns["p_board_half_width"]
-    _p_board_top_0 = columns["p_board_top"]
-    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
-    _p_end_depth_0 = columns["p_end_depth"]
-    _p_ring_radius_0 = columns["p_ring_radius"]
-    _p_wire_radius_0 = columns["p_wire_radius"]
-    _permitted_0 = columns["permitted"]
-    _vx_0 = columns["vx"]
-    _vy_0 = columns["vy"]
-    _vz_0 = columns["vz"]
-    _wx_0 = columns["wx"]
-    _wy_0 = columns["wy"]
-    _wz_0 = columns["wz"]
-    _x_0 = columns["x"]
-    _y_0 = columns["y"]
-    _z_0 = columns["z"]
+def start_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage start of the event loop, with bounds on errors."""
+    _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_ring_radius_0, _p_wire_radius_0, _permitted_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("last", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_top", "p_bridge_half_width", "p_end_depth", "p_ring_radius", "p_wire_radius", "permitted", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",))
     _room_0 = room(shots)
-    _in_range_0, = state_in_range(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
+    _in_range_0, = state_in_range(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _room_0)
     _close_0, _valid_0, _doubt_0 = aside(_x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
     _rows1, _count2 = _most(_close_0, shots)
     if _count2:
-        _last_1 = _take(_last_0, _rows1)
-        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
-        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows1)
-        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
-        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows1)
-        _p_board_top_1 = _take(_p_board_top_0, _rows1)
-        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows1)
-        _p_end_depth_1 = _take(_p_end_depth_0, _rows1)
-        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
-        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
-        _x_1 = _take(_x_0, _rows1)
-        _y_1 = _take(_y_0, _rows1)
-        _z_1 = _take(_z_0, _rows1)
+        _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_ring_radius_1, _p_wire_radius_1, _x_1, _y_1, _z_1 = _taken(_rows1, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_ring_radius_0, _p_wire_radius_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count2)
         _valid_1, _doubt_1 = valid(_last_1, _x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _room_1)
-        _doubt_0 = _put(_doubt_0, _rows1, _doubt_1, shots, _close_0)
-        _valid_0 = _put(_valid_0, _rows1, _valid_1, shots, _close_0)
-    _outcome_0, _uncertain_0 = admitted(_doubt_0, _in_range_0, _permitted_0, _valid_0)
-    columns["outcome"] = _outcome_0
-    columns["uncertain"] = _uncertain_0
+        _doubt_0, _valid_0 = _put(_rows1, shots, (_doubt_0, _valid_0,), (_doubt_1, _valid_1,), _close_0)
+    _outcome_0, _uncertain_0 = admitted(_doubt_0, _valid_0, _permitted_0, _in_range_0)
+    columns |= {"outcome": _outcome_0, "uncertain": _uncertain_0, }
 
 
-def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
-    """Stage reach of the event loop, with bounds on errors."""
-    _clock_0 = columns["clock"]
-    _clock_error_0 = columns["clock_error"]
-    _contacts_0 = columns["contacts"]
-    _dvx_0 = columns["dvx"]
-    _dvy_0 = columns["dvy"]
-    _dvz_0 = columns["dvz"]
-    _dwx_0 = columns["dwx"]
-    _dwy_0 = columns["dwy"]
-    _dwz_0 = columns["dwz"]
-    _dx_0 = columns["dx"]
-    _dy_0 = columns["dy"]
-    _dz_0 = columns["dz"]
-    _last_0 = columns["last"]
-    _most_contacts_0 = columns["most_contacts"]
-    _p_ball_radius_0 = columns["p_ball_radius"]
-    _p_board_bottom_0 = columns["p_board_bottom"]
-    _p_board_distance_0 = columns["p_board_distance"]
-    _p_board_half_width_0 = columns["p_board_half_width"]
-    _p_board_top_0 = columns["p_board_top"]
-    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
-    _p_end_depth_0 = columns["p_end_depth"]
-    _p_gravity_0 = columns["p_gravity"]
-    _p_ring_radius_0 = columns["p_ring_radius"]
-    _p_wire_radius_0 = columns["p_wire_radius"]
-    _time_limit_0 = columns["time_limit"]
-    _uncertain_0 = columns["uncertain"]
-    _vx_0 = columns["vx"]
-    _vy_0 = columns["vy"]
-    _vz_0 = columns["vz"]
-    _x_0 = columns["x"]
-    _y_0 = columns["y"]
-    _z_0 = columns["z"]
+def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage detect of the event loop, with bounds on errors."""
+    _clock_0, _clock_error_0, _contacts_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _last_0, _most_contacts_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _time_limit_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("clock", "clock_error", "contacts", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz", "last", "most_contacts", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_top", "p_bridge_half_width", "p_end_depth", "p_gravity", "p_ring_radius", "p_wire_radius", "time_limit", "uncertain", "vx", "vy", "vz", "x", "y", "z",))
     _room_0 = room(shots)
     _position_error_0, _velocity_error_0, _, _time_error_0 = error_bounds(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _room_0)
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
-    _when_0, _which_0, _late_0, _doubt_0 = opening(_excess_0, _double(_position_error_0), _double(_velocity_error_0))
+    _when_0, _which_0, _earliest_delay_0, _doubt_0 = opening(_excess_0, _double(_position_error_0), _double(_velocity_error_0))
     _limited_0, = limited(_time_limit_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, _apex_0, _height_0 = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
-    _arrives_0, _ceiling_0, _nearest_0 = meeting_plane(_apex_0, _bend_0, _rate_0, _time_0)
+    _arrives_0, _ceiling_0, _nearest_0 = meeting_plane(_rate_0, _bend_0, _apex_0, _time_0)
     _margin_0, = end_margin(_nearest_0, _extent_0, _speed_0, _double(_position_error_0), _double(_velocity_error_0), _p_gravity_0, _p_end_depth_0, _room_0)
     _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0, _room_0)
-    _possible_0, = timely(_arrives_0, _delay_0, _late_0, _time_0, _when_0)
-    _doubt_0, = grazed(_apex_0, _doubt_0, _height_0, _margin_0)
-    _doubt_1, = crossed(_arrives_0, _clearance_0, _doubt_0, _time_0)
-    _doubt_1, _late_1 = tied(_arrives_0, _delay_0, _doubt_1, _late_0, _time_0, _when_0)
-    _when_1, _which_1 = sooner(_arrives_0, 3.0, _time_0, _when_0, _which_0)
-    _doubt_0 = _choose(_possible_0, _doubt_1, _doubt_0)
-    _late_0 = _choose(_possible_0, _late_1, _late_0)
-    _when_0 = _choose(_possible_0, _when_1, _when_0)
-    _which_0 = _choose(_possible_0, _which_1, _which_0)
+    _possible_0, = within_time(_time_0, _when_0, _delay_0, _earliest_delay_0, _arrives_0)
+    _doubt_0, = grazed(_margin_0, _apex_0, _height_0, _doubt_0)
+    _doubt_1, = crossed(_clearance_0, _time_0, _doubt_0, _arrives_0)
+    _doubt_1, _earliest_delay_1 = tied(_time_0, _when_0, _delay_0, _earliest_delay_0, _doubt_1, _arrives_0)
+    _when_1, _which_1 = earliest(3.0, _time_0, _when_0, _which_0, _arrives_0)
+    _doubt_0, _earliest_delay_0, _when_0, _which_0 = _choose(_possible_0, (_doubt_1, _earliest_delay_1, _when_1, _which_1,), (_doubt_0, _earliest_delay_0, _when_0, _which_0,))
     _released_0, _reachable_0 = released(_last_0)
     _rows1, _count2 = _most(_released_0, shots)
     if _count2:
-        _extent_1 = _take(_extent_0, _rows1)
-        _late_1 = _take(_late_0, _rows1)
-        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
-        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
-        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows1)
-        _p_gravity_1 = _take(_p_gravity_0, _rows1)
-        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
-        _position_error_1 = _take(_position_error_0, _rows1)
-        _speed_1 = _take(_speed_0, _rows1)
-        _velocity_error_1 = _take(_velocity_error_0, _rows1)
-        _vx_1 = _take(_vx_0, _rows1)
-        _when_1 = _take(_when_0, _rows1)
-        _x_1 = _take(_x_0, _rows1)
+        _earliest_delay_1, _extent_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _position_error_1, _speed_1, _velocity_error_1, _vx_1, _when_1, _x_1 = _taken(_rows1, _earliest_delay_0, _extent_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _position_error_0, _speed_0, _velocity_error_0, _vx_0, _when_0, _x_0)
         _room_1 = room(_count2)
         _until_1, _pad_1 = horizon(_when_1, _speed_1, _p_gravity_1)
-        _reachable_1, = reachable(_p_ball_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _extent_1, _p_gravity_1, _until_1, _late_1, _pad_1, _double(_position_error_1), _p_ring_radius_1, _speed_1, _double(_velocity_error_1), _vx_1, _x_1, _room_1)
-        _reachable_0 = _put(_reachable_0, _rows1, _reachable_1, shots, _released_0)
+        _reachable_1, = reachable(_p_ball_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _x_1, _vx_1, _until_1, _extent_1, _speed_1, _pad_1, _earliest_delay_1, _double(_position_error_1), _double(_velocity_error_1), _room_1)
+        _reachable_0, = _put(_rows1, shots, (_reachable_0,), (_reachable_1,), _released_0)
     _rows3, _count4 = _rows(_reachable_0, shots)
     if _count4:
-        _doubt_1 = _take(_doubt_0, _rows3)
-        _extent_1 = _take(_extent_0, _rows3)
-        _last_1 = _take(_last_0, _rows3)
-        _late_1 = _take(_late_0, _rows3)
-        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows3)
-        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows3)
-        _p_board_distance_1 = _take(_p_board_distance_0, _rows3)
-        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows3)
-        _p_board_top_1 = _take(_p_board_top_0, _rows3)
-        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows3)
-        _p_end_depth_1 = _take(_p_end_depth_0, _rows3)
-        _p_gravity_1 = _take(_p_gravity_0, _rows3)
-        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows3)
-        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows3)
-        _position_error_1 = _take(_position_error_0, _rows3)
-        _speed_1 = _take(_speed_0, _rows3)
-        _velocity_error_1 = _take(_velocity_error_0, _rows3)
-        _vx_1 = _take(_vx_0, _rows3)
-        _vy_1 = _take(_vy_0, _rows3)
-        _vz_1 = _take(_vz_0, _rows3)
-        _when_1 = _take(_when_0, _rows3)
-        _which_1 = _take(_which_0, _rows3)
-        _x_1 = _take(_x_0, _rows3)
-        _y_1 = _take(_y_0, _rows3)
-        _z_1 = _take(_z_0, _rows3)
+        _doubt_1, _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows3, _doubt_0, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _speed_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count4)
         _leaving_1, = left(1.0, _last_1)
         _time_1, _rate_1, _bend_1, _apex_1, _height_1 = backboard_arrival(_leaving_1, _x_1, _vx_1, _p_ball_radius_1, _p_board_distance_1)
-        _arrives_1, _ceiling_1, _nearest_1 = meeting_plane(_apex_1, _bend_1, _rate_1, _time_1)
+        _arrives_1, _ceiling_1, _nearest_1 = meeting_plane(_rate_1, _bend_1, _apex_1, _time_1)
         _margin_1, = backboard_margin(_nearest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _room_1)
         _clearance_1, _delay_1 = crossing(_margin_1, 0.0, _rate_1, _ceiling_1, _room_1)
-        _possible_1, = timely(_arrives_1, _delay_1, _late_1, _time_1, _when_1)
-        _doubt_1, = grazed(_apex_1, _doubt_1, _height_1, _margin_1)
+        _possible_1, = within_time(_time_1, _when_1, _delay_1, _earliest_delay_1, _arrives_1)
+        _doubt_1, = grazed(_margin_1, _apex_1, _height_1, _doubt_1)
         _rows5, _count6 = _most(_possible_1, _count4)
         if _count6:
-            _clearance_2 = _take(_clearance_1, _rows5)
-            _delay_2 = _take(_delay_1, _rows5)
-            _doubt_2 = _take(_doubt_1, _rows5)
-            _extent_2 = _take(_extent_1, _rows5)
-            _late_2 = _take(_late_1, _rows5)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows5)
-            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows5)
-            _p_board_distance_2 = _take(_p_board_distance_1, _rows5)
-            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows5)
-            _p_board_top_2 = _take(_p_board_top_1, _rows5)
-            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows5)
-            _p_end_depth_2 = _take(_p_end_depth_1, _rows5)
-            _p_gravity_2 = _take(_p_gravity_1, _rows5)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows5)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows5)
-            _position_error_2 = _take(_position_error_1, _rows5)
-            _speed_2 = _take(_speed_1, _rows5)
-            _time_2 = _take(_time_1, _rows5)
-            _velocity_error_2 = _take(_velocity_error_1, _rows5)
-            _vx_2 = _take(_vx_1, _rows5)
-            _vy_2 = _take(_vy_1, _rows5)
-            _vz_2 = _take(_vz_1, _rows5)
-            _when_2 = _take(_when_1, _rows5)
-            _which_2 = _take(_which_1, _rows5)
-            _x_2 = _take(_x_1, _rows5)
-            _y_2 = _take(_y_1, _rows5)
-            _z_2 = _take(_z_1, _rows5)
+            _clearance_2, _delay_2, _doubt_2, _earliest_delay_2, _extent_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_top_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _speed_2, _time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _when_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows5, _clearance_1, _delay_1, _doubt_1, _earliest_delay_1, _extent_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count6)
             _, _there_y_2, _there_z_2, *_ = flight(_time_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_gravity_2, _room_2)
             _g0_2, _g1_2, _g2_2, _g3_2 = backboard_bounds(_there_y_2, _there_z_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2)
             _slack_2, = displacement(_delay_2, _time_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_bridge_half_width_2, _p_gravity_2, _p_end_depth_2, _room_2)
-            _unsure_2, = backboard_edges(_clearance_2, _g0_2, _g1_2, _g2_2, _g3_2, _slack_2)
-            _doubt_2, = questioned(_doubt_2, _time_2, _unsure_2)
+            _unsure_2, = backboard_edges(_clearance_2, _slack_2, _g0_2, _g1_2, _g2_2, _g3_2)
+            _doubt_2, = questioned(_time_2, _doubt_2, _unsure_2)
             _arrives_2, = backboard_within(_g0_2, _g1_2, _g2_2, _g3_2)
-            _doubt_2, _late_2 = tied(_arrives_2, _delay_2, _doubt_2, _late_2, _time_2, _when_2)
-            _when_2, _which_2 = sooner(_arrives_2, 1.0, _time_2, _when_2, _which_2)
-            _doubt_1 = _put(_doubt_1, _rows5, _doubt_2, _count4, _possible_1)
-            _late_1 = _put(_late_1, _rows5, _late_2, _count4, _possible_1)
-            _when_1 = _put(_when_1, _rows5, _when_2, _count4, _possible_1)
-            _which_1 = _put(_which_1, _rows5, _which_2, _count4, _possible_1)
+            _doubt_2, _earliest_delay_2 = tied(_time_2, _when_2, _delay_2, _earliest_delay_2, _doubt_2, _arrives_2)
+            _when_2, _which_2 = earliest(1.0, _time_2, _when_2, _which_2, _arrives_2)
+            _doubt_1, _earliest_delay_1, _when_1, _which_1 = _put(_rows5, _count4, (_doubt_1, _earliest_delay_1, _when_1, _which_1,), (_doubt_2, _earliest_delay_2, _when_2, _which_2,), _possible_1)
         _leaving_1, = left(2.0, _last_1)
         _time_1, _rate_1, _bend_1, _apex_1, _height_1 = bridge_arrival(_leaving_1, _z_1, _vz_1, _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _arrives_1, _ceiling_1, _nearest_1 = meeting_plane(_apex_1, _bend_1, _rate_1, _time_1)
+        _arrives_1, _ceiling_1, _nearest_1 = meeting_plane(_rate_1, _bend_1, _apex_1, _time_1)
         _margin_1, = bridge_margin(_nearest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _clearance_1, _delay_1 = crossing(_margin_1, 0.0, _rate_1, _ceiling_1, _room_1)
-        _possible_1, = timely(_arrives_1, _delay_1, _late_1, _time_1, _when_1)
-        _doubt_1, = grazed(_apex_1, _doubt_1, _height_1, _margin_1)
+        _possible_1, = within_time(_time_1, _when_1, _delay_1, _earliest_delay_1, _arrives_1)
+        _doubt_1, = grazed(_margin_1, _apex_1, _height_1, _doubt_1)
         _rows7, _count8 = _most(_possible_1, _count4)
         if _count8:
-            _clearance_2 = _take(_clearance_1, _rows7)
-            _delay_2 = _take(_delay_1, _rows7)
-            _doubt_2 = _take(_doubt_1, _rows7)
-            _extent_2 = _take(_extent_1, _rows7)
-            _late_2 = _take(_late_1, _rows7)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows7)
-            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows7)
-            _p_board_distance_2 = _take(_p_board_distance_1, _rows7)
-            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows7)
-            _p_board_top_2 = _take(_p_board_top_1, _rows7)
-            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows7)
-            _p_end_depth_2 = _take(_p_end_depth_1, _rows7)
-            _p_gravity_2 = _take(_p_gravity_1, _rows7)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows7)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows7)
-            _position_error_2 = _take(_position_error_1, _rows7)
-            _speed_2 = _take(_speed_1, _rows7)
-            _time_2 = _take(_time_1, _rows7)
-            _velocity_error_2 = _take(_velocity_error_1, _rows7)
-            _vx_2 = _take(_vx_1, _rows7)
-            _vy_2 = _take(_vy_1, _rows7)
-            _vz_2 = _take(_vz_1, _rows7)
-            _when_2 = _take(_when_1, _rows7)
-            _which_2 = _take(_which_1, _rows7)
-            _x_2 = _take(_x_1, _rows7)
-            _y_2 = _take(_y_1, _rows7)
-            _z_2 = _take(_z_1, _rows7)
+            _clearance_2, _delay_2, _doubt_2, _earliest_delay_2, _extent_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_top_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _speed_2, _time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _when_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows7, _clearance_1, _delay_1, _doubt_1, _earliest_delay_1, _extent_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_top_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count8)
             _there_x_2, _there_y_2, *_ = flight(_time_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_gravity_2, _room_2)
             _g0_2, _g1_2, _g2_2, _g3_2, _g4_2 = bridge_bounds(_there_x_2, _there_y_2, _p_ring_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _room_2)
             _slack_2, = displacement(_delay_2, _time_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_bridge_half_width_2, _p_gravity_2, _p_end_depth_2, _room_2)
-            _unsure_2, = bridge_edges(_clearance_2, _g0_2, _g1_2, _g2_2, _g3_2, _g4_2, _slack_2)
-            _doubt_2, = questioned(_doubt_2, _time_2, _unsure_2)
+            _unsure_2, = bridge_edges(_clearance_2, _slack_2, _g0_2, _g1_2, _g2_2, _g3_2, _g4_2)
+            _doubt_2, = questioned(_time_2, _doubt_2, _unsure_2)
             _arrives_2, = bridge_within(_g0_2, _g1_2, _g2_2, _g3_2, _g4_2)
-            _doubt_2, _late_2 = tied(_arrives_2, _delay_2, _doubt_2, _late_2, _time_2, _when_2)
-            _when_2, _which_2 = sooner(_arrives_2, 2.0, _time_2, _when_2, _which_2)
-            _doubt_1 = _put(_doubt_1, _rows7, _doubt_2, _count4, _possible_1)
-            _late_1 = _put(_late_1, _rows7, _late_2, _count4, _possible_1)
-            _when_1 = _put(_when_1, _rows7, _when_2, _count4, _possible_1)
-            _which_1 = _put(_which_1, _rows7, _which_2, _count4, _possible_1)
-        _doubt_0 = _put(_doubt_0, _rows3, _doubt_1, shots)
-        _late_0 = _put(_late_0, _rows3, _late_1, shots)
-        _when_0 = _put(_when_0, _rows3, _when_1, shots)
-        _which_0 = _put(_which_0, _rows3, _which_1, shots)
+            _doubt_2, _earliest_delay_2 = tied(_time_2, _when_2, _delay_2, _earliest_delay_2, _doubt_2, _arrives_2)
+            _when_2, _which_2 = earliest(2.0, _time_2, _when_2, _which_2, _arrives_2)
+            _doubt_1, _earliest_delay_1, _when_1, _which_1 = _put(_rows7, _count4, (_doubt_1, _earliest_delay_1, _when_1, _which_1,), (_doubt_2, _earliest_delay_2, _when_2, _which_2,), _possible_1)
+        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _put(_rows3, shots, (_doubt_0, _earliest_delay_0, _when_0, _which_0,), (_doubt_1, _earliest_delay_1, _when_1, _which_1,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
     _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _double(_position_error_0), _double(_velocity_error_0), _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _open_0, = opens(_clear_0)
     _rows9, _count10 = _rows(_open_0, shots)
-    if 0 < _count10 <= ALONE:
-        _doubt_0 = _copy(_doubt_0, shots)
-        _late_0 = _copy(_late_0, shots)
-        _when_0 = _copy(_when_0, shots)
-        _which_0 = _copy(_which_0, shots)
-        _one_by_one(_alone5, _rows9, _rows9, (_doubt_0, _extent_0, _last_0, _late_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _position_error_0, _speed_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_doubt_0, _late_0, _when_0, _which_0,))
+    if (0 < _count10) and (_count10 <= ALONE):
+        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _copies(shots, _doubt_0, _earliest_delay_0, _when_0, _which_0)
+        _one_by_one(_alone5, _rows9, _rows9, (_doubt_0, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _position_error_0, _speed_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_doubt_0, _earliest_delay_0, _when_0, _which_0,))
     elif _count10:
-        _doubt_1 = _take(_doubt_0, _rows9)
-        _extent_1 = _take(_extent_0, _rows9)
-        _last_1 = _take(_last_0, _rows9)
-        _late_1 = _take(_late_0, _rows9)
-        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows9)
-        _p_gravity_1 = _take(_p_gravity_0, _rows9)
-        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows9)
-        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows9)
-        _pad_1 = _take(_pad_0, _rows9)
-        _position_error_1 = _take(_position_error_0, _rows9)
-        _speed_1 = _take(_speed_0, _rows9)
-        _until_1 = _take(_until_0, _rows9)
-        _velocity_error_1 = _take(_velocity_error_0, _rows9)
-        _vx_1 = _take(_vx_0, _rows9)
-        _vy_1 = _take(_vy_0, _rows9)
-        _vz_1 = _take(_vz_0, _rows9)
-        _when_1 = _take(_when_0, _rows9)
-        _which_1 = _take(_which_0, _rows9)
-        _x_1 = _take(_x_0, _rows9)
-        _y_1 = _take(_y_0, _rows9)
-        _z_1 = _take(_z_0, _rows9)
+        _doubt_1, _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _pad_1, _position_error_1, _speed_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows9, _doubt_0, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _position_error_0, _speed_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count10)
         _share_1, _arrival_1, _certain_1 = beginning()
         _leaving_1, = left(0.0, _last_1)
-        _onset_1, _wide_end_1, _searching_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _lapsed_1, _sound_1 = ring_opened(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _onset_1, _wide_end_1, _searching_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _lapsed_1, _representable_1 = ring_opened(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _since_1, _latest_1 = opened(_double(_lapsed_1), _double(_onset_1))
-        _rho_start_1, _parting_1, _drift_1 = ring_started(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _room_1)
+        _rho_start_1, _start_rate_1, _rho_rate_1 = ring_started(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _room_1)
         _near_x_1, _near_y_1, _near_z_1, _, _, _near_vz_1 = flight(_since_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
-        _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_steady_1, _short_swing_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_jerk_1, _short_grit_1, _short_parting_1, _short_drift_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_grain(_onset_1, _wide_end_1, _leaving_1, _lapsed_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _parting_1, _drift_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _leaping_1, _searching_1, _served_1, _ceiling_1, _flat_1, _tilt_1, _allowing_1 = coarse(_double(_short_ceiling_1), _fits_1, _double(_short_flat_1), _double(_short_rate_margin_1), _searching_1, _double(_short_share_1), _sound_1)
+        _short_share_1, _short_t_1, _short_end_1, _short_x_1, _short_y_1, _short_z_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_energy2_1, _short_moment2_1, _short_rho_start_1, _short_ceiling_1, _short_flat_1, _short_tilt_1, _short_jerk_1, _short_quotient_margin_1, _short_start_rate_1, _short_rho_rate_1, _short_rate_margin_1, _short_low1_1, _short_high1_1, _short_low2_1, _short_high2_1, _fits_1 = ring_resolution(_onset_1, _wide_end_1, _leaving_1, _lapsed_1, _near_x_1, _near_y_1, _near_z_1, _vx_1, _vy_1, _near_vz_1, _extent_1, _speed_1, _start_rate_1, _rho_rate_1, _wide_low1_1, _wide_high1_1, _wide_low2_1, _wide_high2_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _stepping_1, _searching_1, _single_precision_1, _ceiling_1, _flat_1, _tilt_1, _allowing_1 = coarse(_double(_short_rate_margin_1), _double(_short_flat_1), _double(_short_ceiling_1), _double(_short_share_1), _searching_1, _representable_1, _fits_1)
         _, _, _excess_1 = allowance(_allowing_1, _latest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_gravity_1, _room_1)
-        _lost_1, = ring_lost(_until_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
-        _rows11, _count12 = _most(_leaping_1, _count10)
+        _budget_exceeded_1, = ring_budget_exceeded(_until_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _doubt_1, = out_of_budget(_pad_1, _budget_exceeded_1, _earliest_delay_1, _doubt_1, _excess_1)
+        _rows11, _count12 = _most(_stepping_1, _count10)
         if _count12:
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows11)
-            _p_gravity_2 = _take(_p_gravity_1, _rows11)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows11)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows11)
-            _short_ceiling_2 = _take(_short_ceiling_1, _rows11)
-            _short_drift_2 = _take(_short_drift_1, _rows11)
-            _short_end_2 = _take(_short_end_1, _rows11)
-            _short_flat_2 = _take(_short_flat_1, _rows11)
-            _short_grit_2 = _take(_short_grit_1, _rows11)
-            _short_high1_2 = _take(_short_high1_1, _rows11)
-            _short_high2_2 = _take(_short_high2_1, _rows11)
-            _short_jerk_2 = _take(_short_jerk_1, _rows11)
-            _short_low1_2 = _take(_short_low1_1, _rows11)
-            _short_low2_2 = _take(_short_low2_1, _rows11)
-            _short_parting_2 = _take(_short_parting_1, _rows11)
-            _short_rate_margin_2 = _take(_short_rate_margin_1, _rows11)
-            _short_rho_start_2 = _take(_short_rho_start_1, _rows11)
-            _short_steady_2 = _take(_short_steady_1, _rows11)
-            _short_swing_2 = _take(_short_swing_1, _rows11)
-            _short_t_2 = _take(_short_t_1, _rows11)
-            _short_tilt_2 = _take(_short_tilt_1, _rows11)
-            _short_vx_2 = _take(_short_vx_1, _rows11)
-            _short_vy_2 = _take(_short_vy_1, _rows11)
-            _short_vz_2 = _take(_short_vz_1, _rows11)
-            _short_x_2 = _take(_short_x_1, _rows11)
-            _short_y_2 = _take(_short_y_1, _rows11)
-            _short_z_2 = _take(_short_z_1, _rows11)
+            _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_end_2, _short_energy2_2, _short_flat_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_moment2_2, _short_quotient_margin_2, _short_rate_margin_2, _short_rho_rate_2, _short_rho_start_2, _short_start_rate_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2 = _taken(_rows11, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _short_ceiling_1, _short_end_1, _short_energy2_1, _short_flat_1, _short_high1_1, _short_high2_1, _short_jerk_1, _short_low1_1, _short_low2_1, _short_moment2_1, _short_quotient_margin_1, _short_rate_margin_1, _short_rho_rate_1, _short_rho_start_1, _short_start_rate_1, _short_t_1, _short_tilt_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_x_1, _short_y_1, _short_z_1)
             _room_2 = room(_count12)
-            _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _certain_1 = _put(_certain_1, _rows11, _certain_2, _count10, _leaping_1)
-            _short_end_1 = _put(_short_end_1, _rows11, _short_end_2, _count10, _leaping_1)
-            _short_t_1 = _put(_short_t_1, _rows11, _short_t_2, _count10, _leaping_1)
-            _leaping_1 = _put(_leaping_1, _rows11, _leaping_2, _count10, _leaping_1)
-        _rows13, _count14 = _rows(_leaping_1, _count10)
-        if 0 < _count14 <= ALONE:
-            _certain_1 = _copy(_certain_1, _count10)
-            _short_t_1 = _copy(_short_t_1, _count10)
-            _one_by_one(_alone6, _rows13, _rows13, (_certain_1, _leaping_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _short_ceiling_1, _short_drift_1, _short_end_1, _short_flat_1, _short_grit_1, _short_high1_1, _short_high2_1, _short_jerk_1, _short_low1_1, _short_low2_1, _short_parting_1, _short_rate_margin_1, _short_rho_start_1, _short_steady_1, _short_swing_1, _short_t_1, _short_tilt_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_x_1, _short_y_1, _short_z_1,), (), (_certain_1, _short_t_1,), 24)
+            _short_t_2, _short_end_2, _certain_2, _stepping_2 = ring_step(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_energy2_2, _short_moment2_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_quotient_margin_2, _short_jerk_2, _short_start_rate_2, _short_rho_rate_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _certain_1, _short_end_1, _short_t_1, _stepping_1 = _put(_rows11, _count10, (_certain_1, _short_end_1, _short_t_1, _stepping_1,), (_certain_2, _short_end_2, _short_t_2, _stepping_2,), _stepping_1)
+        _rows13, _count14 = _rows(_stepping_1, _count10)
+        if (0 < _count14) and (_count14 <= ALONE):
+            _certain_1, _short_t_1 = _copies(_count10, _certain_1, _short_t_1)
+            _one_by_one(_alone6, _rows13, _rows13, (_certain_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _short_ceiling_1, _short_end_1, _short_energy2_1, _short_flat_1, _short_high1_1, _short_high2_1, _short_jerk_1, _short_low1_1, _short_low2_1, _short_moment2_1, _short_quotient_margin_1, _short_rate_margin_1, _short_rho_rate_1, _short_rho_start_1, _short_start_rate_1, _short_t_1, _short_tilt_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_x_1, _short_y_1, _short_z_1, _stepping_1,), (), (_certain_1, _short_t_1,), 24)
         elif _count14:
-            _leaping_2 = _take(_leaping_1, _rows13)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows13)
-            _p_gravity_2 = _take(_p_gravity_1, _rows13)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows13)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows13)
-            _short_ceiling_2 = _take(_short_ceiling_1, _rows13)
-            _short_drift_2 = _take(_short_drift_1, _rows13)
-            _short_end_2 = _take(_short_end_1, _rows13)
-            _short_flat_2 = _take(_short_flat_1, _rows13)
-            _short_grit_2 = _take(_short_grit_1, _rows13)
-            _short_high1_2 = _take(_short_high1_1, _rows13)
-            _short_high2_2 = _take(_short_high2_1, _rows13)
-            _short_jerk_2 = _take(_short_jerk_1, _rows13)
-            _short_low1_2 = _take(_short_low1_1, _rows13)
-            _short_low2_2 = _take(_short_low2_1, _rows13)
-            _short_parting_2 = _take(_short_parting_1, _rows13)
-            _short_rate_margin_2 = _take(_short_rate_margin_1, _rows13)
-            _short_rho_start_2 = _take(_short_rho_start_1, _rows13)
-            _short_steady_2 = _take(_short_steady_1, _rows13)
-            _short_swing_2 = _take(_short_swing_1, _rows13)
-            _short_t_2 = _take(_short_t_1, _rows13)
-            _short_tilt_2 = _take(_short_tilt_1, _rows13)
-            _short_vx_2 = _take(_short_vx_1, _rows13)
-            _short_vy_2 = _take(_short_vy_1, _rows13)
-            _short_vz_2 = _take(_short_vz_1, _rows13)
-            _short_x_2 = _take(_short_x_1, _rows13)
-            _short_y_2 = _take(_short_y_1, _rows13)
-            _short_z_2 = _take(_short_z_1, _rows13)
-            _certain_1 = _copy(_certain_1, _count10)
-            _short_t_1 = _copy(_short_t_1, _count10)
+            _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_end_2, _short_energy2_2, _short_flat_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_moment2_2, _short_quotient_margin_2, _short_rate_margin_2, _short_rho_rate_2, _short_rho_start_2, _short_start_rate_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2, _stepping_2 = _taken(_rows13, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _short_ceiling_1, _short_end_1, _short_energy2_1, _short_flat_1, _short_high1_1, _short_high2_1, _short_jerk_1, _short_low1_1, _short_low2_1, _short_moment2_1, _short_quotient_margin_1, _short_rate_margin_1, _short_rho_rate_1, _short_rho_start_1, _short_start_rate_1, _short_t_1, _short_tilt_1, _short_vx_1, _short_vy_1, _short_vz_1, _short_x_1, _short_y_1, _short_z_1, _stepping_1)
+            _certain_1, _short_t_1 = _copies(_count10, _certain_1, _short_t_1)
             for _turn15 in range(24):
                 _room_2 = room(_count14)
-                _short_t_2, _short_end_2, _certain_2, _leaping_2 = ring_leap(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_steady_2, _short_swing_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_grit_2, _short_jerk_2, _short_parting_2, _short_drift_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _going16 = _where_true(_leaping_2)
+                _short_t_2, _short_end_2, _certain_2, _stepping_2 = ring_step(_short_t_2, _short_end_2, _short_rate_margin_2, _short_ceiling_2, _short_x_2, _short_y_2, _short_z_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_energy2_2, _short_moment2_2, _short_rho_start_2, _short_flat_2, _short_tilt_2, _short_quotient_margin_2, _short_jerk_2, _short_start_rate_2, _short_rho_rate_2, _short_low1_2, _short_high1_2, _short_low2_2, _short_high2_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _going16 = _where_true(_stepping_2)
                 if len(_going16) == _count14:
                     continue
-                _done = _where_true(_logical_not(_leaping_2))
-                _store(_certain_1, _of(_rows13, _done), _certain_2, _done)
-                _store(_short_t_1, _of(_rows13, _done), _short_t_2, _done)
-                _rows13, _count14 = _of(_rows13, _going16), len(_going16)
-                if not _count14:
+                _done = _where_true(_logical_not(_stepping_2))
+                _store((_certain_1, _short_t_1,), _of(_rows13, _done), (_certain_2, _short_t_2,), _done)
+                _rows13 = _of(_rows13, _going16)
+                _count14 = len(_going16)
+                if _count14 == 0:
                     break
                 if _count14 <= ALONE:
-                    _one_by_one(_alone6, _rows13, _going16, (_certain_2, _leaping_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_drift_2, _short_end_2, _short_flat_2, _short_grit_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_parting_2, _short_rate_margin_2, _short_rho_start_2, _short_steady_2, _short_swing_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2,), (), (_certain_1, _short_t_1,), 23 - _turn15)
+                    _one_by_one(_alone6, _rows13, _going16, (_certain_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_end_2, _short_energy2_2, _short_flat_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_moment2_2, _short_quotient_margin_2, _short_rate_margin_2, _short_rho_rate_2, _short_rho_start_2, _short_start_rate_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2, _stepping_2,), (), (_certain_1, _short_t_1,), 23 - _turn15)
                     break
-                _certain_2 = _take(_certain_2, _going16)
-                _leaping_2 = _take(_leaping_2, _going16)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going16)
-                _p_gravity_2 = _take(_p_gravity_2, _going16)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going16)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going16)
-                _short_ceiling_2 = _take(_short_ceiling_2, _going16)
-                _short_drift_2 = _take(_short_drift_2, _going16)
-                _short_end_2 = _take(_short_end_2, _going16)
-                _short_flat_2 = _take(_short_flat_2, _going16)
-                _short_grit_2 = _take(_short_grit_2, _going16)
-                _short_high1_2 = _take(_short_high1_2, _going16)
-                _short_high2_2 = _take(_short_high2_2, _going16)
-                _short_jerk_2 = _take(_short_jerk_2, _going16)
-                _short_low1_2 = _take(_short_low1_2, _going16)
-                _short_low2_2 = _take(_short_low2_2, _going16)
-                _short_parting_2 = _take(_short_parting_2, _going16)
-                _short_rate_margin_2 = _take(_short_rate_margin_2, _going16)
-                _short_rho_start_2 = _take(_short_rho_start_2, _going16)
-                _short_steady_2 = _take(_short_steady_2, _going16)
-                _short_swing_2 = _take(_short_swing_2, _going16)
-                _short_t_2 = _take(_short_t_2, _going16)
-                _short_tilt_2 = _take(_short_tilt_2, _going16)
-                _short_vx_2 = _take(_short_vx_2, _going16)
-                _short_vy_2 = _take(_short_vy_2, _going16)
-                _short_vz_2 = _take(_short_vz_2, _going16)
-                _short_x_2 = _take(_short_x_2, _going16)
-                _short_y_2 = _take(_short_y_2, _going16)
-                _short_z_2 = _take(_short_z_2, _going16)
+                _certain_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_end_2, _short_energy2_2, _short_flat_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_moment2_2, _short_quotient_margin_2, _short_rate_margin_2, _short_rho_rate_2, _short_rho_start_2, _short_start_rate_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2, _stepping_2 = _taken(_going16, _certain_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _short_ceiling_2, _short_end_2, _short_energy2_2, _short_flat_2, _short_high1_2, _short_high2_2, _short_jerk_2, _short_low1_2, _short_low2_2, _short_moment2_2, _short_quotient_margin_2, _short_rate_margin_2, _short_rho_rate_2, _short_rho_start_2, _short_start_rate_2, _short_t_2, _short_tilt_2, _short_vx_2, _short_vy_2, _short_vz_2, _short_x_2, _short_y_2, _short_z_2, _stepping_2)
             else:
-                _store(_certain_1, _rows13, _certain_2, None)
-                _store(_short_t_1, _rows13, _short_t_2, None)
-        _arrival_1, _t_1, _searching_1 = leapt(_arrival_1, _certain_1, _double(_short_t_1), _searching_1, _served_1, _since_1)
+                _store((_certain_1, _short_t_1,), _rows13, (_certain_2, _short_t_2,), None)
+        _arrival_1, _t_1, _searching_1 = stepped(_arrival_1, _double(_short_t_1), _searching_1, _since_1, _single_precision_1, _certain_1)
         _rows17, _count18 = _rows(_searching_1, _count10)
-        if 0 < _count18 <= ALONE:
-            _arrival_1 = _copy(_arrival_1, _count10)
-            _ceiling_1 = _copy(_ceiling_1, _count10)
-            _certain_1 = _copy(_certain_1, _count10)
-            _doubt_1 = _copy(_doubt_1, _count10)
-            _flat_1 = _copy(_flat_1, _count10)
-            _latest_1 = _copy(_latest_1, _count10)
-            _rho_start_1 = _copy(_rho_start_1, _count10)
-            _tilt_1 = _copy(_tilt_1, _count10)
+        if (0 < _count18) and (_count18 <= ALONE):
+            _arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1 = _copies(_count10, _arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1)
             _one_by_one(_alone7, _rows17, _rows17, (_arrival_1, _certain_1, _doubt_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1,))
         elif _count18:
-            _arrival_2 = _take(_arrival_1, _rows17)
-            _certain_2 = _take(_certain_1, _rows17)
-            _doubt_2 = _take(_doubt_1, _rows17)
-            _extent_2 = _take(_extent_1, _rows17)
-            _last_2 = _take(_last_1, _rows17)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows17)
-            _p_gravity_2 = _take(_p_gravity_1, _rows17)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows17)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows17)
-            _position_error_2 = _take(_position_error_1, _rows17)
-            _share_2 = _take(_share_1, _rows17)
-            _speed_2 = _take(_speed_1, _rows17)
-            _t_2 = _take(_t_1, _rows17)
-            _until_2 = _take(_until_1, _rows17)
-            _velocity_error_2 = _take(_velocity_error_1, _rows17)
-            _vx_2 = _take(_vx_1, _rows17)
-            _vy_2 = _take(_vy_1, _rows17)
-            _vz_2 = _take(_vz_1, _rows17)
-            _x_2 = _take(_x_1, _rows17)
-            _y_2 = _take(_y_1, _rows17)
-            _z_2 = _take(_z_1, _rows17)
+            _arrival_2, _certain_2, _doubt_2, _extent_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _share_2, _speed_2, _t_2, _until_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows17, _arrival_1, _certain_1, _doubt_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count18)
-            _steady_2, _swing_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+            _energy2_2, _moment2_2, _rho_start_2, _low0_2, _high0_2, _low1_2, _high1_2, _low2_2, _high2_2, _ceiling_2, _latest_2, *_ = ring_prepare(_until_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
             _position_level_2, _velocity_level_2, *_ = allowance(_share_2, _latest_2, _extent_2, _speed_2, _double(_position_error_2), _double(_velocity_error_2), _p_gravity_2, _room_2)
             _flat_2, _tilt_2, _rate_slack_2 = ring_margins(_latest_2, _extent_2, _speed_2, _position_level_2, _velocity_level_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2, _room_2)
+            _t_2, _end_2, _searching_2 = ring_enter(_t_2, 0.0, _t_2, _low0_2, _low1_2, _low2_2, _high0_2, _high1_2, _high2_2, _room_2)
             _rows19, _count20 = _rows(_searching_2, _count18)
-            if 0 < _count20 <= ALONE:
-                _arrival_2 = _copy(_arrival_2, _count18)
-                _certain_2 = _copy(_certain_2, _count18)
-                _doubt_2 = _copy(_doubt_2, _count18)
-                _flat_2 = _copy(_flat_2, _count18)
-                _searching_2 = _copy(_searching_2, _count18)
-                _t_2 = _copy(_t_2, _count18)
-                _tilt_2 = _copy(_tilt_2, _count18)
-                _one_by_one(_alone8, _rows19, _rows19, (_arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _steady_2, _swing_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (), (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), 201)
+            if (0 < _count20) and (_count20 <= ALONE):
+                _arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2 = _copies(_count18, _arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2)
+                _one_by_one(_alone8, _rows19, _rows19, (_arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _energy2_2, _flat_2, _last_2, _moment2_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (), (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), 201)
             elif _count20:
-                _arrival_3 = _take(_arrival_2, _rows19)
-                _ceiling_3 = _take(_ceiling_2, _rows19)
-                _certain_3 = _take(_certain_2, _rows19)
-                _doubt_3 = _take(_doubt_2, _rows19)
-                _end_3 = _take(_end_2, _rows19)
-                _flat_3 = _take(_flat_2, _rows19)
-                _last_3 = _take(_last_2, _rows19)
-                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows19)
-                _p_gravity_3 = _take(_p_gravity_2, _rows19)
-                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows19)
-                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows19)
-                _rate_slack_3 = _take(_rate_slack_2, _rows19)
-                _rho_start_3 = _take(_rho_start_2, _rows19)
-                _searching_3 = _take(_searching_2, _rows19)
-                _share_3 = _take(_share_2, _rows19)
-                _steady_3 = _take(_steady_2, _rows19)
-                _swing_3 = _take(_swing_2, _rows19)
-                _t_3 = _take(_t_2, _rows19)
-                _tilt_3 = _take(_tilt_2, _rows19)
-                _vx_3 = _take(_vx_2, _rows19)
-                _vy_3 = _take(_vy_2, _rows19)
-                _vz_3 = _take(_vz_2, _rows19)
-                _x_3 = _take(_x_2, _rows19)
-                _y_3 = _take(_y_2, _rows19)
-                _z_3 = _take(_z_2, _rows19)
-                _arrival_2 = _copy(_arrival_2, _count18)
-                _certain_2 = _copy(_certain_2, _count18)
-                _doubt_2 = _copy(_doubt_2, _count18)
-                _flat_2 = _copy(_flat_2, _count18)
-                _searching_2 = _copy(_searching_2, _count18)
-                _t_2 = _copy(_t_2, _count18)
-                _tilt_2 = _copy(_tilt_2, _count18)
+                _arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows19, _arrival_2, _ceiling_2, _certain_2, _doubt_2, _end_2, _energy2_2, _flat_2, _last_2, _moment2_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _rho_start_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2 = _copies(_count18, _arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2)
                 for _turn21 in range(201):
                     _room_3 = room(_count20)
-                    _leaving_3, _margin_3 = nearby(_flat_3, 0.0, _last_3, _t_3, _tilt_3)
-                    _gap_3, _rate_3, _bend_3, _step_3, _next_3, _clearance_3 = ring_advance(_t_3, _end_3, _leaving_3, _margin_3, _rate_slack_3, _ceiling_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _steady_3, _swing_3, _rho_start_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
-                    _hit_3, _sure_3, _vague_3 = struck(_bend_3, _clearance_3, _gap_3, _margin_3, _rate_3, _rate_slack_3, _share_3)
-                    _rows22, _count23 = _most(_vague_3, _count20)
+                    _leaving_3, _margin_3 = nearby(_t_3, _flat_3, _tilt_3, 0.0, _last_3)
+                    _gap_3, _rate_3, _bend_3, _step_3, _next_3, _clearance_3 = ring_advance(_t_3, _end_3, _leaving_3, _margin_3, _rate_slack_3, _ceiling_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _energy2_3, _moment2_3, _rho_start_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
+                    _hit_3, _sure_3, _needs_refinement_3 = struck(_gap_3, _rate_3, _bend_3, _margin_3, _rate_slack_3, _clearance_3, _share_3)
+                    _rows22, _count23 = _most(_needs_refinement_3, _count20)
                     if _count23:
                         _far = _of(_rows19, _rows22)
-                        _doubt_4 = _take(_doubt_3, _rows22)
-                        _extent_4 = _take(_extent_2, _far)
-                        _latest_4 = _take(_latest_2, _far)
-                        _p_ball_radius_4 = _take(_p_ball_radius_3, _rows22)
-                        _p_gravity_4 = _take(_p_gravity_3, _rows22)
-                        _p_ring_radius_4 = _take(_p_ring_radius_3, _rows22)
-                        _p_wire_radius_4 = _take(_p_wire_radius_3, _rows22)
-                        _position_error_4 = _take(_position_error_2, _far)
-                        _share_4 = _take(_share_3, _rows22)
-                        _speed_4 = _take(_speed_2, _far)
-                        _t_4 = _take(_t_3, _rows22)
-                        _velocity_error_4 = _take(_velocity_error_2, _far)
+                        _extent_4, _latest_4, _position_error_4, _speed_4, _velocity_error_4 = _taken(_far, _extent_2, _latest_2, _position_error_2, _speed_2, _velocity_error_2)
+                        _doubt_4, _p_ball_radius_4, _p_gravity_4, _p_ring_radius_4, _p_wire_radius_4, _share_4, _t_4 = _taken(_rows22, _doubt_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _t_3)
                         _room_4 = room(_count23)
                         _share_4, = finer(_share_4)
                         _position_level_4, _velocity_level_4, _excess_4 = allowance(_share_4, _latest_4, _extent_4, _speed_4, _double(_position_error_4), _double(_velocity_error_4), _p_gravity_4, _room_4)
                         _flat_4, _tilt_4, _rate_slack_4 = ring_margins(_latest_4, _extent_4, _speed_4, _position_level_4, _velocity_level_4, _p_ball_radius_4, _p_ring_radius_4, _p_wire_radius_4, _p_gravity_4, _room_4)
-                        _doubt_4, = exceeded(_doubt_4, _excess_4, _t_4)
-                        _doubt_3 = _put(_doubt_3, _rows22, _doubt_4, _count20, _vague_3)
-                        _flat_3 = _put(_flat_3, _rows22, _flat_4, _count20, _vague_3)
-                        _rate_slack_3 = _put(_rate_slack_3, _rows22, _rate_slack_4, _count20, _vague_3)
-                        _share_3 = _put(_share_3, _rows22, _share_4, _count20, _vague_3)
-                        _tilt_3 = _put(_tilt_3, _rows22, _tilt_4, _count20, _vague_3)
-                    _arrival_3, _certain_3, _exhausted_3, _searching_3, _t_3 = advanced(_arrival_3, _certain_3, _end_3, _hit_3, _next_3, _step_3, _sure_3, _t_3, _vague_3)
+                        _doubt_4, = exceeded(_t_4, _doubt_4, _excess_4)
+                        _doubt_3, _flat_3, _rate_slack_3, _share_3, _tilt_3 = _put(_rows22, _count20, (_doubt_3, _flat_3, _rate_slack_3, _share_3, _tilt_3,), (_doubt_4, _flat_4, _rate_slack_4, _share_4, _tilt_4,), _needs_refinement_3)
+                    _arrival_3, _certain_3, _exhausted_3, _searching_3, _t_3 = advanced(_t_3, _end_3, _step_3, _next_3, _arrival_3, _hit_3, _sure_3, _needs_refinement_3, _certain_3)
                     _rows24, _count25 = _most(_exhausted_3, _count20)
                     if _count25:
                         _far = _of(_rows19, _rows24)
-                        _end_4 = _take(_end_3, _rows24)
-                        _high0_4 = _take(_high0_2, _far)
-                        _high1_4 = _take(_high1_2, _far)
-                        _high2_4 = _take(_high2_2, _far)
-                        _low0_4 = _take(_low0_2, _far)
-                        _low1_4 = _take(_low1_2, _far)
-                        _low2_4 = _take(_low2_2, _far)
-                        _t_4 = _take(_t_3, _rows24)
+                        _high0_4, _high1_4, _high2_4, _low0_4, _low1_4, _low2_4 = _taken(_far, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2)
+                        _end_4, _t_4 = _taken(_rows24, _end_3, _t_3)
                         _room_4 = room(_count25)
-                        _t_4, _end_4, _searching_4 = ring_enter(_end_4, _end_4, _high0_4, _high1_4, _high2_4, _low0_4, _low1_4, _low2_4, _t_4, _room_4)
-                        _end_3 = _put(_end_3, _rows24, _end_4, _count20, _exhausted_3)
-                        _searching_3 = _put(_searching_3, _rows24, _searching_4, _count20, _exhausted_3)
-                        _t_3 = _put(_t_3, _rows24, _t_4, _count20, _exhausted_3)
+                        _t_4, _end_4, _searching_4 = ring_enter(_t_4, _end_4, _end_4, _low0_4, _low1_4, _low2_4, _high0_4, _high1_4, _high2_4, _room_4)
+                        _end_3, _searching_3, _t_3 = _put(_rows24, _count20, (_end_3, _searching_3, _t_3,), (_end_4, _searching_4, _t_4,), _exhausted_3)
                     _going26 = _where_true(_searching_3)
                     if len(_going26) == _count20:
                         continue
                     _done = _where_true(_logical_not(_searching_3))
-                    _store(_arrival_2, _of(_rows19, _done), _arrival_3, _done)
-                    _store(_certain_2, _of(_rows19, _done), _certain_3, _done)
-                    _store(_doubt_2, _of(_rows19, _done), _doubt_3, _done)
-                    _store(_flat_2, _of(_rows19, _done), _flat_3, _done)
-                    _store(_searching_2, _of(_rows19, _done), _searching_3, _done)
-                    _store(_t_2, _of(_rows19, _done), _t_3, _done)
-                    _store(_tilt_2, _of(_rows19, _done), _tilt_3, _done)
-                    _rows19, _count20 = _of(_rows19, _going26), len(_going26)
-                    if not _count20:
+                    _store((_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), _of(_rows19, _done), (_arrival_3, _certain_3, _doubt_3, _flat_3, _searching_3, _t_3, _tilt_3,), _done)
+                    _rows19 = _of(_rows19, _going26)
+                    _count20 = len(_going26)
+                    if _count20 == 0:
                         break
                     if _count20 <= ALONE:
-                        _one_by_one(_alone8, _rows19, _going26, (_arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _flat_3, _last_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _steady_3, _swing_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3,), (_extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), 200 - _turn21)
+                        _one_by_one(_alone8, _rows19, _going26, (_arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3,), (_extent_2, _high0_2, _high1_2, _high2_2, _latest_2, _low0_2, _low1_2, _low2_2, _position_error_2, _speed_2, _velocity_error_2,), (_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), 200 - _turn21)
                         break
-                    _arrival_3 = _take(_arrival_3, _going26)
-                    _ceiling_3 = _take(_ceiling_3, _going26)
-                    _certain_3 = _take(_certain_3, _going26)
-                    _doubt_3 = _take(_doubt_3, _going26)
-                    _end_3 = _take(_end_3, _going26)
-                    _flat_3 = _take(_flat_3, _going26)
-                    _last_3 = _take(_last_3, _going26)
-                    _p_ball_radius_3 = _take(_p_ball_radius_3, _going26)
-                    _p_gravity_3 = _take(_p_gravity_3, _going26)
-                    _p_ring_radius_3 = _take(_p_ring_radius_3, _going26)
-                    _p_wire_radius_3 = _take(_p_wire_radius_3, _going26)
-                    _rate_slack_3 = _take(_rate_slack_3, _going26)
-                    _rho_start_3 = _take(_rho_start_3, _going26)
-                    _searching_3 = _take(_searching_3, _going26)
-                    _share_3 = _take(_share_3, _going26)
-                    _steady_3 = _take(_steady_3, _going26)
-                    _swing_3 = _take(_swing_3, _going26)
-                    _t_3 = _take(_t_3, _going26)
-                    _tilt_3 = _take(_tilt_3, _going26)
-                    _vx_3 = _take(_vx_3, _going26)
-                    _vy_3 = _take(_vy_3, _going26)
-                    _vz_3 = _take(_vz_3, _going26)
-                    _x_3 = _take(_x_3, _going26)
-                    _y_3 = _take(_y_3, _going26)
-                    _z_3 = _take(_z_3, _going26)
+                    _arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_going26, _arrival_3, _ceiling_3, _certain_3, _doubt_3, _end_3, _energy2_3, _flat_3, _last_3, _moment2_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _rate_slack_3, _rho_start_3, _searching_3, _share_3, _t_3, _tilt_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3)
                 else:
-                    _store(_arrival_2, _rows19, _arrival_3, None)
-                    _store(_certain_2, _rows19, _certain_3, None)
-                    _store(_doubt_2, _rows19, _doubt_3, None)
-                    _store(_flat_2, _rows19, _flat_3, None)
-                    _store(_searching_2, _rows19, _searching_3, None)
-                    _store(_t_2, _rows19, _t_3, None)
-                    _store(_tilt_2, _rows19, _tilt_3, None)
-            _doubt_2, = questioned(_doubt_2, _t_2, _searching_2)
-            _arrival_1 = _put(_arrival_1, _rows17, _arrival_2, _count10)
-            _ceiling_1 = _put(_ceiling_1, _rows17, _ceiling_2, _count10)
-            _certain_1 = _put(_certain_1, _rows17, _certain_2, _count10)
-            _doubt_1 = _put(_doubt_1, _rows17, _doubt_2, _count10)
-            _flat_1 = _put(_flat_1, _rows17, _flat_2, _count10)
-            _latest_1 = _put(_latest_1, _rows17, _latest_2, _count10)
-            _rho_start_1 = _put(_rho_start_1, _rows17, _rho_start_2, _count10)
-            _tilt_1 = _put(_tilt_1, _rows17, _tilt_2, _count10)
+                    _store((_arrival_2, _certain_2, _doubt_2, _flat_2, _searching_2, _t_2, _tilt_2,), _rows19, (_arrival_3, _certain_3, _doubt_3, _flat_3, _searching_3, _t_3, _tilt_3,), None)
+            _doubt_2, = questioned(_t_2, _doubt_2, _searching_2)
+            _arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1 = _put(_rows17, _count10, (_arrival_1, _ceiling_1, _certain_1, _doubt_1, _flat_1, _latest_1, _rho_start_1, _tilt_1,), (_arrival_2, _ceiling_2, _certain_2, _doubt_2, _flat_2, _latest_2, _rho_start_2, _tilt_2,))
         _arrives_1, _refining_1, _rate_1 = found(_arrival_1)
-        _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
+        _leaving_1, *_ = nearby(_arrival_1, _flat_1, _tilt_1, 0.0, _last_1)
         _rows27, _count28 = _most(_refining_1, _count10)
         if _count28:
-            _arrival_2 = _take(_arrival_1, _rows27)
-            _ceiling_2 = _take(_ceiling_1, _rows27)
-            _certain_2 = _take(_certain_1, _rows27)
-            _leaving_2 = _take(_leaving_1, _rows27)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows27)
-            _p_gravity_2 = _take(_p_gravity_1, _rows27)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows27)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows27)
-            _rho_start_2 = _take(_rho_start_1, _rows27)
-            _vx_2 = _take(_vx_1, _rows27)
-            _vy_2 = _take(_vy_1, _rows27)
-            _vz_2 = _take(_vz_1, _rows27)
-            _x_2 = _take(_x_1, _rows27)
-            _y_2 = _take(_y_1, _rows27)
-            _z_2 = _take(_z_1, _rows27)
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows27, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count28)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
-            _arrival_1 = _put(_arrival_1, _rows27, _arrival_2, _count10, _refining_1)
-            _rate_1 = _put(_rate_1, _rows27, _rate_2, _count10, _refining_1)
-            _refining_1 = _put(_refining_1, _rows27, _refining_2, _count10, _refining_1)
+            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_1, _rate_1, _refining_1 = _put(_rows27, _count10, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows29, _count30 = _most(_refining_1, _count10)
         if _count30:
-            _arrival_2 = _take(_arrival_1, _rows29)
-            _ceiling_2 = _take(_ceiling_1, _rows29)
-            _certain_2 = _take(_certain_1, _rows29)
-            _leaving_2 = _take(_leaving_1, _rows29)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows29)
-            _p_gravity_2 = _take(_p_gravity_1, _rows29)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows29)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows29)
-            _rho_start_2 = _take(_rho_start_1, _rows29)
-            _vx_2 = _take(_vx_1, _rows29)
-            _vy_2 = _take(_vy_1, _rows29)
-            _vz_2 = _take(_vz_1, _rows29)
-            _x_2 = _take(_x_1, _rows29)
-            _y_2 = _take(_y_1, _rows29)
-            _z_2 = _take(_z_1, _rows29)
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows29, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count30)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
-            _arrival_1 = _put(_arrival_1, _rows29, _arrival_2, _count10, _refining_1)
-            _rate_1 = _put(_rate_1, _rows29, _rate_2, _count10, _refining_1)
-            _refining_1 = _put(_refining_1, _rows29, _refining_2, _count10, _refining_1)
+            _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_1, _rate_1, _refining_1 = _put(_rows29, _count10, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows31, _count32 = _rows(_refining_1, _count10)
-        if 0 < _count32 <= ALONE:
-            _arrival_1 = _copy(_arrival_1, _count10)
-            _rate_1 = _copy(_rate_1, _count10)
+        if (0 < _count32) and (_count32 <= ALONE):
+            _arrival_1, _rate_1 = _copies(_count10, _arrival_1, _rate_1)
             _one_by_one(_alone9, _rows31, _rows31, (_arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_1, _refining_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _rate_1,), 8)
         elif _count32:
-            _arrival_2 = _take(_arrival_1, _rows31)
-            _ceiling_2 = _take(_ceiling_1, _rows31)
-            _certain_2 = _take(_certain_1, _rows31)
-            _leaving_2 = _take(_leaving_1, _rows31)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows31)
-            _p_gravity_2 = _take(_p_gravity_1, _rows31)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows31)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows31)
-            _refining_2 = _take(_refining_1, _rows31)
-            _rho_start_2 = _take(_rho_start_1, _rows31)
-            _vx_2 = _take(_vx_1, _rows31)
-            _vy_2 = _take(_vy_1, _rows31)
-            _vz_2 = _take(_vz_1, _rows31)
-            _x_2 = _take(_x_1, _rows31)
-            _y_2 = _take(_y_1, _rows31)
-            _z_2 = _take(_z_1, _rows31)
-            _arrival_1 = _copy(_arrival_1, _count10)
-            _rate_1 = _copy(_rate_1, _count10)
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows31, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _refining_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_1, _rate_1 = _copies(_count10, _arrival_1, _rate_1)
             for _turn33 in range(8):
                 _room_2 = room(_count32)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = polished(_arrival_2, _ceiling_2, _certain_2, _gap_2, _rate_2, _refined_2)
+                _arrival_2, _refining_2 = polished(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going34 = _where_true(_refining_2)
                 if len(_going34) == _count32:
                     continue
                 _done = _where_true(_logical_not(_refining_2))
-                _store(_arrival_1, _of(_rows31, _done), _arrival_2, _done)
-                _store(_rate_1, _of(_rows31, _done), _rate_2, _done)
-                _rows31, _count32 = _of(_rows31, _going34), len(_going34)
-                if not _count32:
+                _store((_arrival_1, _rate_1,), _of(_rows31, _done), (_arrival_2, _rate_2,), _done)
+                _rows31 = _of(_rows31, _going34)
+                _count32 = len(_going34)
+                if _count32 == 0:
                     break
                 if _count32 <= ALONE:
                     _one_by_one(_alone9, _rows31, _going34, (_arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (), (_arrival_1, _rate_1,), 7 - _turn33)
                     break
-                _arrival_2 = _take(_arrival_2, _going34)
-                _ceiling_2 = _take(_ceiling_2, _going34)
-                _certain_2 = _take(_certain_2, _going34)
-                _leaving_2 = _take(_leaving_2, _going34)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going34)
-                _p_gravity_2 = _take(_p_gravity_2, _going34)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going34)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going34)
-                _rate_2 = _take(_rate_2, _going34)
-                _refining_2 = _take(_refining_2, _going34)
-                _rho_start_2 = _take(_rho_start_2, _going34)
-                _vx_2 = _take(_vx_2, _going34)
-                _vy_2 = _take(_vy_2, _going34)
-                _vz_2 = _take(_vz_2, _going34)
-                _x_2 = _take(_x_2, _going34)
-                _y_2 = _take(_y_2, _going34)
-                _z_2 = _take(_z_2, _going34)
+                _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going34, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_2, _refining_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
-                _store(_arrival_1, _rows31, _arrival_2, None)
-                _store(_rate_1, _rows31, _rate_2, None)
+                _store((_arrival_1, _rate_1,), _rows31, (_arrival_2, _rate_2,), None)
         _flat_1, _tilt_1, _rate_margin_1 = ring_margins(_latest_1, _extent_1, _speed_1, _double(_position_error_1), _double(_velocity_error_1), _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
-        _margin_1, = own_margin(_arrival_1, _flat_1, _leaving_1, _tilt_1)
+        _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = landed(_arrival_1)
-        _delay_1, _doubt_1 = landed_surely(_arrives_1, _certain_1, _clearance_1, _delay_1, _doubt_1, _time_1)
-        _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
-        _when_1, _which_1 = sooner(_arrives_1, 0.0, _time_1, _when_1, _which_1)
-        _doubt_0 = _put(_doubt_0, _rows9, _doubt_1, shots)
-        _late_0 = _put(_late_0, _rows9, _late_1, shots)
-        _when_0 = _put(_when_0, _rows9, _when_1, shots)
-        _which_0 = _put(_which_0, _rows9, _which_1, shots)
+        _delay_1, _doubt_1 = landed_surely(_clearance_1, _time_1, _delay_1, _doubt_1, _arrives_1, _certain_1)
+        _doubt_1, _earliest_delay_1 = tied(_time_1, _when_1, _delay_1, _earliest_delay_1, _doubt_1, _arrives_1)
+        _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
+        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _put(_rows9, shots, (_doubt_0, _earliest_delay_0, _when_0, _which_0,), (_doubt_1, _earliest_delay_1, _when_1, _which_1,))
     _rows35, _count36 = _most(_limited_0, shots)
     if _count36:
-        _clock_1 = _take(_clock_0, _rows35)
-        _doubt_1 = _take(_doubt_0, _rows35)
-        _late_1 = _take(_late_0, _rows35)
-        _time_error_1 = _take(_time_error_0, _rows35)
-        _time_limit_1 = _take(_time_limit_0, _rows35)
-        _when_1 = _take(_when_0, _rows35)
-        _which_1 = _take(_which_0, _rows35)
-        _time_1, _delay_1, _arrives_1, _doubt_1 = expiry(_clock_1, _doubt_1, _late_1, _double(_time_error_1), _time_limit_1, _when_1, _which_1)
-        _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
-        _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
-        _doubt_0 = _put(_doubt_0, _rows35, _doubt_1, shots, _limited_0)
-        _late_0 = _put(_late_0, _rows35, _late_1, shots, _limited_0)
-        _when_0 = _put(_when_0, _rows35, _when_1, shots, _limited_0)
-        _which_0 = _put(_which_0, _rows35, _which_1, shots, _limited_0)
+        _clock_1, _doubt_1, _earliest_delay_1, _time_error_1, _time_limit_1, _when_1, _which_1 = _taken(_rows35, _clock_0, _doubt_0, _earliest_delay_0, _time_error_0, _time_limit_0, _when_0, _which_0)
+        _time_1, _delay_1, _arrives_1, _doubt_1 = expiry(_when_1, _which_1, _earliest_delay_1, _doubt_1, _double(_time_error_1), _clock_1, _time_limit_1)
+        _doubt_1, _earliest_delay_1 = tied(_time_1, _when_1, _delay_1, _earliest_delay_1, _doubt_1, _arrives_1)
+        _when_1, _which_1 = earliest(4.0, _time_1, _when_1, _which_1, _arrives_1)
+        _doubt_0, _earliest_delay_0, _when_0, _which_0 = _put(_rows35, shots, (_doubt_0, _earliest_delay_0, _when_0, _which_0,), (_doubt_1, _earliest_delay_1, _when_1, _which_1,), _limited_0)
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
-    _clock_1, = ticked(_clock_0, _when_0)
-    _clock_0 = _choose(_moves_0, _clock_1, _clock_0)
-    _vx_0 = _choose(_moves_0, _vx_1, _vx_0)
-    _vy_0 = _choose(_moves_0, _vy_1, _vy_0)
-    _vz_0 = _choose(_moves_0, _vz_1, _vz_0)
-    _x_0 = _choose(_moves_0, _x_1, _x_0)
-    _y_0 = _choose(_moves_0, _y_1, _y_0)
-    _z_0 = _choose(_moves_0, _z_1, _z_0)
+    _clock_1, = event_clock(_when_0, _clock_0)
+    _clock_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _choose(_moves_0, (_clock_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (_clock_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,))
     _rows37, _count38 = _most(_limited_0, shots)
     if _count38:
-        _body_1 = _take(_body_0, _rows37)
-        _clock_1 = _take(_clock_0, _rows37)
-        _ends_1 = _take(_ends_0, _rows37)
-        _reached_1 = _take(_reached_0, _rows37)
-        _time_limit_1 = _take(_time_limit_0, _rows37)
-        _which_1 = _take(_which_0, _rows37)
-        _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows37, _body_1, shots, _limited_0)
-        _clock_0 = _put(_clock_0, _rows37, _clock_1, shots, _limited_0)
-        _ends_0 = _put(_ends_0, _rows37, _ends_1, shots, _limited_0)
-        _reached_0 = _put(_reached_0, _rows37, _reached_1, shots, _limited_0)
-    _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _double(_position_error_0), _double(_velocity_error_0), _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_end_depth_0, _room_0)
+        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows37, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
+        _clock_1, _body_1, _reached_1, _ends_1 = expired(4.0, _which_1, _body_1, _clock_1, _reached_1, _time_limit_1, _ends_1)
+        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows37, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
+    _slack_0, = displacement(_earliest_delay_0, _when_0, _extent_0, _speed_0, _double(_position_error_0), _double(_velocity_error_0), _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_g0_1)
-    _edge_1, = end_edge(_g0_1, _slack_0)
-    _edge_0 = _choose(_here_0, _edge_1, _edge_0)
-    _reached_0 = _choose(_here_0, _reached_1, _reached_0)
-    _uncertain_0, = doubted(_doubt_0, _edge_0, _late_0, _uncertain_0, _when_0)
+    _edge_1, = end_edge(_slack_0, _g0_1)
+    _edge_0, _reached_0 = _choose(_here_0, (_edge_1, _reached_1,), (_edge_0, _reached_0,))
+    _uncertain_0, = doubted(_when_0, _earliest_delay_0, _doubt_0, _uncertain_0, _edge_0)
     _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
-    columns["body"] = _body_0
-    columns["clock"] = _clock_0
-    columns["contacts"] = _contacts_0
-    columns["ends"] = _ends_0
-    columns["late"] = _late_0
-    columns["limited"] = _limited_0
-    columns["outcome"] = _outcome_0
-    columns["touches"] = _touches_0
-    columns["uncertain"] = _uncertain_0
-    columns["vx"] = _vx_0
-    columns["vy"] = _vy_0
-    columns["vz"] = _vz_0
-    columns["when"] = _when_0
-    columns["which"] = _which_0
-    columns["x"] = _x_0
-    columns["y"] = _y_0
-    columns["z"] = _z_0
+    columns |= {"body": _body_0, "clock": _clock_0, "contacts": _contacts_0, "earliest_delay": _earliest_delay_0, "ends": _ends_0, "limited": _limited_0, "outcome": _outcome_0, "touches": _touches_0, "uncertain": _uncertain_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "when": _when_0, "which": _which_0, "x": _x_0, "y": _y_0, "z": _z_0, }
 
 
-def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
-    """Stage meet of the event loop, with bounds on errors."""
-    _body_0 = columns["body"]
-    _claims_0 = columns["claims"]
-    _clock_0 = columns["clock"]
-    _clock_error_0 = columns["clock_error"]
-    _contacts_0 = columns["contacts"]
-    _count_0_0 = columns["count_0"]
-    _count_1_0 = columns["count_1"]
-    _count_2_0 = columns["count_2"]
-    _dvx_0 = columns["dvx"]
-    _dvy_0 = columns["dvy"]
-    _dvz_0 = columns["dvz"]
-    _dwx_0 = columns["dwx"]
-    _dwy_0 = columns["dwy"]
-    _dwz_0 = columns["dwz"]
-    _dx_0 = columns["dx"]
-    _dy_0 = columns["dy"]
-    _dz_0 = columns["dz"]
-    _ends_0 = columns["ends"]
-    _first_0 = columns["first"]
-    _last_0 = columns["last"]
-    _late_0 = columns["late"]
-    _limited_0 = columns["limited"]
-    _outcome_0 = columns["outcome"]
-    _p_ball_radius_0 = columns["p_ball_radius"]
-    _p_board_distance_0 = columns["p_board_distance"]
-    _p_gravity_0 = columns["p_gravity"]
-    _p_restitution_0 = columns["p_restitution"]
-    _p_ring_radius_0 = columns["p_ring_radius"]
-    _p_wire_radius_0 = columns["p_wire_radius"]
-    _touches_0 = columns["touches"]
-    _vx_0 = columns["vx"]
-    _vy_0 = columns["vy"]
-    _vz_0 = columns["vz"]
-    _when_0 = columns["when"]
-    _which_0 = columns["which"]
-    _wx_0 = columns["wx"]
-    _wy_0 = columns["wy"]
-    _wz_0 = columns["wz"]
-    _x_0 = columns["x"]
-    _y_0 = columns["y"]
-    _z_0 = columns["z"]
+def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage resolve of the event loop, with bounds on errors."""
+    _body_0, _claims_0, _clock_0, _clock_error_0, _contacts_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _ends_0, _first_0, _last_0, _limited_0, _outcome_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _touches_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("body", "claims", "clock", "clock_error", "contacts", "count_0", "count_1", "count_2", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz", "earliest_delay", "ends", "first", "last", "limited", "outcome", "p_ball_radius", "p_board_distance", "p_gravity", "p_restitution", "p_ring_radius", "p_wire_radius", "touches", "vx", "vy", "vz", "when", "which", "wx", "wy", "wz", "x", "y", "z",))
     _meeting_0, = meeting(_claims_0, _ends_0, _touches_0)
     _rows1, _count2 = _rows(_meeting_0, shots)
     if _count2:
-        _body_1 = _take(_body_0, _rows1)
-        _clock_1 = _take(_clock_0, _rows1)
-        _clock_error_1 = _take(_clock_error_0, _rows1)
-        _contacts_1 = _take(_contacts_0, _rows1)
-        _count_0_1 = _take(_count_0_0, _rows1)
-        _count_1_1 = _take(_count_1_0, _rows1)
-        _count_2_1 = _take(_count_2_0, _rows1)
-        _dvx_1 = _take(_dvx_0, _rows1)
-        _dvy_1 = _take(_dvy_0, _rows1)
-        _dvz_1 = _take(_dvz_0, _rows1)
-        _dwx_1 = _take(_dwx_0, _rows1)
-        _dwy_1 = _take(_dwy_0, _rows1)
-        _dwz_1 = _take(_dwz_0, _rows1)
-        _dx_1 = _take(_dx_0, _rows1)
-        _dy_1 = _take(_dy_0, _rows1)
-        _dz_1 = _take(_dz_0, _rows1)
-        _ends_1 = _take(_ends_0, _rows1)
-        _first_1 = _take(_first_0, _rows1)
-        _last_1 = _take(_last_0, _rows1)
-        _late_1 = _take(_late_0, _rows1)
-        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
-        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
-        _p_gravity_1 = _take(_p_gravity_0, _rows1)
-        _p_restitution_1 = _take(_p_restitution_0, _rows1)
-        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
-        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
-        _touches_1 = _take(_touches_0, _rows1)
-        _vx_1 = _take(_vx_0, _rows1)
-        _vy_1 = _take(_vy_0, _rows1)
-        _vz_1 = _take(_vz_0, _rows1)
-        _when_1 = _take(_when_0, _rows1)
-        _which_1 = _take(_which_0, _rows1)
-        _wx_1 = _take(_wx_0, _rows1)
-        _wy_1 = _take(_wy_0, _rows1)
-        _wz_1 = _take(_wz_0, _rows1)
-        _x_1 = _take(_x_0, _rows1)
-        _y_1 = _take(_y_0, _rows1)
-        _z_1 = _take(_z_0, _rows1)
+        _body_1, _clock_1, _clock_error_1, _contacts_1, _count_0_1, _count_1_1, _count_2_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _ends_1, _first_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _p_restitution_1, _p_ring_radius_1, _p_wire_radius_1, _touches_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows1, _body_0, _clock_0, _clock_error_0, _contacts_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _ends_0, _first_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _touches_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count2)
         _nx_1, _ny_1, _nz_1 = end_normal()
         _here_1, = here(0.0, _which_1)
         _nx_2, _ny_2, _nz_2 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _room_1)
         _count_0_2, = counted(_count_0_1)
-        _count_0_1 = _choose(_here_1, _count_0_2, _count_0_1)
-        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
-        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
-        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
+        _count_0_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_0_2, _nx_2, _ny_2, _nz_2,), (_count_0_1, _nx_1, _ny_1, _nz_1,))
         _here_1, = here(1.0, _which_1)
         _nx_2, _ny_2, _nz_2 = backboard_normal()
         _count_1_2, = counted(_count_1_1)
-        _count_1_1 = _choose(_here_1, _count_1_2, _count_1_1)
-        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
-        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
-        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
+        _count_1_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_1_2, _nx_2, _ny_2, _nz_2,), (_count_1_1, _nx_1, _ny_1, _nz_1,))
         _here_1, = here(2.0, _which_1)
         _nx_2, _ny_2, _nz_2 = bridge_normal()
         _count_2_2, = counted(_count_2_1)
-        _count_2_1 = _choose(_here_1, _count_2_2, _count_2_1)
-        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
-        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
-        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
+        _count_2_1, _nx_1, _ny_1, _nz_1 = _choose(_here_1, (_count_2_2, _nx_2, _ny_2, _nz_2,), (_count_2_1, _nx_1, _ny_1, _nz_1,))
         _curving_1, = elsewhere()
         _again_1, = again(0.0, _last_1, _which_1)
         _curving_2, = ring_curvature(_p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
-        _curving_1 = _choose(_again_1, _curving_2, _curving_1)
+        _curving_1, = _choose(_again_1, (_curving_2,), (_curving_1,))
         _again_1, = again(1.0, _last_1, _which_1)
         _curving_2, = backboard_curvature()
-        _curving_1 = _choose(_again_1, _curving_2, _curving_1)
+        _curving_1, = _choose(_again_1, (_curving_2,), (_curving_1,))
         _again_1, = again(2.0, _last_1, _which_1)
         _curving_2, = bridge_curvature()
-        _curving_1 = _choose(_again_1, _curving_2, _curving_1)
-        _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _belated_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _late_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _curving_1, _p_gravity_1, _room_1)
-        _clock_error_1, = delayed(_clock_error_1, _belated_1)
+        _curving_1, = _choose(_again_1, (_curving_2,), (_curving_1,))
+        _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _belated_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _earliest_delay_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _curving_1, _p_gravity_1, _room_1)
+        _clock_error_1, = delayed(_belated_1, _clock_error_1)
         _dx_2, _dy_2, _dz_2 = floored(_dx_1, _dy_1, _dz_1, _shift_1)
-        _dx_1 = _choose(_ends_1, _dx_2, _dx_1)
-        _dy_1 = _choose(_ends_1, _dy_2, _dy_1)
-        _dz_1 = _choose(_ends_1, _dz_2, _dz_1)
+        _dx_1, _dy_1, _dz_1 = _choose(_ends_1, (_dx_2, _dy_2, _dz_2,), (_dx_1, _dy_1, _dz_1,))
         _dnx_1, _dny_1, _dnz_1, _turn_1 = unturned()
         _here_1, = here(0.0, _which_1)
         _rows3, _count4 = _most(_here_1, _count2)
         if _count4:
-            _dx_2 = _take(_dx_1, _rows3)
-            _dy_2 = _take(_dy_1, _rows3)
-            _dz_2 = _take(_dz_1, _rows3)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows3)
-            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows3)
-            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows3)
-            _shift_2 = _take(_shift_1, _rows3)
-            _x_2 = _take(_x_1, _rows3)
-            _y_2 = _take(_y_1, _rows3)
+            _dx_2, _dy_2, _dz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _shift_2, _x_2, _y_2 = _taken(_rows3, _dx_1, _dy_1, _dz_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _shift_1, _x_1, _y_1)
             _room_2 = room(_count4)
             _dnx_2, _dny_2, _dnz_2, _turn_2 = ring_carry_normal(_x_2, _y_2, _dx_2, _dy_2, _dz_2, _shift_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
-            _dnx_1 = _put(_dnx_1, _rows3, _dnx_2, _count2, _here_1)
-            _dny_1 = _put(_dny_1, _rows3, _dny_2, _count2, _here_1)
-            _dnz_1 = _put(_dnz_1, _rows3, _dnz_2, _count2, _here_1)
-            _turn_1 = _put(_turn_1, _rows3, _turn_2, _count2, _here_1)
+            _dnx_1, _dny_1, _dnz_1, _turn_1 = _put(_rows3, _count2, (_dnx_1, _dny_1, _dnz_1, _turn_1,), (_dnx_2, _dny_2, _dnz_2, _turn_2,), _here_1)
         _rows5, _count6 = _most(_touches_1, _count2)
         if _count6:
-            _contacts_2 = _take(_contacts_1, _rows5)
-            _dnx_2 = _take(_dnx_1, _rows5)
-            _dny_2 = _take(_dny_1, _rows5)
-            _dnz_2 = _take(_dnz_1, _rows5)
-            _dvx_2 = _take(_dvx_1, _rows5)
-            _dvy_2 = _take(_dvy_1, _rows5)
-            _dvz_2 = _take(_dvz_1, _rows5)
-            _dwx_2 = _take(_dwx_1, _rows5)
-            _dwy_2 = _take(_dwy_1, _rows5)
-            _dwz_2 = _take(_dwz_1, _rows5)
-            _nx_2 = _take(_nx_1, _rows5)
-            _ny_2 = _take(_ny_1, _rows5)
-            _nz_2 = _take(_nz_1, _rows5)
-            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows5)
-            _p_restitution_2 = _take(_p_restitution_1, _rows5)
-            _turn_2 = _take(_turn_1, _rows5)
-            _vx_2 = _take(_vx_1, _rows5)
-            _vy_2 = _take(_vy_1, _rows5)
-            _vz_2 = _take(_vz_1, _rows5)
-            _wx_2 = _take(_wx_1, _rows5)
-            _wy_2 = _take(_wy_1, _rows5)
-            _wz_2 = _take(_wz_1, _rows5)
+            _contacts_2, _dnx_2, _dny_2, _dnz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _turn_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = _taken(_rows5, _contacts_1, _dnx_1, _dny_1, _dnz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_restitution_1, _turn_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1)
             _room_2 = room(_count6)
             _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = carry_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _contacts_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dnx_2, _dny_2, _dnz_2, _turn_2, _p_ball_radius_2, _p_restitution_2, _room_2)
             _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _room_2)
-            _dvx_1 = _put(_dvx_1, _rows5, _dvx_2, _count2, _touches_1)
-            _dvy_1 = _put(_dvy_1, _rows5, _dvy_2, _count2, _touches_1)
-            _dvz_1 = _put(_dvz_1, _rows5, _dvz_2, _count2, _touches_1)
-            _dwx_1 = _put(_dwx_1, _rows5, _dwx_2, _count2, _touches_1)
-            _dwy_1 = _put(_dwy_1, _rows5, _dwy_2, _count2, _touches_1)
-            _dwz_1 = _put(_dwz_1, _rows5, _dwz_2, _count2, _touches_1)
-            _vx_1 = _put(_vx_1, _rows5, _vx_2, _count2, _touches_1)
-            _vy_1 = _put(_vy_1, _rows5, _vy_2, _count2, _touches_1)
-            _vz_1 = _put(_vz_1, _rows5, _vz_2, _count2, _touches_1)
-            _wx_1 = _put(_wx_1, _rows5, _wx_2, _count2, _touches_1)
-            _wy_1 = _put(_wy_1, _rows5, _wy_2, _count2, _touches_1)
-            _wz_1 = _put(_wz_1, _rows5, _wz_2, _count2, _touches_1)
+            _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows5, _count2, (_dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _touches_1)
         _here_1, = here(1.0, _which_1)
         _x_2, _y_2, _z_2 = backboard_place(_y_1, _z_1, _p_ball_radius_1, _p_board_distance_1)
-        _x_1 = _choose(_here_1, _x_2, _x_1)
-        _y_1 = _choose(_here_1, _y_2, _y_1)
-        _z_1 = _choose(_here_1, _z_2, _z_1)
+        _x_1, _y_1, _z_1 = _choose(_here_1, (_x_2, _y_2, _z_2,), (_x_1, _y_1, _z_1,))
         _here_1, = here(2.0, _which_1)
         _x_2, _y_2, _z_2 = bridge_place(_x_1, _y_1, _p_ball_radius_1, _p_wire_radius_1)
-        _x_1 = _choose(_here_1, _x_2, _x_1)
-        _y_1 = _choose(_here_1, _y_2, _y_1)
-        _z_1 = _choose(_here_1, _z_2, _z_1)
-        _first_2, _last_2 = touched(_body_1, _first_1, _which_1)
-        _first_1 = _choose(_touches_1, _first_2, _first_1)
-        _last_1 = _choose(_touches_1, _last_2, _last_1)
-        _clock_error_0 = _put(_clock_error_0, _rows1, _clock_error_1, shots)
-        _count_0_0 = _put(_count_0_0, _rows1, _count_0_1, shots)
-        _count_1_0 = _put(_count_1_0, _rows1, _count_1_1, shots)
-        _count_2_0 = _put(_count_2_0, _rows1, _count_2_1, shots)
-        _dvx_0 = _put(_dvx_0, _rows1, _dvx_1, shots)
-        _dvy_0 = _put(_dvy_0, _rows1, _dvy_1, shots)
-        _dvz_0 = _put(_dvz_0, _rows1, _dvz_1, shots)
-        _dwx_0 = _put(_dwx_0, _rows1, _dwx_1, shots)
-        _dwy_0 = _put(_dwy_0, _rows1, _dwy_1, shots)
-        _dwz_0 = _put(_dwz_0, _rows1, _dwz_1, shots)
-        _dx_0 = _put(_dx_0, _rows1, _dx_1, shots)
-        _dy_0 = _put(_dy_0, _rows1, _dy_1, shots)
-        _dz_0 = _put(_dz_0, _rows1, _dz_1, shots)
-        _first_0 = _put(_first_0, _rows1, _first_1, shots)
-        _last_0 = _put(_last_0, _rows1, _last_1, shots)
-        _vx_0 = _put(_vx_0, _rows1, _vx_1, shots)
-        _vy_0 = _put(_vy_0, _rows1, _vy_1, shots)
-        _vz_0 = _put(_vz_0, _rows1, _vz_1, shots)
-        _wx_0 = _put(_wx_0, _rows1, _wx_1, shots)
-        _wy_0 = _put(_wy_0, _rows1, _wy_1, shots)
-        _wz_0 = _put(_wz_0, _rows1, _wz_1, shots)
-        _x_0 = _put(_x_0, _rows1, _x_1, shots)
-        _y_0 = _put(_y_0, _rows1, _y_1, shots)
-        _z_0 = _put(_z_0, _rows1, _z_1, shots)
+        _x_1, _y_1, _z_1 = _choose(_here_1, (_x_2, _y_2, _z_2,), (_x_1, _y_1, _z_1,))
+        _first_2, _last_2 = touched(_which_1, _body_1, _first_1)
+        _first_1, _last_1 = _choose(_touches_1, (_first_2, _last_2,), (_first_1, _last_1,))
+        _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _first_0, _last_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows1, shots, (_clock_error_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _first_0, _last_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_clock_error_1, _count_0_1, _count_1_1, _count_2_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _first_1, _last_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
     _rows7, _count8 = _rows(_limited_0, shots)
     if _count8:
-        _claims_1 = _take(_claims_0, _rows7)
-        _clock_1 = _take(_clock_0, _rows7)
-        _clock_error_1 = _take(_clock_error_0, _rows7)
-        _dvx_1 = _take(_dvx_0, _rows7)
-        _dvy_1 = _take(_dvy_0, _rows7)
-        _dvz_1 = _take(_dvz_0, _rows7)
-        _dx_1 = _take(_dx_0, _rows7)
-        _dy_1 = _take(_dy_0, _rows7)
-        _dz_1 = _take(_dz_0, _rows7)
-        _p_gravity_1 = _take(_p_gravity_0, _rows7)
-        _vx_1 = _take(_vx_0, _rows7)
-        _vy_1 = _take(_vy_0, _rows7)
-        _vz_1 = _take(_vz_0, _rows7)
-        _when_1 = _take(_when_0, _rows7)
-        _which_1 = _take(_which_0, _rows7)
-        _x_1 = _take(_x_0, _rows7)
-        _y_1 = _take(_y_0, _rows7)
-        _z_1 = _take(_z_0, _rows7)
-        _timed_1, = timed(_claims_1, 4.0, _which_1)
+        _claims_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows7, _claims_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _p_gravity_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+        _timed_1, = timed(4.0, _which_1, _claims_1)
         _rows9, _count10 = _most(_timed_1, _count8)
         if _count10:
-            _clock_2 = _take(_clock_1, _rows9)
-            _clock_error_2 = _take(_clock_error_1, _rows9)
-            _dvx_2 = _take(_dvx_1, _rows9)
-            _dvy_2 = _take(_dvy_1, _rows9)
-            _dvz_2 = _take(_dvz_1, _rows9)
-            _dx_2 = _take(_dx_1, _rows9)
-            _dy_2 = _take(_dy_1, _rows9)
-            _dz_2 = _take(_dz_1, _rows9)
-            _p_gravity_2 = _take(_p_gravity_1, _rows9)
-            _vx_2 = _take(_vx_1, _rows9)
-            _vy_2 = _take(_vy_1, _rows9)
-            _vz_2 = _take(_vz_1, _rows9)
-            _when_2 = _take(_when_1, _rows9)
-            _x_2 = _take(_x_1, _rows9)
-            _y_2 = _take(_y_1, _rows9)
-            _z_2 = _take(_z_1, _rows9)
+            _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows9, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count10)
             _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2, _room_2)
-            _clock_error_1 = _put(_clock_error_1, _rows9, _clock_error_2, _count8, _timed_1)
-            _dvx_1 = _put(_dvx_1, _rows9, _dvx_2, _count8, _timed_1)
-            _dvy_1 = _put(_dvy_1, _rows9, _dvy_2, _count8, _timed_1)
-            _dvz_1 = _put(_dvz_1, _rows9, _dvz_2, _count8, _timed_1)
-            _dx_1 = _put(_dx_1, _rows9, _dx_2, _count8, _timed_1)
-            _dy_1 = _put(_dy_1, _rows9, _dy_2, _count8, _timed_1)
-            _dz_1 = _put(_dz_1, _rows9, _dz_2, _count8, _timed_1)
-        _clock_error_0 = _put(_clock_error_0, _rows7, _clock_error_1, shots)
-        _dvx_0 = _put(_dvx_0, _rows7, _dvx_1, shots)
-        _dvy_0 = _put(_dvy_0, _rows7, _dvy_1, shots)
-        _dvz_0 = _put(_dvz_0, _rows7, _dvz_1, shots)
-        _dx_0 = _put(_dx_0, _rows7, _dx_1, shots)
-        _dy_0 = _put(_dy_0, _rows7, _dy_1, shots)
-        _dz_0 = _put(_dz_0, _rows7, _dz_1, shots)
-    _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_claims_0, _outcome_0)
+            _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1 = _put(_rows9, _count8, (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,), (_clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2,), _timed_1)
+        _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0 = _put(_rows7, shots, (_clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0,), (_clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1,))
+    _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_outcome_0, _claims_0)
     _rows11, _count12 = _most(_closed_0, shots)
     if _count12:
-        _clock_error_1 = _take(_clock_error_0, _rows11)
-        _dvx_1 = _take(_dvx_0, _rows11)
-        _dvy_1 = _take(_dvy_0, _rows11)
-        _dvz_1 = _take(_dvz_0, _rows11)
-        _dwx_1 = _take(_dwx_0, _rows11)
-        _dwy_1 = _take(_dwy_0, _rows11)
-        _dwz_1 = _take(_dwz_0, _rows11)
-        _dx_1 = _take(_dx_0, _rows11)
-        _dy_1 = _take(_dy_0, _rows11)
-        _dz_1 = _take(_dz_0, _rows11)
+        _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1 = _taken(_rows11, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0)
         _room_1 = room(_count12)
         _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _room_1)
-        _position_claim_0 = _put(_position_claim_0, _rows11, _position_claim_1, shots, _closed_0)
-        _spin_claim_0 = _put(_spin_claim_0, _rows11, _spin_claim_1, shots, _closed_0)
-        _time_claim_0 = _put(_time_claim_0, _rows11, _time_claim_1, shots, _closed_0)
-        _velocity_claim_0 = _put(_velocity_claim_0, _rows11, _velocity_claim_1, shots, _closed_0)
-    columns["clock_error"] = _clock_error_0
-    columns["count_0"] = _count_0_0
-    columns["count_1"] = _count_1_0
-    columns["count_2"] = _count_2_0
-    columns["dvx"] = _dvx_0
-    columns["dvy"] = _dvy_0
-    columns["dvz"] = _dvz_0
-    columns["dwx"] = _dwx_0
-    columns["dwy"] = _dwy_0
-    columns["dwz"] = _dwz_0
-    columns["dx"] = _dx_0
-    columns["dy"] = _dy_0
-    columns["dz"] = _dz_0
-    columns["first"] = _first_0
-    columns["last"] = _last_0
-    columns["position_claim"] = _position_claim_0
-    columns["spin_claim"] = _spin_claim_0
-    columns["time_claim"] = _time_claim_0
-    columns["velocity_claim"] = _velocity_claim_0
-    columns["vx"] = _vx_0
-    columns["vy"] = _vy_0
-    columns["vz"] = _vz_0
-    columns["wx"] = _wx_0
-    columns["wy"] = _wy_0
-    columns["wz"] = _wz_0
-    columns["x"] = _x_0
-    columns["y"] = _y_0
-    columns["z"] = _z_0
+        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows11, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _closed_0)
+    columns |= {"clock_error": _clock_error_0, "count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "dvx": _dvx_0, "dvy": _dvy_0, "dvz": _dvz_0, "dwx": _dwx_0, "dwy": _dwy_0, "dwz": _dwz_0, "dx": _dx_0, "dy": _dy_0, "dz": _dz_0, "first": _first_0, "last": _last_0, "position_claim": _position_claim_0, "spin_claim": _spin_claim_0, "time_claim": _time_claim_0, "velocity_claim": _velocity_claim_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }

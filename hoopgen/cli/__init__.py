@@ -17,19 +17,17 @@ from typing import Any
 
 import click
 
-from hoopgen.cli.errors import NOT_FORESEEN, OWN_ERROR, TRACEBACK, foreseen, in_words
-from hoopgen.cli.examples import examples
-from hoopgen.printable import printable
+from hoopgen.text.escape import printable
 
-__all__ = ["main"]
+from .messages import NOT_FORESEEN, OWN_ERROR, TRACEBACK, error_text, examples, is_expected
 
 _COMMANDS = {
     "paper": "paper",
     "shot": "shot",
     "estimate": "estimate",
     "map": "map",
-    "fan": "thrown",
-    "landings": "thrown",
+    "fan": "shot_pictures",
+    "landings": "shot_pictures",
     "optimum": "optimum",
     "aim": "aim",
     "bank": "bank",
@@ -39,14 +37,15 @@ _COMMANDS = {
     "certify": "certify",
     "compile": "scenes",
     "cache": "scenes",
+    "hash": "scenes",
     "generate": "develop",
     "check": "develop",
     "bench": "develop",
 }
 """Each command, and the module that has it."""
 
-_NAMES = {"map": "map_", "compile": "compile_"}
-"""What commands are called in their modules, where Python has the name."""
+_NAMES = {"map": "map_", "compile": "compile_", "hash": "hash_"}
+"""Function names of commands whose own names Python has taken."""
 
 
 class _Commands(UserDict[str, click.Command]):
@@ -91,15 +90,15 @@ class _Tour(click.Group):
         return result
 
     def _failed(self, error: Exception, arguments: Sequence[str] | None) -> int:
-        """Say an error in a line, and return the exit status."""
+        """Print an error in a line, and return the exit status."""
         if os.environ.get(TRACEBACK) == "1":
             traceback.print_exception(error)
-        if foreseen(error):
-            _complain(in_words(error))
+        if is_expected(error):
+            _complain(error_text(error))
             return 2
         words = sys.argv[1:] if arguments is None else arguments
         command = next((word for word in words if word in self.commands), "")
-        _complain(f"hoopgen {command}: {in_words(error)} ({NOT_FORESEEN})")
+        _complain(f"hoopgen {command}: {error_text(error)} ({NOT_FORESEEN})")
         return OWN_ERROR
 
     def list_commands(self, ctx: click.Context) -> list[str]:
@@ -108,7 +107,7 @@ class _Tour(click.Group):
 
 
 def _write_what_can_be_written() -> None:
-    """Put ? for a sign that the terminal has not, such as ² in cp437, instead of failing."""
+    """Print ? for a character that the terminal lacks, such as ² in cp437, instead of failing."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
             stream.reconfigure(errors="replace")

@@ -13,28 +13,25 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.cli.command import command
-from hoopgen.cli.options import (
-    UNITS_IN_WORDS,
-    confidence_option,
-    examples,
-    folder_option,
-    json_option,
-    picture_option,
-    scheduler_option,
-    seed_option,
-    threads_option,
-    units_option,
-)
-from hoopgen.cli.releasing import Releasing, from_option, hoop_release_options, place_needs
-from hoopgen.cli.types import AXIS, BOUNDS, COUNT, once
+import hoopgen
+from hoopgen.core.units import column_name, display_unit
+from hoopgen.report.provenance import describe_dataset, footer
+from hoopgen.report.quantities import for_json, format_launch, format_variable
+from hoopgen.study.questions.specification import BankQuestion
+from hoopgen.text.numbers import format_interval, format_percent, format_points
+from hoopgen.text.tables import table
+
+from .command import command
+from .messages import echo_json, examples, shown
+from .options import UNITS_IN_WORDS, json_option, picture_option, units_option
+from .question_options import question_options
+from .release_options import Releasing, from_option, hoop_release_options, place_needs
+from .types import number_cell
 
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["bank"]
-
-_OF_PLACES = ("distance", "angle", "x", "y")
+_PLACE_VARIABLES = ("distance", "angle", "x", "y")
 
 _SCATTER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg"
 
@@ -52,36 +49,9 @@ _SCATTER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1d
         f"    --x 1.5m --y 2.6m --height 7ft {_SCATTER}",
     ),
 )
-@click.option(
-    "--places",
-    type=AXIS,
-    multiple=True,
-    callback=once,
-    help="In place of one place: distance and angle, or x and y, each from:to:count or "
-    "one,two,three; every combination. Given twice.",
-)
-@click.option(
-    "--over",
-    type=BOUNDS,
-    multiple=True,
-    callback=once,
-    help="A variable to search over; without low and high, over the usual range. May be repeated.  "
-    "[default: elevation, aim and azimuth, those that are not given]",
-)
 @hoop_release_options
 @from_option
-@click.option(
-    "--shots",
-    type=COUNT,
-    default=20_000,
-    show_default=True,
-    help="Of the last step of each search, and of the estimates.",
-)
-@seed_option
-@confidence_option
-@threads_option
-@folder_option
-@scheduler_option
+@question_options(BankQuestion, optional=("places",))
 @picture_option("board and the floor")
 @units_option
 @json_option
@@ -100,29 +70,26 @@ def bank(
     measured releases that had no part in the search; the bank shot is the better one where the
     interval of the difference is above 0.
     """
-    from hoopgen.cli.progress import shown
-    from hoopgen.study.bank import bank_or_direct, places_of
+    from hoopgen.study.questions.bank import bank_or_direct, places_of
 
     searched = (name for name in ("elevation", "aim", "azimuth") if name not in releasing.values)
     over = over or dict.fromkeys(searched)
     spots = places_of(_places(places, releasing.values))
-    values = {name: one for name, one in releasing.values.items() if name not in _OF_PLACES}
+    values = {n: value for n, value in releasing.values.items() if n not in _PLACE_VARIABLES}
     model, parameters = replace(releasing, values=values).model(over=over)
     with shown() as progress:
         dataset = bank_or_direct(model, spots, parameters, over=over, progress=progress, **work)
     if picture is not None:
-        from hoopgen import plots
-
-        plots.save(plots.plot_aim_points(dataset, parameters), picture)
+        hoopgen.plots.save(hoopgen.plots.plot_aim_points(dataset, parameters), picture)
     if as_json:
-        click.echo(json.dumps(_record(dataset), indent=2, allow_nan=False))
+        echo_json(_record(dataset))
     else:
-        click.echo(_said(dataset))
+        click.echo(_text(dataset))
 
 
 def _places(places: Mapping[str, Any], values: Mapping[str, float]) -> dict[str, Any]:
-    """Return what places are said by: the option of that name, and those of the release."""
-    one = {name: [values[name]] for name in _OF_PLACES if name in values}
+    """Return the places that are given: by the option of that name, and by those of the release."""
+    one = {name: [values[name]] for name in _PLACE_VARIABLES if name in values}
     if twice := [name for name in one if name in places]:
         raise click.UsageError(f"--{twice[0]} and --places {twice[0]}=...: leave one out")
     given = {**one, **places}
@@ -131,117 +98,92 @@ def _places(places: Mapping[str, Any], values: Mapping[str, float]) -> dict[str,
     return {"angle": [0.0], **given} if set(given) == {"distance"} else given
 
 
-# ------------------------------------------------------------------------------------ in words
-
-
-def _said(dataset: xr.Dataset) -> str:
-    """Say one place at length, or many in a table; and what it rests on."""
-    from hoopgen.phrases import percent
-    from hoopgen.study.bank import verdict
-    from hoopgen.told import footer, told_by
+def _text(dataset: xr.Dataset) -> str:
+    """Describe one place at length, or many in a table; and the provenance."""
+    from hoopgen.study.questions.bank import verdict
 
     if dataset.sizes["place"] == 1:
         lines = _one(dataset.isel(place=0))
     else:
         lines = [_many(dataset), "", verdict(dataset)[2]]
-    level = percent(dataset.attrs["confidence"], None)
+    level = format_percent(dataset.attrs["confidence"], None)
     shots = f"{dataset.attrs['shots']:,} fresh ones of each way, from each place; {level} intervals"
     if "columns" in dataset.attrs:
         shots = (
             "each measured release, held out of its search, each way from each place; "
             f"{level} intervals of the sample"
         )
-    return "\n".join([*lines, "", footer(9, {"shots": shots} | told_by(dataset))])
+    return "\n".join([*lines, "", footer(9, {"shots": shots} | describe_dataset(dataset))])
 
 
 def _one(here: xr.Dataset) -> list[str]:
-    from hoopgen.phrases import interval, percent, points
-    from hoopgen.study.best import touching, towards
-    from hoopgen.words import say
+    from hoopgen.study.questions.optimum_result import touching, towards
 
     x, y = here["x"].item(), here["y"].item()
     distance, angle = math.hypot(x, y), math.atan2(y, x)
     lines = [
-        f"place    {say('distance', distance)} from the ring, {say('angle', angle)} around it "
-        f"(x {say('x', x)}, y {say('y', y)})"
+        f"place    {format_variable('distance', distance)} from the ring, "
+        f"{format_variable('angle', angle)} around it "
+        f"(x {format_variable('x', x)}, y {format_variable('y', y)})"
     ]
     for way in here["way"].values.tolist():
-        found = {str(name): one.item() for name, one in here.sel(way=way).items()}
-        if math.isnan(found["speed"]):
+        best = {str(name): one.item() for name, one in here.sel(way=way).items()}
+        if math.isnan(best["speed"]):
             lines.append(f"{way:8} none that was tried goes in")
             continue
-        shot = [
-            f"{say('speed', found['speed'])} at {say('elevation', found['elevation'])}",
-            towards(found["azimuth"]),
-        ]
+        shot = [format_launch(best), towards(best["azimuth"])]
         if way == "bank":
-            shot.append(touching(found["touch_y"], found["touch_z"]))
+            shot.append(touching(best["touch_y"], best["touch_z"]))
         lines.append(
-            f"{way:8} {percent(found['probability'])} "
-            f"({interval(found['low'], found['high'])}) from {', '.join(shot)}"
+            f"{way:8} {format_percent(best['probability'])} "
+            f"({format_interval(best['low'], best['high'])}) from {', '.join(shot)}"
         )
-    difference, low, high = (
-        here[name].item() for name in ("difference", "difference_low", "difference_high")
-    )
+    difference, low, high = (here[f"difference{end}"].item() for end in ("", "_low", "_high"))
     better = "it is not decided which is better"
     if low > 0.0 or high < 0.0:
         better = f"the {'bank' if low > 0.0 else 'direct'} shot is better"
-    said = f"bank less direct {points(difference)} points ({points(low)} to {points(high)})"
-    lines.append(f"verdict  {said}: {better}")
+    lines.append(
+        f"verdict  bank less direct {format_points(difference)} points ({format_points(low)} to "
+        f"{format_points(high)}): {better}"
+    )
     return lines
 
 
 def _many(dataset: xr.Dataset) -> str:
-    from hoopgen.layout import table
-    from hoopgen.phrases import percent, points
-    from hoopgen.units import shown
-    from hoopgen.words import say
-
-    def cell(name: str, value: float) -> str:
-        return "-" if math.isnan(value) else say(name, value, unit=False)
 
     rows = []
     for place in range(dataset.sizes["place"]):
         here = dataset.isel(place=place)
         x, y = here["x"].item(), here["y"].item()
-        direct, bank = here["probability"].values.tolist()
+        polar = {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
         rows.append(
             [
-                cell("distance", math.hypot(x, y)),
-                cell("angle", math.atan2(y, x)),
-                cell("x", x),
-                cell("y", y),
-                percent(direct),
-                percent(bank),
-                *(points(here[f"difference{end}"].item()) for end in ("", "_low", "_high")),
-                *(cell("aim", here[name].item()) for name in ("touch_y", "touch_z")),
+                *(number_cell(name, value) for name, value in (polar | {"x": x, "y": y}).items()),
+                *map(format_percent, here["probability"].values.tolist()),
+                *(format_points(here[f"difference{end}"].item()) for end in ("", "_low", "_high")),
+                *(number_cell("aim", here[name].item()) for name in ("touch_y", "touch_z")),
             ]
         )
-    length, angle = shown("length").symbol, shown("angle").symbol
-    small = shown("short").symbol
+    length, angle = display_unit("length").symbol, display_unit("angle").symbol
+    small = display_unit("short").symbol
     head = [f"dist. ({length})", f"angle ({angle})", f"x ({length})", f"y ({length})"]
     head += ["direct", "bank", "points", "from", "to", f"y ({small})", f"z ({small})"]
     groups = [(6, 8, "bank less direct"), (9, 10, "touches at")]
     return table(head, rows, right=range(len(head)), groups=groups)
 
 
-# ------------------------------------------------------------------------------------ as JSON
-
-
 def _record(dataset: xr.Dataset) -> dict[str, Any]:
     """Return all numbers; names have their units."""
-    from hoopgen.study.named import in_units
-    from hoopgen.told import told_by
-    from hoopgen.words import for_json
+    from hoopgen.study.named_units import in_units
 
     places = [dataset.isel(place=place) for place in range(dataset.sizes["place"])]
-    found = {
+    record = {
         "places": [_place(here) for here in places],
         **{name: dataset.attrs[name] for name in ("confidence", "shots", "source")},
         "parameters": in_units(json.loads(dataset.attrs["parameters"])),
-        **told_by(dataset),
+        **describe_dataset(dataset),
     }
-    return {name: for_json(value) for name, value in found.items()}
+    return {name: for_json(value) for name, value in record.items()}
 
 
 def _place(here: xr.Dataset) -> dict[str, Any]:
@@ -253,6 +195,4 @@ def _place(here: xr.Dataset) -> dict[str, Any]:
 
 
 def _numbers(here: xr.Dataset, names: Iterable[str]) -> dict[str, float]:
-    from hoopgen.units import column_name
-
     return {column_name(name, here[name].attrs["units"]): here[name].item() for name in names}

@@ -8,14 +8,15 @@ from typing import Any
 
 import click
 
-from hoopgen.cli.command import command
-from hoopgen.cli.flown import say_lines
-from hoopgen.cli.measuring import check_caught, measure_options
-from hoopgen.cli.options import examples, scheduler_option, table_options, threads_option
-from hoopgen.cli.types import OUT
-from hoopgen.phrases import counted
+import hoopgen
+from hoopgen.study.questions.specification import BatchQuestion
+from hoopgen.text.numbers import format_count
 
-__all__ = ["batch"]
+from .command import command
+from .messages import echo_lines, examples, shown
+from .options import table_options
+from .question_options import check_caught, question_options
+from .types import OUT
 
 _COLUMNS = """\b
 Columns are named like variables, with the unit after them. A length or a speed without is SI, m or
@@ -48,49 +49,25 @@ cells than the header. In CSV with semicolons or tabs, numbers may have decimal 
     help="Parquet or CSV: the table with its results, in the same order.",
 )
 @table_options
-@measure_options("Add a column")
-@click.option("--prefix", default="", help="Of the names of the results.")
-@click.option(
-    "--group",
-    metavar="COLUMN",
-    help="Count results by the values of a column, too, with intervals.",
-)
-@click.option(
-    "--events",
-    type=OUT,
-    help="Parquet or CSV: the event log, a row for each event of each row.",
-)
-@click.option(
-    "--units",
-    type=click.Choice(["si", "us"], case_sensitive=False),
-    default="si",
-    show_default=True,
-    help="Of the columns of results: metres and m/s, or feet, mph and degrees.",
-)
-@click.option("--reason", is_flag=True, help="Add a column: why a row is invalid.")
-@threads_option
-@scheduler_option
+@question_options(BatchQuestion)
 def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -> None:
     """Simulate the releases of a table, and write it with the results.
 
     FILE is CSV, Parquet, Arrow or .xlsx, and may be larger than the memory. The same command goes
     on where an interrupted one stopped.
     """
-    import hoopgen
-    from hoopgen.cli.progress import shown
-
     check_caught(options["measures"])
     options = {name: value for name, value in options.items() if value is not None}
     with shown() as progress:
         outcomes = hoopgen.batch(file, out, release=release, progress=progress, **options)
     counts = [f"{count:,} {name}" for name, count in outcomes.items()]
-    said = f"{counted(sum(outcomes.values()), 'shot')}: {', '.join(counts)}; in {out}"
-    say_lines(f"{said}\n{outcomes.read}")
-    say_lines(outcomes.invalid_lines)
+    text = f"{format_count(sum(outcomes.values()), 'shot')}: {', '.join(counts)}; in {out}"
+    echo_lines(f"{text}\n{outcomes.read}")
+    echo_lines(outcomes.invalid_lines)
     if len(outcomes.invalid) < outcomes["invalid"] and not options["reason"]:
         click.echo("invalid: --reason writes why into a column")
     if outcomes.groups:
-        from hoopgen.study.groups import groups_text
+        from hoopgen.study.tables.groups import groups_text
 
-        say_lines(f"\n{groups_text(options['group'], outcomes.groups)}\n")
+        echo_lines(f"\n{groups_text(options['group'], outcomes.groups)}\n")
     click.echo(f"scene: {outcomes.scene}")

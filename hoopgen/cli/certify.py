@@ -3,44 +3,39 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from hoopgen.cli.command import command
-from hoopgen.cli.options import (
-    UNITS_IN_WORDS,
-    argument_options,
-    examples,
-    json_option,
-    max_contacts_option,
-    preset_options,
-)
-from hoopgen.cli.own import (
+from hoopgen.report.provenance import describe_scene
+from hoopgen.study.questions.specification import EstimateQuestion
+from hoopgen.text.numbers import format_count
+from hoopgen.text.tables import table
+
+from .command import command
+from .messages import examples
+from .options import UNITS_IN_WORDS, argument_options, json_option, preset_options
+from .question_options import setting_options
+from .scene_option import (
     NEEDED,
     engine_of,
-    max_contacts_of,
     own_options,
     parameters_of,
-    released,
+    release_state,
     shot_needs,
-    state_of,
 )
-from hoopgen.cli.types import FILE, whole
-from hoopgen.layout import table
-from hoopgen.phrases import counted
+from .shot_report import surface_name
+from .types import FILE, whole
 
 if TYPE_CHECKING:
-    from hoopgen.engines import Engine
     from hoopgen.judge import Proof
-
-__all__ = ["certify"]
+    from hoopgen.simulation.engine import Engine
 
 CLOSE = 1e-3
-"""s before the last event of a shot: what happens on one body since then is one line of the log."""
+"""Seconds before the last event of a shot; the events of one body since then share a line."""
 
 FEW = 3
 """Events on one body, one soon after another, that have a line each."""
@@ -48,8 +43,8 @@ FEW = 3
 
 def _needs(typed: Mapping[str, Any]) -> list[str]:
     first, *rest = [*shot_needs(typed), ""]
-    whole = len(rest) == len(NEEDED)
-    return [name for name in (f"FILE, or {first}" if whole else first, *rest) if name]
+    all_missing = len(rest) == len(NEEDED)
+    return [name for name in (f"FILE, or {first}" if all_missing else first, *rest) if name]
 
 
 @command(
@@ -65,7 +60,7 @@ def _needs(typed: Mapping[str, Any]) -> list[str]:
 @argument_options(required=False)
 @own_options
 @preset_options
-@max_contacts_option
+@setting_options(EstimateQuestion, only="max_contacts")
 @click.option(
     "--max-bits",
     type=whole(128),
@@ -81,13 +76,10 @@ def certify(
     file: Path | None,
     preset: str,
     settings: Mapping[str, float],
-    max_contacts: int,
+    max_contacts: int | None,
     max_bits: int,
     as_json: bool,
-    position: Sequence[float] | None,
-    velocity: Sequence[float] | None,
-    spin: Sequence[float] | None,
-    **release: float | None,
+    **release: Any,
 ) -> None:
     """Prove what one shot does: its contacts, their order, its outcome.
 
@@ -98,39 +90,33 @@ def certify(
     how far the proof goes.
     """
     from hoopgen.judge import certify as prove
-    from hoopgen.study.named import in_units
-    from hoopgen.told import say_of
+    from hoopgen.study.named_units import in_units
 
     engine = engine_of()
     if file is not None:
         state, written = _read(file, engine)
         parameters: Mapping[str, float] = {**written, **settings}
-    elif engine.has_hoop:
-        state, parameters = state_of(release), parameters_of(engine, preset, settings)
     else:
-        there = {"position": position, "velocity": velocity, "spin": spin}
-        state = released(tuple(release), there)
-        parameters = parameters_of(engine, preset, settings)
-    most = max_contacts_of(max_contacts)
+        state, parameters = release_state(engine, release), parameters_of(engine, preset, settings)
     proof = prove(
-        state, parameters, scene=engine, max_contacts=most, max_bits=max_bits, record=True
+        state, parameters, scene=engine, max_contacts=max_contacts, max_bits=max_bits, record=True
     )[0]
-    scene_told = say_of(engine, parameters)
+    scene = describe_scene(engine, parameters)
     if as_json:
-        click.echo(json.dumps({**in_units(_record(proof, engine)), "scene": scene_told}, indent=2))
+        click.echo(json.dumps({**in_units(_record(proof, engine)), "scene": scene}, indent=2))
     else:
-        click.echo(f"{_summary(proof, engine)}\nscene      {scene_told}")
+        click.echo(f"{_summary(proof, engine)}\nscene      {scene}")
     if not proof.decided:
         ctx.exit(1)
 
 
 def _read(file: Path, scene: Engine) -> tuple[list[float], dict[str, float]]:
-    from hoopgen.study.named import parameters_named
+    from hoopgen.study.named_units import parameters_named
 
     try:
         record = json.loads(file.read_text(encoding="utf-8"))
-        said = parameters_named(dict(record["parameters"]), scene)
-        return list(record["release"]), {name: float(value) for name, value in said.items()}
+        parameters = parameters_named(dict(record["parameters"]), scene)
+        return list(record["release"]), {name: float(it) for name, it in parameters.items()}
     except (ValueError, KeyError, TypeError, RecursionError):
         raise click.ClickException(
             f"{file}: expected what `hoopgen shot --json` writes, with release and parameters"
@@ -145,27 +131,24 @@ def _together(proof: Proof) -> int:
     """Return how many events at the end are on one body and soon after one another, if many are."""
     events = reversed(list(zip(proof.surfaces, proof.times, strict=True)))
     run = takewhile(lambda e: e[0] == proof.surfaces[-1] and e[1] >= proof.until - CLOSE, events)
-    found = sum(1 for _ in run)
-    return found if found > FEW else 0
+    count = sum(1 for _ in run)
+    return count if count > FEW else 0
 
 
 def _summary(proof: Proof, engine: Engine) -> str:
-    from hoopgen.cli.report import surface_name
-
     alone = len(proof.events) - _together(proof)
+    names = [surface_name(event.surface, engine.surfaces) for event in proof.events]
     rows = [
-        [str(number), surface_name(event.surface, engine.surfaces), str(event.time)]
+        [str(number), names[number - 1], str(event.time)]
         for number, event in enumerate(proof.events[:alone], 1)
     ]
     if alone < len(proof.events):
-        first, last = proof.events[alone], len(proof.events)
         within = _duration(proof.times[-1] - proof.times[alone])
-        name = surface_name(first.surface, engine.surfaces)
-        rows.append([f"{alone + 1:,}-{last:,}", name, f"{first.time}, all within {within}"])
-    lines = (
-        [table(["#", "surface", "time (s), as far as proved"], rows, right=[0]), ""] if rows else []
-    )
-    impacts = counted(sum(k < len(engine.surfaces) for k in proof.surfaces), "impact")
+        numbers = f"{alone + 1:,}-{len(proof.events):,}"
+        rows.append([numbers, names[alone], f"{proof.events[alone].time}, all within {within}"])
+    head = ["#", "surface", "time (s), as far as proved"]
+    lines = [table(head, rows, right=[0]), ""] if rows else []
+    impacts = format_count(sum(k < len(engine.surfaces) for k in proof.surfaces), "impact")
     if proof.decided:
         lines += [f"outcome    {_outcome(proof, engine)}", f"proved     with {proof.bits} bits"]
     else:
@@ -178,7 +161,7 @@ def _summary(proof: Proof, engine: Engine) -> str:
 
 
 def _duration(seconds: float) -> str:
-    """Say a short time in a unit in which it has few digits."""
+    """Return a short time as text, in a unit in which it has few digits."""
     for size, unit in ((1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns")):
         if seconds >= size:
             return f"{seconds / size:.3g} {unit}"
@@ -186,10 +169,9 @@ def _duration(seconds: float) -> str:
 
 
 def _record(proof: Proof, engine: Engine) -> dict[str, Any]:
-    from hoopgen.cli.report import surface_name
-    from hoopgen.study.named import COMPONENTS
+    from hoopgen.study.named_units import COMPONENTS
 
-    events: list[dict[str, Any]] = [
+    events = [
         {
             "surface": surface_name(event.surface, engine.surfaces),
             "time": str(event.time),

@@ -1,4 +1,4 @@
-"""A command: options in groups, all that is missing said at once, no file that is read written."""
+"""A command: options in groups, one error for all that is missing, inputs never overwritten."""
 
 from __future__ import annotations
 
@@ -9,16 +9,15 @@ from typing import Any
 
 import click
 
-from hoopgen.outputs import same_file
-
-__all__ = ["ARGUMENTS", "Command", "Needs", "command", "note_input", "note_output"]
+from hoopgen.core.files import same_file
+from hoopgen.study.questions.settings import ASKED, COMPUTED, MEASURED, RELEASE, RESULTS
 
 Needs = Callable[[Mapping[str, Any]], Sequence[str]]
-"""What a command needs besides required options: from the options as they are typed, by name, to
-what is missing, such as ``--speed (or --aim)``."""
+"""Function from the options as they are typed, by name, to what is missing beside the required
+options, such as ``--speed (or --aim)``."""
 
 ARGUMENTS = "hoopgen.arguments"
-"""In the context's ``meta``: the words that the command was given."""
+"""Key of the context's ``meta``: the words that the command was given."""
 
 _READ, _WRITTEN = "hoopgen.read", "hoopgen.written"
 
@@ -26,40 +25,17 @@ MAX_UNGROUPED = 12
 """Options that a help shows in one list."""
 
 GROUPS: Mapping[str, tuple[str, ...]] = {
-    "What is asked": (
-        *("over", "places", "versus", "solve", "by", "arc", "depth", "shots", "precision"),
-        *("paths", "sample", "measure", "catching-height", "confidence"),
-    ),
-    "The release": (
+    ASKED: ("versus", "sample"),
+    RELEASE: (
         *("speed", "elevation", "azimuth", "backspin", "sidespin", "height", "distance", "angle"),
         *("aim", "entry", "x", "y", "position", "velocity", "spin", "release"),
     ),
-    "Its scatter, or measured releases": (
-        *("scatter", "correlation", "from", "group", "override", "format", "delimiter", "column"),
-        *("own", "where", "keep-implausible", "memory"),
-    ),
+    MEASURED: ("scatter", "correlation", "from", "group", "override"),
     "The scene": ("scene", "limit", "preset", "set"),
-    "The computation": (
-        *("seed", "max-contacts", "max-bits", "backend", "threads", "folder", "scheduler"),
-    ),
-    "The results": (
-        *(
-            "out",
-            "events",
-            "csv",
-            "picture",
-            "view",
-            "prefix",
-            "reason",
-            "label",
-            "title",
-            "units",
-            "json",
-        ),
-        "help",
-    ),
+    COMPUTED: ("max-bits",),
+    RESULTS: ("out", "csv", "picture", "view", "label", "title", "units", "json", "help"),
 }
-"""Options by the heading under which a long help lists them."""
+"""Options that are no settings, by the heading under which a long help lists them."""
 
 _OTHERS = "Options"
 
@@ -67,13 +43,7 @@ _HEADING = {name: heading for heading, names in GROUPS.items() for name in names
 
 
 class Command(click.Command):
-    """A command of hoopgen.
-
-    Parameters
-    ----------
-    needs
-        What it needs besides required options.
-    """
+    """A command of hoopgen; `needs` says what it requires besides required options."""
 
     def __init__(self, *arguments: Any, needs: Needs | None = None, **attributes: Any) -> None:
         super().__init__(*arguments, **attributes)
@@ -82,27 +52,31 @@ class Command(click.Command):
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Parse the arguments; one error lists all that is missing.
 
-        Raises
-        ------
-        click.UsageError
-            If something is missing.
+        What the options had begun, such as other units, is ended if one of them is refused: click
+        itself ends it only after a command that was run.
         """
         words = list(args)
         ctx.meta[ARGUMENTS] = words
         try:
-            rest = super().parse_args(ctx, args)
+            return self._parsed(ctx, words)
+        except BaseException:
+            ctx.close()
+            raise
+
+    def _parsed(self, ctx: click.Context, words: Sequence[str]) -> list[str]:
+        try:
+            rest = super().parse_args(ctx, list(words))
         except click.MissingParameter as error:
             raise self._missing(ctx, words) or error from None
-        if not ctx.resilient_parsing and (found := self._missing(ctx, words)):
-            raise found
+        if not ctx.resilient_parsing and (missing := self._missing(ctx, words)):
+            raise missing
         return rest
 
     def _missing(self, ctx: click.Context, words: Sequence[str]) -> click.UsageError | None:
         """Return the error that lists what is missing; None if nothing is."""
         typed, _, _ = self.make_parser(ctx).parse_args(list(words))
-        given = {name: value for name, value in typed.items() if _is_given(value)}
-        required = (one for one in self.get_params(ctx) if one.required and one.name not in given)
-        missing = [_name(one) for one in required]
+        given = {name: it for name, it in typed.items() if it is not None and it is not _UNSET}
+        missing = [_name(p) for p in self.get_params(ctx) if p.required and p.name not in given]
         missing += [one for one in (self.needs(given) if self.needs else ()) if one not in missing]
         if not missing:
             return None
@@ -111,38 +85,31 @@ class Command(click.Command):
         return click.UsageError(f"missing {listed}", ctx)
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run the command, unless it would write over a file that it reads.
-
-        Raises
-        ------
-        click.BadParameter
-            If a file to be written is one that is read, or that another option writes.
-        click.ClickException
-            For an error of the library, with the option in place of the argument.
-        """
-        before = list(ctx.meta.get(_READ, ()))
-        for param, path in ctx.meta.get(_WRITTEN, ()):
-            for other, there in before:
-                if other is not param and same_file(path, there):
-                    what = "reads it" if (other, there) in ctx.meta.get(_READ, ()) else "writes it"
-                    said = f"{path}: {_name(other)} {what}, too; give another file"
-                    raise click.BadParameter(said, ctx, param)
-            before.append((param, path))
+        """Run the command, unless it would write over a file that it reads."""
+        reads: Sequence[tuple[click.Parameter, Path]] = ctx.meta.get(_READ, ())
+        writes: Sequence[tuple[click.Parameter, Path]] = ctx.meta.get(_WRITTEN, ())
+        for index, (param, path) in enumerate(writes):
+            users = [*((one, file, "reads") for one, file in reads)]
+            users += [(one, file, "writes") for one, file in writes[:index]]
+            for other, file, verb in users:
+                if other is not param and same_file(path, file):
+                    text = f"{path}: {_name(other)} {verb} it, too; give another file"
+                    raise click.BadParameter(text, ctx, param)
         try:
             return super().invoke(ctx)
         except ValueError as error:
-            said = self.in_options(str(error))
-            if said == str(error):
+            text = self.in_options(str(error))
+            if text == str(error):
                 raise
-            raise click.ClickException(said) from error
+            raise click.ClickException(text) from error
 
     def in_options(self, text: str) -> str:
         """Return an error of the library with the option in place of the argument that it names."""
-        found = _ARGUMENT.match(text)
-        if found is None:
+        match = _ARGUMENT.match(text)
+        if match is None:
             return text
-        argument, key, rest = found["argument"], found["key"], text[found.end() :]
-        options = {name: one for one in self.params for name in _called(one)}
+        argument, key, rest = match["argument"], match["key"], text[match.end() :]
+        options = {name: one for one in self.params for name in _library_arguments(one)}
         option = options.get(argument)
         if key and option is None:
             key, option = "", options.get(key)
@@ -157,7 +124,8 @@ class Command(click.Command):
             record = param.get_help_record(ctx)
             if record is not None and isinstance(param, click.Option):
                 name = max(param.opts, key=len).removeprefix("--")
-                records[_HEADING.get(name, _OTHERS)].append(record)
+                heading = getattr(param, "heading", None) or _HEADING.get(name, _OTHERS)
+                records[heading].append(record)
         if sum(map(len, records.values())) <= MAX_UNGROUPED:
             super().format_options(ctx, formatter)
             return
@@ -173,31 +141,28 @@ def command(name: str | None = None, **attributes: Any) -> Callable[[Callable[..
 
 
 def note_input(ctx: click.Context | None, param: click.Parameter | None, path: Path) -> None:
-    """Note that an option or argument names a file that is read."""
-    _note(_READ, ctx, param, path)
+    """Note in the context that an option or argument names a file that is read."""
+    if ctx is not None and param is not None:
+        ctx.meta.setdefault(_READ, []).append((param, path))
 
 
 def note_output(ctx: click.Context | None, param: click.Parameter | None, path: Path) -> None:
-    """Note that an option names a file that is written."""
-    _note(_WRITTEN, ctx, param, path)
-
-
-def _note(where: str, ctx: click.Context | None, param: click.Parameter | None, path: Path) -> None:
+    """Note in the context that an option names a file that is written."""
     if ctx is not None and param is not None:
-        ctx.meta.setdefault(where, []).append((param, path))
+        ctx.meta.setdefault(_WRITTEN, []).append((param, path))
 
 
 _ARGUMENT = re.compile(r"(?P<argument>[a-z_]+)(?:\[['\"](?P<key>\w+)['\"]\])?: ")
-"""How an error of the library begins that is of an argument, or of one value in it."""
+"""Beginning of an error of the library that is of an argument, or of one value in it."""
 
 _ALIASES = {"scatter": ("sd",), "settings": ("parameters",), "file": ("columns",)}
-"""Options by the name of their parameter, and arguments of the library that they become."""
+"""Arguments of the library that an option becomes, by the name of its parameter."""
 
 _WITHOUT_OPTION = ("variables", "release", "model", "aim")
 """Arguments of the library that are made of many options, each of which the error names itself."""
 
 
-def _called(param: click.Parameter) -> tuple[str, ...]:
+def _library_arguments(param: click.Parameter) -> tuple[str, ...]:
     """Return the arguments of the library that a parameter becomes."""
     if not isinstance(param, click.Option):
         return ()
@@ -206,11 +171,7 @@ def _called(param: click.Parameter) -> tuple[str, ...]:
 
 
 _UNSET = getattr(click.core, "UNSET", None)
-"""What newer releases of click have for an argument that is not given."""
-
-
-def _is_given(value: object) -> bool:
-    return value is not None and value is not _UNSET
+"""Value that newer releases of click have for an argument that is not given."""
 
 
 def _name(param: click.Parameter) -> str:

@@ -8,14 +8,12 @@ from pathlib import Path
 
 import click
 
-from hoopgen.cli.examples import examples
-
-__all__ = ["bench", "check", "generate"]
+from .messages import examples
 
 
 def _checkout() -> Path:
     """Find the source checkout this hoopgen runs from."""
-    from hoopgen.installed import checkout
+    from hoopgen.core.extras import checkout
 
     root = checkout()
     if root is None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import shlex
 from collections.abc import Mapping
 from pathlib import Path
@@ -10,29 +9,20 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hoopgen.cli.command import ARGUMENTS, command
-from hoopgen.cli.invalid import warn_invalid
-from hoopgen.cli.measuring import check_caught, measure_options
-from hoopgen.cli.options import (
-    UNITS_IN_WORDS,
-    examples,
-    json_option,
-    picture_option,
-    units_option,
-)
-from hoopgen.cli.releasing import (
-    Releasing,
-    from_option,
-    release_needs,
-    release_options,
-    work_options,
-)
-from hoopgen.cli.types import ASSIGNMENT, COUNT, SHARE, once
+import hoopgen
+from hoopgen.report.quantities import format_variable
+from hoopgen.study.questions.settings import settings
+from hoopgen.study.questions.specification import CompareQuestion, EstimateQuestion, SolveQuestion
+
+from .command import ARGUMENTS, command
+from .invalid import warn_invalid
+from .messages import echo_json, examples, shown
+from .options import UNITS_IN_WORDS, json_option, picture_option, units_option
+from .question_options import check_caught, question_options
+from .release_options import Releasing, from_option, release_needs, release_options
 
 if TYPE_CHECKING:
-    from hoopgen.engines import Engine
-
-__all__ = ["estimate"]
+    from hoopgen.simulation.engine import Engine
 
 _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg"
 _PITCH = "--scatter vx=0.1 --scatter vy=0.05"
@@ -55,63 +45,30 @@ _PITCH = "--scatter vx=0.1 --scatter vy=0.05"
 )
 @release_options
 @from_option
-@click.option(
-    "--versus",
-    type=ASSIGNMENT,
-    multiple=True,
-    callback=once,
-    help="Compare with this variable changed, over the same random numbers; may be repeated.",
-)
-@click.option(
-    "--solve",
-    "share",
-    type=SHARE,
-    help="Find the factor times all of the scatter with which this share is made, 70%.",
-)
-@click.option(
-    "--by",
-    metavar="END",
-    help="With --scene, and --versus or --solve: the end that counts; else the first.",
-)
-@click.option(
-    "--shots",
-    type=COUNT,
-    help="100,000 by default; with --precision the most, 1e9 by default. Of more than a --folder "
-    "has, only the rest is thrown.",
-)
-@click.option(
-    "--precision",
-    type=click.FloatRange(0, 1, min_open=True, max_open=True),
-    help="Stop when half the interval is no wider: 0.001 is a tenth of a point.",
-)
-@measure_options("Say how it is spread")
+@question_options(EstimateQuestion, CompareQuestion, SolveQuestion)
 @picture_option("shares of how they end, and of what they touch")
-@work_options
 @units_option
 @json_option
 def estimate(
     releasing: Releasing,
     versus: Mapping[str, float],
     share: float | None,
-    by: str | None,
     precision: float | None,
     measures: tuple[str, ...],
-    catching_height: float,
     picture: Path | None,
     as_json: bool,
     **work: Any,
 ) -> None:
     """Estimate how probably a shot is made.
 
-    Shots scatter about a release, or are drawn from measured ones. Said are the probability with
-    its interval, and the shares of swishes, shots off the rim, bank shots and so on; with --measure
-    how a measure is spread too, and of rebound_angle how many rebounds go where. With --scene shots
-    scatter about a position and a velocity, and said is the share of each end. With --solve it is
-    asked the other way round: how wide the scatter is of somebody who makes so many.
+    Shots scatter about a release, or are drawn from measured ones. The answer is the probability
+    with its confidence interval, and the shares of swishes, shots off the rim, bank shots and so
+    on; --measure adds the distribution of a measure, and of rebound_angle the rebounds by
+    direction. With --scene shots scatter about a position and a velocity, and the answer is the
+    share of each end. --solve asks the other way round: how wide is the scatter of somebody who
+    makes so many?
     """
-    import hoopgen
-    from hoopgen.cli.progress import shown
-    from hoopgen.study.named import in_units
+    from hoopgen.study.named_units import in_units
 
     if share is not None and (versus or precision is not None):
         other = "--versus" if versus else "--precision"
@@ -123,39 +80,43 @@ def estimate(
     if share is not None and not (releasing.sd or releasing.measured):
         raise click.UsageError(_needs_scatter(releasing.engine))
     (model, parameters), scene = releasing.model(), releasing.engine
+    question: Any = CompareQuestion if versus else EstimateQuestion
+    question = SolveQuestion if share is not None else question
+    options = _options_of(question, work | {"precision": precision, "measures": measures})
     with shown() as progress:
-        options = {"scene": scene, "progress": progress, **work}
+        options |= {"scene": scene, "progress": progress}
         result: Any
         if share is not None:
-            result = hoopgen.solve(model, share, parameters, by=by, **options)
+            result = hoopgen.solve(model, share, parameters, **options)
         elif versus:
-            settings = (model, parameters), releasing.model(versus)
-            result = hoopgen.compare(*settings, by=by, precision=precision, **options)
+            result = hoopgen.compare((model, parameters), releasing.model(versus), **options)
         else:
-            options |= {"measures": measures, "catching_height": catching_height}
-            result = hoopgen.estimate(model, parameters, precision=precision, **options)
+            result = hoopgen.estimate(model, parameters, **options)
     if picture is not None:
-        from hoopgen import plots
-
-        plots.save(plots.plot_estimate(result), picture)
+        hoopgen.plots.save(hoopgen.plots.plot_estimate(result), picture)
     if as_json:
-        click.echo(json.dumps(in_units(result.as_dict()), indent=2, allow_nan=False))
+        echo_json(in_units(result.as_dict()))
     else:
         if versus:
-            click.echo(
-                f"versus      {', '.join(_said(scene, name, to) for name, to in versus.items())}"
-            )
+            changes = ", ".join(_changed(scene, name, to) for name, to in versus.items())
+            click.echo(f"versus      {changes}")
         click.echo(result)
-    if share is None and not versus:
-        invalid = getattr(result, "invalid", None)
-        invalid = result.counts["invalid"] if invalid is None else invalid
+    if question is EstimateQuestion:
+        invalid = result.invalid if scene.has_hoop else result.counts["invalid"]
         warn_invalid(model, parameters, scene, invalid, result.shots, work["seed"])
     if precision is not None and result.half_width > precision:
         click.echo("hoopgen: the precision was not reached; more --shots", err=True)
 
 
+def _options_of(question: Any, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return those of the options that the Python function of a question takes."""
+    specifications = (question, *question.shared)
+    names = {name for each in specifications for name, _, one, _ in settings(each) if one.argument}
+    return {name: value for name, value in given.items() if name in names}
+
+
 def _needs_scatter(scene: Engine) -> str:
-    """Say with a whole command what ``--solve`` multiplies."""
+    """Return the error that says with a whole command what ``--solve`` multiplies."""
     words = click.get_current_context().meta[ARGUMENTS]
     more = shlex.split(_PLAYER if scene.has_hoop else _PITCH)
     return (
@@ -164,8 +125,5 @@ def _needs_scatter(scene: Engine) -> str:
     )
 
 
-def _said(scene: Engine, name: str, value: float) -> str:
-    """Say a variable and its value."""
-    from hoopgen.words import say
-
-    return f"{name} {say(name, value) if scene.has_hoop else f'{value:g}'}"
+def _changed(scene: Engine, name: str, value: float) -> str:
+    return f"{name} {format_variable(name, value) if scene.has_hoop else f'{value:g}'}"

@@ -1,4 +1,4 @@
-"""Why shots are invalid: said of what a command throws, where some of it cannot be simulated."""
+"""The reasons why sampled shots are invalid, which a command prints."""
 
 from __future__ import annotations
 
@@ -9,71 +9,45 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
-from hoopgen.phrases import counted
-from hoopgen.printable import printable
+import hoopgen
+from hoopgen.text.escape import printable
+from hoopgen.text.numbers import format_count
 
 if TYPE_CHECKING:
-    import hoopgen
-    from hoopgen.engines import Engine
-    from hoopgen.variables import Releases
+    from hoopgen.core.variables import Releases
+    from hoopgen.simulation.engine import Engine
 
-__all__ = ["invalid_reasons", "warn_invalid", "warn_invalid_shots"]
-
-MAX_LOOKED_AT = 1000
-"""Shots whose reasons are looked for."""
-
-
-def invalid_reasons(released: Releases, shots: hoopgen.Shots) -> list[str]:
-    """Return why shots are invalid, the most frequent reason first, for the first such shots."""
-    from hoopgen.study.reasons import shot_reason
-
-    invalid = shots.outcome == shots.scene.outcomes["INVALID"]
-    rows = np.flatnonzero(invalid)[:MAX_LOOKED_AT].tolist()
-    found = [shot_reason(released, row, shots.scene) for row in rows]
-    return [reason for reason, _ in Counter(found).most_common()]
+MAX_SHOTS = 1000
+"""Number of shots whose reasons are looked for."""
 
 
 def warn_invalid(
     model: Any, parameters: Mapping[str, Any], scene: Engine, invalid: int, total: int, seed: int
 ) -> None:
-    """Say on stderr why shots of a model are invalid, where some are.
-
-    Parameters
-    ----------
-    model
-        That draws them.
-    parameters
-        Of the scene.
-    scene
-        In which they are simulated.
-    invalid, total
-        How many are, and of how many.
-    seed
-        With which they were drawn.
-    """
-    if not invalid:
-        return
-    import hoopgen
-
-    released = model.draw(0, min(total, MAX_LOOKED_AT), seed, parameters)
-    shots = hoopgen.simulate(released.states, released.parameters, scene=scene, fields=["outcome"])
-    warn_invalid_shots(released, shots, invalid, total)
+    """Print on stderr why shots that a model draws with a seed are invalid, where some are."""
+    if invalid:
+        released = model.draw(0, min(total, MAX_SHOTS), seed, parameters)
+        shots = hoopgen.simulate(
+            released.states, released.parameters, scene=scene, fields=["outcome"]
+        )
+        warn_invalid_shots(released, shots, invalid, total)
 
 
 def warn_invalid_shots(released: Releases, shots: hoopgen.Shots, invalid: int, total: int) -> None:
-    """Say on stderr why shots are invalid, where some are.
+    """Print on stderr why shots are invalid, where some are, by the first ones.
 
     Parameters
     ----------
-    released, shots
-        Some of them, or all.
     invalid, total
-        How many are, and of how many.
+        Number of invalid ones among all shots, and of all.
     """
     if not invalid:
         return
-    # Where they are few there may be none among the first.
-    why = f": {'; '.join(said[:3])}" if (said := invalid_reasons(released, shots)) else ""
-    click.echo(
-        f"hoopgen: {invalid:,} of {counted(total, 'shot')} invalid{printable(why)}", err=True
-    )
+    from hoopgen.study.tables.invalid import shot_reason
+
+    rows = np.flatnonzero(shots.outcome == shots.scene.outcomes["INVALID"])[:MAX_SHOTS].tolist()
+    reasons = Counter(shot_reason(released, row, shots.scene) for row in rows)
+    # If invalid shots are few, there may be none among the first.
+    why = "; ".join(reason for reason, _ in reasons.most_common(3))
+    text = f"{invalid:,} of {format_count(total, 'shot')} invalid{f': {why}' if why else ''}"
+    click.echo(f"hoopgen: {printable(text)}", err=True)

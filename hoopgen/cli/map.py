@@ -12,22 +12,23 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.cli.command import command
-from hoopgen.cli.options import UNITS_IN_WORDS, examples, picture_option, units_option
-from hoopgen.cli.releasing import (
-    Releasing,
-    from_option,
-    release_needs,
-    release_options,
-    work_options,
-)
-from hoopgen.cli.types import AXIS, COUNT, MAP, once
-from hoopgen.outputs import write, written_text
+import hoopgen
+from hoopgen.core.files import atomic_text_file, write
+from hoopgen.core.units import column_name
+from hoopgen.report.provenance import describe_dataset, footer
+from hoopgen.report.quantities import format_variable
+from hoopgen.study.questions.specification import MapQuestion
+from hoopgen.text.numbers import format_count, format_interval, format_percent
+
+from .command import command
+from .messages import examples, shown
+from .options import UNITS_IN_WORDS, picture_option, units_option
+from .question_options import question_options
+from .release_options import Releasing, from_option, release_needs, release_options
+from .types import MAP
 
 if TYPE_CHECKING:
     import xarray as xr
-
-__all__ = ["map_"]
 
 _FREE_THROW = "--backspin 3Hz --height 7ft --distance 13.75ft"
 
@@ -44,27 +45,13 @@ _FREE_THROW = "--backspin 3Hz --height 7ft --distance 13.75ft"
         "    --scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg --shots 1e5",
     ),
 )
-@click.option(
-    "--over",
-    type=AXIS,
-    multiple=True,
-    callback=once,
-    required=True,
-    help="A variable and its values, from:to:count or one,two,three; may be repeated.",
-)
 @release_options
 @from_option
-@click.option(
-    "--shots",
-    type=COUNT,
-    help="Of each cell, with --scatter or --from. Of more than a --folder has, only the rest is "
-    "thrown.  [default: 10,000]",
-)
+@question_options(MapQuestion)
 @click.option(
     "--out", type=MAP, help="Write the map: .nc (netCDF, for xarray) or .csv; SI, with the units."
 )
 @picture_option("map")
-@work_options
 @units_option
 def map_(
     over: Mapping[str, NDArray[np.float64]],
@@ -79,23 +66,16 @@ def map_(
     that are not mapped over are given as for `hoopgen shot`; with --scene, a component of
     --position or --velocity that is mapped over takes the place of the one given.
     """
-    import hoopgen
-    from hoopgen.cli.progress import shown
-    from hoopgen.told import footer, told_by
-
     model, parameters = releasing.model(over=over)
+    options = {"scene": releasing.engine, **work}
     with shown() as progress:
-        dataset = hoopgen.map(
-            model, over, parameters, scene=releasing.engine, progress=progress, **work
-        )
+        dataset = hoopgen.map(model, over, parameters, progress=progress, **options)
     if out is not None:
         _write(dataset, out)
     if picture is not None:
-        from hoopgen import plots
-
-        plots.save(plots.plot_map(dataset), picture)
+        hoopgen.plots.save(hoopgen.plots.plot_map(dataset), picture)
     click.echo(_summary(dataset))
-    click.echo(f"\n{footer(9, told_by(dataset))}")
+    click.echo(f"\n{footer(9, describe_dataset(dataset))}")
 
 
 def _write(dataset: xr.Dataset, file: Path) -> None:
@@ -103,7 +83,7 @@ def _write(dataset: xr.Dataset, file: Path) -> None:
         write(file, bytes(dataset.to_netcdf(engine="scipy")))
         return
     columns = dict(_columns(dataset))
-    with written_text(file) as out:
+    with atomic_text_file(file) as out:
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(columns)
         writer.writerows(
@@ -116,20 +96,17 @@ def _columns(dataset: xr.Dataset) -> Iterator[tuple[str, NDArray[Any]]]:
 
     The names of the variables are those that `hoopgen batch` reads, with their units.
     """
-    from hoopgen.units import column_name
 
-    def named(name: str) -> str:
+    def unit_name(name: str) -> str:
         return column_name(name, dataset[name].attrs.get("units", ""))
 
     axes = _axes(dataset)
     shape = tuple(dataset.sizes[name] for name in axes)
-    for name, values in zip(
-        axes, np.meshgrid(*(dataset[n] for n in axes), indexing="ij"), strict=True
-    ):
-        yield named(name), values
+    grid = np.meshgrid(*(dataset[n] for n in axes), indexing="ij")
+    yield from zip(map(unit_name, axes), grid, strict=True)
     for label, coordinate in dataset.coords.items():
         if not coordinate.dims:
-            yield named(str(label)), np.broadcast_to(coordinate.values, shape)
+            yield unit_name(str(label)), np.broadcast_to(coordinate.values, shape)
     for name, value in _shared(dataset).items():
         yield name, np.broadcast_to(value, shape)
     for label, variable in dataset.items():
@@ -145,56 +122,44 @@ def _columns(dataset: xr.Dataset) -> Iterator[tuple[str, NDArray[Any]]]:
 
 
 def _axes(dataset: xr.Dataset) -> list[str]:
-    """Return what was mapped over: dimensions of numbers, not of kinds or endings."""
+    """Return the names that were mapped over: dimensions of numbers, not of kinds or endings."""
     return [str(name) for name in dataset.dims if np.issubdtype(dataset[name].dtype, np.number)]
 
 
 def _shared(dataset: xr.Dataset) -> dict[str, Any]:
-    """Return what else is the same in all cells: scene, scatter, seed, and what computed."""
-    told = dataset.attrs
-    scene = json.loads(told["parameters"])
-    sd = json.loads(told.get("sd", "{}"))
-    pairs = json.loads(told.get("correlation", "[]"))
+    """Return what else is the same in all cells: scene, scatter, seed, and hoopgen's version."""
+    attributes = dataset.attrs
+    scene = json.loads(attributes["parameters"])
+    sd = json.loads(attributes.get("sd", "{}"))
+    pairs = json.loads(attributes.get("correlation", "[]"))
     return {
         **{name: value for name, value in scene.items() if name not in dataset.coords},
         **{f"sd_{name}": value for name, value in sd.items()},
         **{f"correlation_{one}_{other}": value for one, other, value in pairs},
-        **{name: told[name] for name in ("max_contacts", "seed", "source") if name in told},
+        **{n: attributes[n] for n in ("max_contacts", "seed", "source") if n in attributes},
     }
 
 
 def _summary(dataset: xr.Dataset) -> str:
-    """Say how large the map is, and its best cell or the shares of its outcomes."""
-    from hoopgen.phrases import counted, interval, percent
-    from hoopgen.words import say
+    """Describe the size of the map, and its best cell or the shares of its outcomes."""
+    from hoopgen.study.questions.map_dataset import best_cell, shares_of_ends
 
     axes = _axes(dataset)
     cells = " × ".join(f"{dataset.sizes[name]} {name}" for name in axes)
+    shares = shares_of_ends(dataset) or {}
+    ends = ", ".join(f"{format_percent(share)} {name}" for name, share in shares.items() if share)
     if "outcome" in dataset:
-        names = dataset["outcome"].attrs["flag_meanings"].split()
-        shares = [np.mean(dataset["outcome"].values == code) for code in range(len(names))]
-        said = [
-            f"{percent(share)} {name}" for name, share in zip(names, shares, strict=True) if share
-        ]
-        return f"map    {cells}, one shot each\nshots  {', '.join(said)}"
-    shots = f"map    {cells}, {counted(dataset['shots'].values.max(), 'shot')} each"
+        return f"map    {cells}, one shot each\nshots  {ends}"
+    shots = f"map    {cells}, {format_count(dataset['shots'].values.max(), 'shot')} each"
     if "count" in dataset:
-        counts = dataset["count"].sum(axes)
-        valid = counts.sum() - counts.sel(ending="invalid")
-        said = [
-            f"{percent(float(count / valid))} {name}"
-            for name, count in zip(dataset["ending"].values, counts, strict=True)
-            if count and name != "invalid"
-        ]
-        return f"{shots}\nends   {', '.join(said) or 'none: no cell can be simulated'}"
-    probability = dataset["probability"]
-    if probability.isnull().all():
+        return f"{shots}\nends   {ends or 'none: no cell can be simulated'}"
+    best = best_cell(dataset)
+    if best is None:
         return f"{shots}\nbest   none: no cell can be simulated"
-    best = dataset.isel(probability.argmax(...))
-    where = ", ".join(f"{name} {say(name, best[name].item())}" for name in axes)
-    made, low, high = (best[name].item() for name in ("probability", "low", "high"))
+    where = ", ".join(f"{name} {format_variable(name, best[name])}" for name in axes)
     note = "its interval is that of one cell, and the best of many is a little too good"
     if "interval" in dataset.attrs:
         note += f"; {dataset.attrs['interval']}"
-    ends = f"({interval(low, high)})"
-    return f"{shots}\nbest   {percent(made)} made {ends} at {where}\n       {note}"
+    interval = format_interval(best["low"], best["high"])
+    made = f"{format_percent(best['probability'])} made ({interval})"
+    return f"{shots}\nbest   {made} at {where}\n       {note}"

@@ -2,36 +2,25 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from hoopgen.cli.command import command
-from hoopgen.cli.options import (
-    UNITS_IN_WORDS,
-    WAYS,
-    by_option,
-    confidence_option,
-    examples,
-    folder_option,
-    json_option,
-    picture_option,
-    scheduler_option,
-    seed_option,
-    threads_option,
-    units_option,
-)
-from hoopgen.cli.releasing import Releasing, from_option, release_needs, release_options
-from hoopgen.cli.types import BOUNDS, COUNT, once
+import hoopgen
+from hoopgen.scene.lookup import check_hoop
+from hoopgen.study.questions.settings import WAYS
+from hoopgen.study.questions.specification import OptimumQuestion
+
+from .command import command
+from .messages import echo_json, examples, shown
+from .options import UNITS_IN_WORDS, json_option, picture_option, units_option
+from .question_options import question_options
+from .release_options import Releasing, from_option, release_needs, release_options
 
 if TYPE_CHECKING:
-    from hoopgen.study.best import Optimum
-    from hoopgen.study.player import By
-
-__all__ = ["optimum"]
+    from hoopgen.study.jobs.objective import By
 
 _AIMING = ("speed", "aim", "azimuth")
 """Variables whose usual ranges are other ones for another way in."""
@@ -50,34 +39,14 @@ _AIMING = ("speed", "aim", "azimuth")
         "    --scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg",
     ),
 )
-@click.option(
-    "--over",
-    type=BOUNDS,
-    multiple=True,
-    callback=once,
-    required=True,
-    help="A variable to search over; without low and high, over the usual range. May be repeated.",
-)
 @release_options
 @from_option
-@by_option
+@question_options(OptimumQuestion)
 @click.option(
     "--versus",
     type=click.Choice(WAYS),
     help="Find the best shot of this way too, aimed within the usual range; say which is better.",
 )
-@click.option(
-    "--shots",
-    type=COUNT,
-    default=100_000,
-    show_default=True,
-    help="Of the last step of the search, and of the estimate. Of --from every row is judged once.",
-)
-@seed_option
-@confidence_option
-@threads_option
-@folder_option
-@scheduler_option
 @picture_option("paths of fresh shots of the best release")
 @units_option
 @json_option
@@ -93,56 +62,33 @@ def optimum(
 ) -> None:
     """Find the release that goes in most often, given a player's scatter.
 
-    All candidates are thrown with the same random errors. The probability is of fresh shots; of
-    measured releases, --from, it is of rows that had no part in the search. What the release
-    forgives comes with it: how far off each variable alone may be.
+    All candidates are simulated with the same random errors. The probability is that of fresh
+    shots; of measured releases, --from, it is that of rows that had no part in the search. The
+    margins say how far off each variable alone may be.
     """
-    from hoopgen.cli.progress import shown
-    from hoopgen.scenes import check_hoop
-    from hoopgen.study.best import advice
-    from hoopgen.study.optimum import optimum as best_release
+    from hoopgen.study.named_units import in_units
+    from hoopgen.study.questions.optimum_result import advice
 
     model, parameters = releasing.model(over=over)
     scene = releasing.engine
     if versus is not None:
         check_hoop("--versus", scene)
     with shown() as progress:
-        options = {"progress": progress, **work}
-        best = best_release(model, over, parameters, scene=scene, by=by, folder=folder, **options)
+        work |= {"scene": scene, "progress": progress}
+        best = hoopgen.optimum(model, over, parameters, by=by, folder=folder, **work)
         rival = None
         if versus is not None:
             # Another way in is aimed elsewhere.
             usual = {n: None if n in _AIMING else ends for n, ends in over.items()}
-            beside = folder and folder / "versus"
-            rival = best_release(
-                model,
-                usual,
-                parameters,
-                scene=scene,
-                by=versus,
-                margins=(),
-                folder=beside,
-                **options,
-            )
+            work |= {"margins": (), "folder": folder and folder / "versus"}
+            rival = hoopgen.optimum(model, usual, parameters, by=versus, **work)
     if picture is not None:
-        from matplotlib.figure import Figure
-
-        from hoopgen import plots
-
-        drawn = best.plot()
-        assert isinstance(drawn, Figure)
-        plots.save(drawn, picture)
+        hoopgen.plots.save(best.plot(), picture)
     if as_json:
-        click.echo(json.dumps(_record(best, rival), indent=2, allow_nan=False))
+        record = best.as_dict()
+        if rival is not None:
+            lead = dict(zip(("lead", "low", "high"), best.lead(rival), strict=True))
+            record["versus"] = rival.as_dict() | lead
+        echo_json(in_units(record))
     else:
         click.echo(advice(best, rival))
-
-
-def _record(best: Optimum, rival: Optimum | None) -> dict[str, Any]:
-    from hoopgen.study.named import in_units
-
-    record = best.as_dict()
-    if rival is not None:
-        difference, low, high = best.lead(rival)
-        record["versus"] = rival.as_dict() | {"lead": difference, "low": low, "high": high}
-    return dict(in_units(record))

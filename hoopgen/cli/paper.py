@@ -8,21 +8,24 @@ from typing import TYPE_CHECKING
 
 import click
 
-from hoopgen.brief import brief
-from hoopgen.cli.command import command
-from hoopgen.cli.options import backend_option, examples
-from hoopgen.cli.own import no_scene_option
-from hoopgen.cli.progress import shown
-from hoopgen.cli.types import FOLDER
-from hoopgen.inputs import Backend
-from hoopgen.layout import NO_BREAK, table
-from hoopgen.outputs import write
-from hoopgen.printable import printable
+import hoopgen
+from hoopgen.core.files import write
+from hoopgen.core.validation import BackendName
+from hoopgen.report.provenance import describe_hoop
+from hoopgen.study.questions.settings import Engines
+from hoopgen.text.escape import printable
+from hoopgen.text.shorten import brief
+from hoopgen.text.tables import NO_BREAK, table
+
+from .command import command
+from .messages import examples, shown
+from .question_options import setting_options
+from .scene_option import no_scene_option
+from .shot_report import event_table, story
+from .types import FOLDER
 
 if TYPE_CHECKING:
-    from hoopgen.paper import Result
-
-__all__ = ["TABLE", "paper"]
+    from hoopgen.simulation.article import Result
 
 TABLE = "table.txt"
 """Name of the file that holds the table and its notes."""
@@ -44,23 +47,18 @@ TABLE = "table.txt"
     help="Of the pictures: png, svg, pdf; several with commas.",
 )
 @click.option("--events", is_flag=True, help="List every event of every shot.")
-@backend_option
+@setting_options(Engines)
 @no_scene_option
 @click.pass_context
 def paper(
-    ctx: click.Context,
-    out: Path | None,
-    formats: str,
-    events: bool,
-    backend: Backend,
+    ctx: click.Context, out: Path | None, formats: str, events: bool, backend: BackendName
 ) -> None:
     """Simulate the seven shots of the article and compare them with its figures.
 
     Releases are those of Table 3, in feet; the hoop is the preset "paper". Exit status 1 when a
     shot does not do what the article's figure shows.
     """
-    from hoopgen.paper import run
-    from hoopgen.told import say_scene
+    from hoopgen.simulation.article import run
 
     suffixes = [] if out is None else _suffixes(formats)
     if out is not None:
@@ -69,9 +67,9 @@ def paper(
     report = "\n".join(
         [
             _overview(results),
-            f"\nScene: {say_scene(results[0].parameters)}; releases: Table 3",
+            f"\nScene: {describe_hoop(results[0].parameters)}; releases: Table 3",
             _notes(results),
-            *([_logs(results)] if events else []),
+            *(_log(result) for result in results if events),
         ]
     )
     click.echo(report)
@@ -98,8 +96,6 @@ def _suffixes(text: str) -> list[str]:
 
 
 def _overview(results: tuple[Result, ...]) -> str:
-    from hoopgen.cli.report import story
-
     headers = ["figure", "events (s)", "outcome", "uncertain", "the article shows", "agrees"]
     rows = [
         [
@@ -128,20 +124,14 @@ def _notes(results: tuple[Result, ...]) -> str:
     return "\n".join(["", "In print:", *lines])
 
 
-def _logs(results: tuple[Result, ...]) -> str:
-    from hoopgen.cli.report import event_table
-
-    logs = (
-        f"\nFig. {result.case.name}: {result.case.title}\n"
-        + event_table(result.case.state, result.events)
-        for result in results
-    )
-    return "\n".join(logs)
+def _log(result: Result) -> str:
+    events = event_table(result.case.state, result.events)
+    return f"\nFig. {result.case.name}: {result.case.title}\n{events}"
 
 
 def _draw(results: tuple[Result, ...], folder: Path, suffixes: list[str]) -> int:
     """Write the pictures and return how many there are."""
-    from hoopgen import plots
+    plots = hoopgen.plots
 
     total = len(results) * len(suffixes)
     with shown() as progress:

@@ -1,18 +1,22 @@
-"""``hoopgen compile`` and ``cache``: scenes of one's own, and where they are kept compiled."""
+"""``hoopgen compile``, ``cache`` and ``hash``: scenes of one's own, their store, and their bits."""
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import click
 
-from hoopgen.cli.command import command
-from hoopgen.cli.examples import examples
-from hoopgen.cli.own import limit_option
-from hoopgen.cli.types import FILE
-from hoopgen.layout import table
+from hoopgen.core.validation import BackendName
+from hoopgen.study.questions.settings import Engines
+from hoopgen.text.tables import table
 
-__all__ = ["cache", "compile_"]
+from .command import command
+from .messages import examples
+from .options import json_option
+from .question_options import setting_options
+from .scene_option import SceneName, limit_option
+from .types import FILE
 
 
 @command(
@@ -28,14 +32,14 @@ def compile_(file: Path) -> None:
     there is no C compiler, or it fails: then NumPy simulates, slower.
     """
     import hoopgen
-    from hoopgen.engine.native import Refused
+    from hoopgen.engine.native import Rejection
 
     engine = hoopgen.compile(hoopgen.load_scene(file))
     click.echo(f"scene       {engine.name}")
     click.echo(f"parameters  {', '.join(engine.parameters) or 'none'}")
     click.echo(f"surfaces    {', '.join(engine.surfaces)}")
     click.echo(f"outcomes    {', '.join(outcome.name.lower() for outcome in engine.outcomes)}")
-    if isinstance(engine.found, Refused):
+    if isinstance(engine.found, Rejection):
         click.echo(f"backend     numpy: the C engine {engine.found.reason}; {engine.found.remedy}")
         raise click.exceptions.Exit(1)
     click.echo("backend     c, the same bits as numpy")
@@ -46,9 +50,9 @@ def compile_(file: Path) -> None:
 @click.option("--clear", is_flag=True, help="Remove all of it; scenes are then compiled anew.")
 def cache(show: bool, clear: bool) -> None:
     """Show or clear the folder of compiled scenes."""
-    from hoopgen.scene.cache import cleared, own
+    from hoopgen.scene.cache import clear_store, user_store
 
-    there = own()
+    there = user_store()
     if isinstance(there, str):
         raise click.ClickException(there)
     if show or not clear:
@@ -69,5 +73,37 @@ def cache(show: bool, clear: bool) -> None:
         else:
             click.echo("no scene is kept")
     if clear:
-        count = cleared(there)
+        count = clear_store(there)
         click.echo(f"removed {count} scene{'s' * (count != 1)} from {there.folder}")
+
+
+@command(
+    "hash",
+    epilog=examples("hoopgen hash", "hoopgen hash examples/scenes/golf.toml --backend numpy"),
+)
+@click.argument("scenes", nargs=-1, type=SceneName())
+@limit_option
+@setting_options(Engines)
+@json_option
+def hash_(scenes: tuple[str, ...], backend: BackendName, as_json: bool) -> None:
+    """Print the SHA-256 of the results of 100,000 fixed shots in each scene.
+
+    SCENES are hoop, court or scene files; by default hoop and court. Every installation should
+    print the same digits, on any processor, with any compiler and backend. Other digits mean that
+    some bit of some result differs.
+    """
+    from hoopgen.simulation.fingerprint import fingerprint
+    from hoopgen.simulation.lookup import BUILT_IN, scene_from
+    from hoopgen.simulation.lookup import engine_of as engine_of_scene
+
+    engines = [engine_of_scene(scene_from(scene)) for scene in scenes or BUILT_IN]
+    names = [engine.name for engine in engines]
+    if twice := {name for name in names if names.count(name) > 1}:
+        raise click.ClickException(f"SCENES: two are called {min(twice)}; ask for one at a time")
+    found = {}
+    for engine in engines:
+        found[engine.name] = fingerprint(engine, backend)
+        if not as_json:
+            click.echo(f"{found[engine.name]}  {engine.name}")
+    if as_json:
+        click.echo(json.dumps(found, indent=2))

@@ -2,48 +2,43 @@
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+import numpy as np
 
-from hoopgen.cli.command import command
-from hoopgen.cli.options import (
+import hoopgen
+from hoopgen.core.event_log import Event
+from hoopgen.core.files import FILMS
+from hoopgen.core.units import display_unit
+from hoopgen.core.validation import BackendName
+from hoopgen.report.provenance import describe_scene
+from hoopgen.report.quantities import for_json
+from hoopgen.study.questions.settings import Engines
+from hoopgen.study.questions.specification import EstimateQuestion
+from hoopgen.text.numbers import format_count
+
+from .command import command
+from .messages import echo_json, examples
+from .options import (
     UNITS_IN_WORDS,
     argument_options,
-    backend_option,
-    examples,
     json_option,
-    max_contacts_option,
     preset_options,
     units_option,
 )
-from hoopgen.cli.own import (
-    engine_of,
-    max_contacts_of,
-    own_options,
-    parameters_of,
-    released,
-    shot_needs,
-    state_of,
-)
-from hoopgen.cli.types import PAGE, PICTURE_OR_FILM
-from hoopgen.inputs import Backend
-from hoopgen.outputs import FILMS
-from hoopgen.phrases import counted
-from hoopgen.told import say_of
-from hoopgen.words import for_json
+from .question_options import setting_options
+from .scene_option import engine_of, own_options, parameters_of, release_state, shot_needs
+from .shot_report import event_table, surface_name
+from .types import PAGE, PICTURE_OR_FILM
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
-    import hoopgen
-
-__all__ = ["shot"]
+    from hoopgen.generated.numpy.hoop import Result
 
 
 @command(
@@ -61,8 +56,8 @@ __all__ = ["shot"]
 @argument_options(required=False)
 @own_options
 @preset_options
-@max_contacts_option
-@backend_option
+@setting_options(EstimateQuestion, only="max_contacts")
+@setting_options(Engines)
 @click.option(
     "--picture",
     type=PICTURE_OR_FILM,
@@ -79,15 +74,12 @@ __all__ = ["shot"]
 def shot(
     preset: str,
     settings: Mapping[str, float],
-    max_contacts: int,
-    backend: Backend,
+    max_contacts: int | None,
+    backend: BackendName,
     picture: Path | None,
     page: Path | None,
     as_json: bool,
-    position: Sequence[float] | None,
-    velocity: Sequence[float] | None,
-    spin: Sequence[float] | None,
-    **release: float | None,
+    **release: Any,
 ) -> None:
     """Simulate one shot: its events, its outcome, its picture, a page to turn it in space.
 
@@ -95,46 +87,26 @@ def shot(
     listed with its time and place and with the velocity before and after it. In a scene of one's
     own, the ball is released at a position, with a velocity.
     """
-    import numpy as np
-
-    import hoopgen
-
     engine = engine_of()
     parameters = parameters_of(engine, preset, settings)
-    if engine.has_hoop:
-        state = np.array(state_of(release))
-    else:
-        own = {"position": position, "velocity": velocity, "spin": spin}
-        state = np.array(released(tuple(release), own))
-    shots = hoopgen.simulate(
-        state.reshape(1, 9),
-        parameters=parameters,
-        scene=engine,
-        max_contacts=max_contacts_of(max_contacts),
-        backend=backend,
-        record=True,
-    )
+    state = np.array(release_state(engine, release)).reshape(1, 9)
+    options: dict[str, Any] = {"max_contacts": max_contacts, "backend": backend, "record": True}
+    shots = hoopgen.simulate(state, parameters=parameters, scene=engine, **options)
     if shots.outcome[0] == shots.scene.outcomes["INVALID"]:
-        (why,) = hoopgen.why_invalid(state.reshape(1, 9), parameters, scene=engine)
+        (why,) = hoopgen.why_invalid(state, parameters, scene=engine)
         raise click.ClickException(f"this shot is invalid: {why}")
     if picture is not None:
         _draw(shots, picture)
     if page is not None:
-        from hoopgen.viewer import view
-
-        view(shots, parameters, page)
+        hoopgen.view(shots, parameters, page)
     if as_json:
-        click.echo(
-            json.dumps(for_json(_record(shots, state, parameters)), indent=2, allow_nan=False)
-        )
+        echo_json(for_json(_record(shots, state[0], parameters)))
     else:
-        click.echo(_summary(shots, state))
-        click.echo(f"scene      {say_of(shots.scene, parameters)}")
+        click.echo(_summary(shots, state[0]))
+        click.echo(f"scene      {describe_scene(shots.scene, parameters)}")
 
 
 def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
-    from hoopgen.cli.report import event_table
-
     counts = zip(shots.surfaces, shots.counts[0], strict=True)
     by_surface = ", ".join(f"{name} {count}" for name, count in counts)
     path = shots.trajectory(0)
@@ -154,31 +126,27 @@ def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
 
 def _outcome_text(shots: hoopgen.Shots) -> str:
     """Say the outcome, and when and where the ball met the end plane."""
-    import hoopgen
-    from hoopgen.units import shown
-
     outcome = shots.scene.outcomes(int(shots.outcome[0]))
-    said = outcome.name.lower()
+    name = outcome.name.lower()
     if not shots.scene.has_hoop:
-        return f"{said}, after {shots.time[0]:.3f} s"
+        return f"{name}, after {shots.time[0]:.3f} s"
     if outcome == hoopgen.Outcome.CAPPED and shots.scene.rolls and shots.slip_left[0]:
-        return f"{said}: its bounces end after {shots.time[0]:.3f} s, and slip is left"
+        return f"{name}: its bounces end after {shots.time[0]:.3f} s, and slip is left"
     if outcome == hoopgen.Outcome.CAPPED:
-        return f"{said}: {counted(shots.contacts[0], 'contact')}, and not yet at the end plane"
+        return f"{name}: {format_count(shots.contacts[0], 'contact')}, and not yet at the end plane"
     if outcome == hoopgen.Outcome.SHORT:
-        return f"{said}: the ball never comes down through the end plane"
+        return f"{name}: the ball never comes down through the end plane"
     if outcome in (hoopgen.Outcome.LODGED, hoopgen.Outcome.ENDLESS):
         where = "at rest on the hoop" if outcome == hoopgen.Outcome.LODGED else "still on its way"
-        return f"{said}: {where} after {shots.time[0]:.3f} s"
+        return f"{name}: {where} after {shots.time[0]:.3f} s"
     off_centre = math.hypot(shots.state[0, 0], shots.state[0, 1])
-    unit = shown("length")
+    unit = display_unit("length")
     far = f"{off_centre / unit.size:.{unit.decimals}f} {unit.symbol}"
-    return f"{said}, {far} from the centre of the ring after {shots.time[0]:.3f} s"
+    return f"{name}, {far} from the centre of the ring after {shots.time[0]:.3f} s"
 
 
 def _draw(shots: hoopgen.Shots, picture: Path) -> None:
-    from hoopgen import plots
-
+    plots = hoopgen.plots
     path = shots.trajectory(0)
     title = shots.scene.outcomes(int(shots.outcome[0])).name.capitalize()
     if picture.suffix.lower() in FILMS:
@@ -188,30 +156,26 @@ def _draw(shots: hoopgen.Shots, picture: Path) -> None:
         plots.save(drawn, picture)
 
 
+def _value(result: Result, value: Any) -> Any:
+    """Return a result of the shot in types that JSON knows; None for a code that says nothing."""
+    if result.flags:
+        return result.flags[int(value) - result.first_flag] if value >= 0 else None
+    if result.row and not result.units:
+        return dict(zip(result.coordinates, value.tolist(), strict=True))
+    return value.tolist()
+
+
 def _record(
     shots: hoopgen.Shots, state: NDArray[np.float64], parameters: Mapping[str, float]
 ) -> dict[str, Any]:
-    """Collect everything about the shot in types that JSON knows."""
-    from hoopgen.cli.report import surface_name
-    from hoopgen.events import Event
-    from hoopgen.study.named import COMPONENTS, in_units
+    """Return everything about the shot in types that JSON knows."""
+    from hoopgen.study.named_units import COMPONENTS, in_units
 
-    first = int(shots.first[0])
+    layout = shots.scene.layout
     record = {
-        "outcome": shots.scene.outcomes(int(shots.outcome[0])).name.lower(),
-        "uncertain": bool(shots.uncertain[0]),
-        "contacts": int(shots.contacts[0]),
-        "counts": dict(zip(shots.surfaces, shots.counts[0].tolist(), strict=True)),
-        "first": surface_name(first, shots.surfaces) if first >= 0 else None,
-        **(
-            {"rolls": int(shots.rolls[0]), "slip_left": bool(shots.slip_left[0])}
-            if shots.scene.rolls
-            else {}
-        ),
-        "time": float(shots.time[0]),
-        "state": shots.state[0].tolist(),
+        **{name: _value(layout.results[name], getattr(shots, name)[0]) for name in layout.fields},
         "release": state.tolist(),
-        "scene": say_of(shots.scene, parameters),
+        "scene": describe_scene(shots.scene, parameters),
         "parameters": {name: float(value) for name, value in parameters.items()},
         "events": [
             {

@@ -10,24 +10,24 @@ from typing import Any
 
 import click
 
-from hoopgen.cli.command import command
-from hoopgen.cli.errors import OwnError, foreseen, in_words
-from hoopgen.cli.options import examples, scheduler_option, threads_option, units_option
-from hoopgen.cli.own import limit_option
-from hoopgen.cli.types import FILE, FOLDER, PAGE
-from hoopgen.phrases import counted
-from hoopgen.printable import printable
+from hoopgen.study.questions.settings import Workers
+from hoopgen.text.escape import printable
+from hoopgen.text.numbers import format_count
 
-__all__ = ["study"]
+from .command import command
+from .messages import OwnError, error_text, examples, is_expected, shown
+from .options import units_option
+from .question_options import setting_options
+from .scene_option import limit_option
+from .types import FILE, FOLDER, PAGE
 
 
 def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
-    if not wanted:
-        return
-    from hoopgen.studyfile.reference import reference
+    if wanted:
+        from hoopgen.studyfile.reference import reference
 
-    click.echo(reference(), nl=False)
-    ctx.exit()
+        click.echo(reference(), nl=False)
+        ctx.exit()
 
 
 @command(
@@ -50,8 +50,7 @@ def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> No
     help="Write the report as a page too, .html: one file with all pictures, to print or pass on.",
 )
 @limit_option
-@threads_option
-@scheduler_option
+@setting_options(Workers)
 @units_option
 @click.option("--check", is_flag=True, help="Say what is wrong with FILE, and compute nothing.")
 @click.option(
@@ -83,7 +82,7 @@ def study(
         if check:
             questions = check_study(file)
             names = ", ".join(asked.question.name for asked in questions)
-            click.echo(printable(f"{file}: {counted(len(questions), 'question')}, {names}"))
+            click.echo(printable(f"{file}: {format_count(len(questions), 'question')}, {names}"))
             return
         with _shown() as progress:
             work: Any = {"threads": threads, "scheduler": scheduler, "progress": progress}
@@ -91,9 +90,9 @@ def study(
     except StudyError as error:
         raise _failed(error.complaints) from None
     except ExceptionGroup as group:
-        said = [f"{': '.join(error.__notes__)}: {in_words(error)}" for error in group.exceptions]
-        kind = click.ClickException if all(map(foreseen, group.exceptions)) else OwnError
-        raise _failed([*said, group.message], kind) from group
+        texts = [f"{': '.join(e.__notes__)}: {error_text(e)}" for e in group.exceptions]
+        kind = click.ClickException if all(map(is_expected, group.exceptions)) else OwnError
+        raise _failed([*texts, group.message], kind) from group
     width = max(map(len, answers))
     for name, answer in answers.items():
         click.echo(f"{name:{width}}  {answer.line}")
@@ -115,8 +114,6 @@ def _failed(
 @contextmanager
 def _shown() -> Iterator[Callable[[str, int, int | None], None]]:
     """Show how far each question is, one after the other."""
-    from hoopgen.cli.progress import shown
-
     with ExitStack() as stack:
         bars: dict[str, Callable[[int, int | None], None]] = {}
 

@@ -1,52 +1,100 @@
-"""What the text of an option becomes: quantities, variables with their values, counts, paths."""
+"""Types of options: values read from text, quantities, variables with their values, paths."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from decimal import Decimal, InvalidOperation
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import click
 import numpy as np
 from click.shell_completion import CompletionItem
 from numpy.typing import NDArray
 
-from hoopgen.brief import brief
-from hoopgen.cli.command import note_input
-from hoopgen.cli.generic import Checked, Parsed, Value
+from hoopgen.core.files import FILMS, MAPS, PAGES, PICTURES, check_folder, check_output
+from hoopgen.core.memory import even_values
+from hoopgen.core.units import Kind, parse_quantity
+from hoopgen.core.variables import STATE, Variable
 from hoopgen.hoop.releases import FROM_ZERO
-from hoopgen.hoop.variables import ARGUMENTS, INSTEAD, VARIABLES
-from hoopgen.outputs import FILMS, MAPS, PAGES, PICTURES, check_folder, check_output
-from hoopgen.scenes import variables_of
-from hoopgen.sizes import evenly
-from hoopgen.units import NO_BARE, UNITS, Kind, parse_quantity
-from hoopgen.variables import STATE, Variable
+from hoopgen.hoop.variables import ALTERNATIVE_VARIABLES, ARGUMENTS, VARIABLES
+from hoopgen.report.quantities import format_variable
+from hoopgen.scene.lookup import variables_of
+from hoopgen.study.questions.values import Quantity, Whole
+from hoopgen.text.shorten import brief
 
-__all__ = [
-    "ASSIGNMENT",
-    "AXIS",
-    "BOUNDS",
-    "COLUMN",
-    "CORRELATION",
-    "COUNT",
-    "DEVIATION",
-    "FILE",
-    "FOLDER",
-    "MAP",
-    "MEMORY",
-    "OUT",
-    "PAGE",
-    "PICTURE",
-    "SCENE",
-    "SETTING",
-    "SHARE",
-    "quantity",
-    "once",
-    "variable_type",
-    "whole",
-]
+from .command import note_input, note_output
+
+Value = TypeVar("Value")
+
+if TYPE_CHECKING:
+
+    class Type(click.ParamType[Value]):
+        """The type of an option whose text becomes a value of one kind."""
+
+    Choice = click.Choice[str]
+
+else:  # older releases of click do not know theirs as generic
+
+    class Type(click.ParamType, Generic[Value]):
+        """The type of an option whose text becomes a value of one kind."""
+
+    Choice = click.Choice
+
+
+class Parsed(Type[Value]):
+    """The type of a value that a function reads from text; its ValueError is the option's.
+
+    Parameters
+    ----------
+    metavar
+        Text of the help, as it is: click would put it in capitals.
+    """
+
+    def __init__(self, read: Callable[[str], Value], metavar: str) -> None:
+        self.read = read
+        self.name = metavar
+
+    def convert(
+        self, value: str | Value, param: click.Parameter | None, ctx: click.Context | None
+    ) -> Value:
+        """Read the text; a default that is none already stands."""
+        if not isinstance(value, str):
+            return value
+        try:
+            return self.read(value)
+        except ValueError as error:
+            self.fail(str(error), param, ctx)
+
+    def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
+        """Return the text of the help."""
+        return self.name
+
+
+class Checked(Type[Path]):
+    """A path that a function checks before any work, with a ValueError or OSError."""
+
+    def __init__(self, check: Callable[[Path], Path], path: click.Path) -> None:
+        self.check, self.path = check, path
+        self.name = path.name
+
+    def convert(
+        self, value: str | Path, param: click.Parameter | None, ctx: click.Context | None
+    ) -> Path:
+        """Return the path, if it can be written."""
+        try:
+            path = self.check(Path(str(self.path.convert(value, param, ctx))))
+        except OSError as error:
+            self.fail(f"{error.filename}: {error.strerror}", param, ctx)
+        except ValueError as error:
+            self.fail(str(error), param, ctx)
+        note_output(ctx, param, path)
+        return path
+
+
+def number_cell(name: str, value: float) -> str:
+    """Return the value of a variable for a table, without its unit; "-" for NaN."""
+    return "-" if np.isnan(value) else format_variable(name, value, unit=False)
 
 
 def _ending(suffixes: Sequence[str]) -> Checked:
@@ -60,19 +108,12 @@ def quantity(kind: Kind, name: str = "") -> Parsed[float]:
     Parameters
     ----------
     kind
-        What is measured; see `hoopgen.units.UNITS`.
+        What is measured; see `hoopgen.core.units.UNITS`.
     name
         Of the variable; one in `FROM_ZERO` is not negative.
     """
-    units = "|".join(NO_BARE.get(kind, tuple(UNITS[kind])[:1])[:2])
-    return Parsed(
-        lambda text: _from_zero(name, parse_quantity(text, kind), text), f"{kind.upper()} [{units}]"
-    )
-
-
-def variable_type(name: str) -> Parsed[float]:
-    """Return the type of a variable's value."""
-    return quantity(VARIABLES[name].kind, name)
+    value = Quantity(kind)
+    return Parsed(lambda text: _from_zero(name, value.parse(text), text), value.metavar)
 
 
 def _from_zero(name: str, value: float, text: str) -> float:
@@ -82,7 +123,7 @@ def _from_zero(name: str, value: float, text: str) -> float:
 
 
 SCENE = "hoopgen.scene"
-"""In the context's ``meta``: the scene that ``--scene`` names."""
+"""Key of the context's ``meta``: the scene that ``--scene`` names."""
 
 Variables = Mapping[str, Variable]
 
@@ -90,14 +131,7 @@ Variables = Mapping[str, Variable]
 class OfScene(Parsed[Value]):
     """The type of a value read from text, given the variables of the command's scene.
 
-    Parameters
-    ----------
-    read
-        The function.
-    metavar
-        What the help shows.
-    among
-        Of all variables, those that a shell completes.
+    A shell completes the names of those variables that `among` returns.
     """
 
     def __init__(
@@ -107,15 +141,14 @@ class OfScene(Parsed[Value]):
         among: Callable[[Variables], Variables] = lambda variables: variables,
     ) -> None:
         super().__init__(lambda text: read(text, VARIABLES), metavar)
-        self.among = read
-        self.completed = among
+        self.read_of, self.among = read, among
 
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
         """Complete the name of a variable, and the equals sign after it."""
         scene = ctx.meta.get(SCENE)
-        known = self.completed(VARIABLES if scene is None else variables_of(scene))
+        known = self.among(VARIABLES if scene is None else variables_of(scene))
         return [
             CompletionItem(f"{name}=", help=variable.label)
             for name, variable in known.items()
@@ -130,7 +163,7 @@ class OfScene(Parsed[Value]):
         if scene is None or not isinstance(value, str):
             return super().convert(value, param, ctx)
         try:
-            return self.among(value, variables_of(scene))
+            return self.read_of(value, variables_of(scene))
         except ValueError as error:
             self.fail(str(error), param, ctx)
 
@@ -182,7 +215,7 @@ def _axis(text: str, among: Variables) -> tuple[str, NDArray[np.float64]]:
             "nor values with commas between"
         )
     first, last = (_read(part, variable) for part in parts[:2])
-    return variable.name, evenly(variable.name, first, last, int(parts[2]))
+    return variable.name, even_values(variable.name, first, last, int(parts[2]))
 
 
 def _bounds(text: str, among: Variables) -> tuple[str, tuple[float, float] | None]:
@@ -203,35 +236,20 @@ def _correlation(text: str) -> tuple[tuple[str, str], float]:
     return (first, second), parse_quantity(value, "number")
 
 
-_MOST = 2**63 - 1
-
-
-def whole(least: int = 1, most: int = _MOST, metavar: str = "COUNT") -> Parsed[int]:
-    """Return the type of a whole number from `least` to `most`; ``1e6`` is one too."""
-
-    def read(text: str) -> int:
-        try:
-            number = Decimal(text)
-        except InvalidOperation:
-            number = Decimal("nan")
-        # In this order nothing is made a whole number that would fill the memory.
-        if not number.is_finite() or not least <= number <= most or number != int(number):
-            below = "" if most == _MOST else f" to {most}"
-            raise ValueError(f"{brief(text)} is not a whole number from {least}{below}")
-        return int(number)
-
-    return Parsed(read, metavar)
+def whole(least: int = 1, most: int = 2**63 - 1) -> Parsed[int]:
+    """Return the type of a whole number from `least` to `most`; ``1e6`` is one, too."""
+    return Parsed(Whole(least, most).parse, "COUNT")
 
 
 def once(ctx: click.Context, option: click.Parameter, given: Iterable[tuple[Any, Value]]) -> Any:
-    """Give the command what a repeated option says, by name; each may be said once."""
-    said: dict[Any, Value] = {}
+    """Return the values of a repeated option by name; each name may be given once."""
+    values: dict[Any, Value] = {}
     for name, value in given:
-        if name in said:
+        if name in values:
             words = name if isinstance(name, str) else ",".join(name)
             raise click.BadParameter(f"{words} is given twice", ctx, option)
-        said[name] = value
-    return said
+        values[name] = value
+    return values
 
 
 ASSIGNMENT = OfScene(_assignment, "NAME=VALUE")
@@ -252,7 +270,7 @@ def _setting(text: str, among: Variables) -> tuple[str, float]:
     return _assignment(text, names)
 
 
-NOT_OF_SCENE = frozenset((*ARGUMENTS, *INSTEAD, *STATE))
+NOT_OF_SCENE = frozenset((*ARGUMENTS, *ALTERNATIVE_VARIABLES, *STATE))
 
 SETTING = OfScene(_setting, "NAME=VALUE", _parameters)
 """A parameter of the scene and its value, ``restitution=0.75``."""
@@ -292,21 +310,6 @@ def _memory(text: str) -> int:
 MEMORY = Parsed(_memory, "SIZE")
 """Bytes, ``4GB``."""
 
-
-def _share(text: str) -> float:
-    number, percent, rest = text.strip().partition("%")
-    value = parse_quantity(number, "number")
-    # No share is above 1, so that 70 can only be meant as 70%; 1 may be meant as 1% or as 100%.
-    value /= 100.0 if percent or value > 1.0 else 1.0
-    if rest or not 0.0 < value < 1.0:
-        raise ValueError(
-            f"{brief(text)} is no share above 0% and below 100%: expected one such as 70% or 0.7"
-        )
-    return value
-
-
-SHARE = Parsed(_share, "SHARE")
-"""A number within 0 and 1, ``70%``, ``0.7`` or ``70``."""
 
 COUNT = whole()
 """A whole number from 1, ``1e6`` too."""

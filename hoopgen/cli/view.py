@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import click
 
-from hoopgen.cli.command import command
-from hoopgen.cli.flown import say_lines
-from hoopgen.cli.options import backend_option, examples, seed_option, table_options, units_option
-from hoopgen.cli.types import PAGE, whole
-from hoopgen.inputs import Backend
-from hoopgen.printable import printable
+from hoopgen.study.questions.settings import Engines, Seeded
+from hoopgen.study.questions.specification import EstimateQuestion
+from hoopgen.text.escape import printable
 
-__all__ = ["view"]
+from .command import command
+from .messages import echo_lines, examples
+from .options import reading_options, table_options, units_option
+from .question_options import setting_options
+from .types import PAGE, whole
 
 
 @command(
@@ -36,7 +36,7 @@ __all__ = ["view"]
     show_default=True,
     help="Shots on the page, chosen at random.",
 )
-@seed_option
+@setting_options(Seeded)
 @click.option(
     "--label",
     metavar="COLUMN",
@@ -44,45 +44,20 @@ __all__ = ["view"]
 )
 @click.option("--title", default="", help="At the top of the page; by default the number of shots.")
 @table_options
-@backend_option
+@reading_options
+@setting_options(EstimateQuestion, only="max_contacts")
+@setting_options(Engines)
 @units_option
-def view(
-    file: Path,
-    out: Path,
-    count: int,
-    seed: int,
-    label: str | None,
-    title: str,
-    release: Mapping[str, float],
-    parameters: Mapping[str, float] | None,
-    max_contacts: int | None,
-    override: bool,
-    backend: Backend,
-    scene: Any,
-    **reading: Any,
-) -> None:
+def view(file: Path, out: Path, **options: Any) -> None:
     """Show a sample of a table of releases in space, in motion.
 
     FILE is a table as `hoopgen batch` reads it, or the results that it writes: CSV, Parquet or
-    Arrow, one release a row, with the units in the columns' names. Results are flown in their own
-    scene.
+    Arrow, one release a row, with the units in the columns' names. Results are simulated in
+    their own scene.
     """
-    from hoopgen.viewer.table import view_table
+    from hoopgen.viewer.view_table import view_table
 
-    page = view_table(
-        file,
-        out,
-        count=count,
-        seed=seed,
-        label=label,
-        title=title,
-        parameters=parameters,
-        release=release,
-        max_contacts=max_contacts,
-        override=override,
-        backend=backend,
-        scene=scene,
-        **{name: value for name, value in reading.items() if value is not None},
-    )
+    options = {name: value for name, value in options.items() if value is not None}
+    page = view_table(file, out, **options)
     click.echo(printable(f"{out}: {page.about}"))
-    say_lines(page.read)
+    echo_lines(page.read)

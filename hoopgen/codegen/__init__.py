@@ -1,4 +1,4 @@
-"""From derive/ through templates/ to generated/: `generate` writes it, `check` compares it."""
+"""Printing of derive/ through templates/ to generated/: `generate` writes, `check` compares."""
 
 from __future__ import annotations
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from pathlib import Path
 
-from hoopgen.core.store import MARKER, find_store, marker_text, open_store
+from hoopgen.core.owned_folders import MARKER, find_store, marker_text, open_store
 from hoopgen.derive.scenes import SCENES
 
 from .render import render_scene
@@ -16,7 +16,7 @@ KEPT = ("__init__.py", "numpy/__init__.py")
 """Files of generated/ that are not generated."""
 
 PURPOSE = "generated code"
-"""What the marker of generated/ says."""
+"""The content of the marker file of generated/."""
 
 
 def render_all() -> dict[str, str]:

@@ -1,6 +1,8 @@
-"""What a program costs, in words."""
+"""The cost of a program, in words and in additions."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping
 
 from .program import Operations
 
@@ -20,6 +22,14 @@ COST_WORDS = {
     "not": "complements",
     "select": "selections",
 }
+
+ADDITIONS = {"div": 8, "sqrt": 8}
+"""Operations that take longer than one addition, and about how many they are worth."""
+
+
+def weighted(cost: Mapping[str, int]) -> int:
+    """Return about how long a kernel takes, in additions."""
+    return sum(count * ADDITIONS.get(name, 1) for name, count in cost.items())
 
 
 def describe_cost(program: Operations) -> str:

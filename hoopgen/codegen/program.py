@@ -7,44 +7,45 @@ print the same program, which is why they give the same bits.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import sympy as sp
-from sympy.core.sorting import default_sort_key
 
-from hoopgen.derive.ground.choice import (
+from hoopgen.derive.ir.kernel import Kernel
+from hoopgen.derive.symbolic.conditionals import (
+    And,
     AtMost,
-    Both,
+    Barrier,
+    Boolean,
     Choose,
     Condition,
-    Either,
     Equal,
-    Held,
+    False_,
     IfAtMost,
     IfLess,
     Less,
     Not,
-    Nowhere,
-    Truth,
+    Or,
 )
-from hoopgen.derive.ground.kernel import Kernel
+from hoopgen.derive.symbolic.ordering import ordering
 
-from .names import identifier
+from .identifiers import identifier
 
 CONDITIONS = {
     Less: "less",
     AtMost: "at_most",
     Equal: "equal",
-    Both: "both",
-    Either: "either",
+    And: "both",
+    Or: "either",
     Not: "not",
-    Nowhere: "nowhere",
+    False_: "nowhere",
 }
 """The operations whose result holds or does not."""
 
-CHOOSING = (Condition, Choose, Held, IfAtMost, IfLess)
-"""What asks, or chooses."""
+CHOOSING = (Condition, Choose, Barrier, IfAtMost, IfLess)
+"""Classes of conditions and of choices."""
 
 INLINE_DEPTH = 6
 """An operation used once is printed inside its user, up to this depth."""
@@ -88,14 +89,14 @@ class Operations:
         Whether they are of single precision.
     """
 
-    operations: list[Operation] = field(default_factory=list)
+    operations: list[Operation] = field(default_factory=list, repr=False)
     outputs: list[int] = field(default_factory=list)
     single: bool = False
-    _index: dict[Operation, int] = field(default_factory=dict)
+    _index: dict[Operation, int] = field(default_factory=dict, repr=False)
 
     @property
     def cost(self) -> Counter[str]:
-        """How many of each operation one evaluation takes; inputs and constants are free.
+        """Numbers of operations of each kind in one evaluation; inputs and constants are free.
 
         A maximum or minimum, which some targets have as one, is a comparison and a selection.
         """
@@ -141,10 +142,13 @@ class Program(Operations):
     ----------
     kernel
         What it computes.
+    order
+        The key by which terms and factors are sorted.
     """
 
     kernel: Kernel
-    _lowered: dict[sp.Basic, int] = field(default_factory=dict)
+    order: Callable[[sp.Expr], Any]
+    _lowered: dict[sp.Basic, int] = field(default_factory=dict, repr=False)
 
     def lower(self, expression: sp.Basic) -> int:
         """Append what computes `expression` and return its index."""
@@ -169,7 +173,7 @@ class Program(Operations):
                 rest += [(operand, False) for operand in reversed(part.args)]
 
     def _lower(self, expression: sp.Basic) -> int:
-        if isinstance(expression, Truth):
+        if isinstance(expression, Boolean):
             return self._add("truth", symbol=identifier(expression))
         if expression.is_Symbol:
             return self._add("argument", symbol=identifier(expression))
@@ -181,7 +185,7 @@ class Program(Operations):
             return self._product(expression)
         if expression.is_Pow:
             return self._power(expression.base, expression.exp)
-        if isinstance(expression, Held):
+        if isinstance(expression, Barrier):
             return self.lower(expression.args[0])
         if isinstance(expression, sp.Abs):
             return self._add("abs", self.lower(expression.args[0]))
@@ -203,8 +207,8 @@ class Program(Operations):
 
     def _sum(self, expression: sp.Add) -> int:
         """Lower a sum from left to right, positive terms first."""
-        terms = sorted(expression.args, key=default_sort_key)
-        negative = [term for term in terms if term.could_extract_minus_sign()]
+        terms = sorted(expression.args, key=self.order)
+        negative = [term for term in terms if term.as_coeff_Mul()[0].is_negative]
         positive = [term for term in terms if term not in negative]
         if not positive:
             return self._add("neg", self.lower(-expression))
@@ -222,7 +226,7 @@ class Program(Operations):
             return self._add("neg", self.lower(-expression))
         above: list[int] = [] if coefficient == 1 else [self._constant(coefficient)]
         below: list[int] = []
-        for factor in sorted(factors, key=default_sort_key):
+        for factor in sorted(factors, key=self.order):
             base, exponent = factor.as_base_exp()
             if exponent.is_negative:
                 below.append(self._power(base, -exponent))
@@ -258,15 +262,23 @@ class Program(Operations):
         return result
 
 
-def lower(kernel: Kernel) -> Program:
+def lower(kernel: Kernel, parameters: Sequence[sp.Symbol] = ()) -> Program:
     """Return the program of a kernel.
+
+    Parameters
+    ----------
+    kernel
+        What is lowered.
+    parameters
+        The scene's, in its order; a kernel without a scene has them in the order of its arguments.
 
     Raises
     ------
     TypeError
         If an expression holds something that is not exactly rounded by IEEE 754 doubles.
     """
-    program = Program(kernel=kernel, single=kernel.single)
+    order = ordering(dict.fromkeys((*parameters, *kernel.arguments)))
+    program = Program(kernel=kernel, order=order, single=kernel.single)
     for argument in kernel.arguments:
         program.lower(argument)
     program.outputs = [program.lower(expression) for expression in kernel.expressions]

@@ -1,168 +1,50 @@
-"""Rendering: kernels into templates into generated/, and the check that generated/ is current."""
+"""Rendering: what each target's backend prints, in its templates, as the files of generated/."""
 
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass
-from importlib import resources
+from collections.abc import Iterable, Iterator, Sequence
+from importlib.resources.abc import Traversable
 from pathlib import PurePosixPath
 from typing import Any
 
 import jinja2
 
-from hoopgen.derive.follow.fields import EVENTS, Result
-from hoopgen.derive.follow.loop import Loop
-from hoopgen.derive.ground.choice import Truth
-from hoopgen.derive.ground.kernel import Kernel
-from hoopgen.derive.ground.number_range import MAX_SIZE, MAX_TIME
-from hoopgen.derive.ground.symbols import STATE
-from hoopgen.derive.model import Model, build
+from hoopgen.derive.model import build
 from hoopgen.derive.scenes import SCENES
 from hoopgen.derive.scenes.ends import meanings
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.scenes.validity import size_limits
+from hoopgen.derive.state.fields import EVENTS
+from hoopgen.derive.symbolic.number_range import MAX_SIZE, MAX_TIME
+from hoopgen.derive.symbolic.symbols import STATE
 
-from .alone import Alone
-from .cost import describe_cost
-from .derivation import anchor, derivation_context
+from .backend import TEMPLATES, KernelView, LoweredScene
+from .c.spelling import LANES
+from .derivation import REFERENCE_FILE, PageData, anchor, derivation_context
 from .derivation.summary import worked_shot
-from .fixed import Split, splits
-from .loop import TYPES, weighted
-from .names import FILTERS, identifier
-from .numpy_loop import local
-from .printers import (
-    ALONE,
-    C_SINGLE,
-    JS,
-    NUMPY,
-    NUMPY_SINGLE,
-    Body,
-    C,
-    Constants,
-    constant,
-    print_program,
-)
+from .identifiers import FILTERS, identifier
+from .numpy import local
+from .numpy.spelling import NUMPY
 from .program import Program, lower
-from .rows import print_in_rows
-from .stamp import stamp_of
-from .view import loop_view
+from .registry import BACKENDS
+from .stamp import shared_stamp_of, stamp_of
+from .variants import variants
 
-OUTPUTS = {
-    "numpy/kernels.py.j2": "numpy/{scene}.py",
-    "c/kernels.h.j2": "c/{scene}_kernels.h",
-    "c/lanes.h.j2": "c/{scene}_lanes.h",
-    "c/engine.h.j2": "c/{scene}_engine.h",
-    "c/exact.h.j2": "c/{scene}_exact.h",
-    "c/scene.h.j2": "c/{scene}.h",
-    "c/scene.c.j2": "c/{scene}.c",
-    "js/flight.js.j2": "js/{scene}.js",
-    "derivation.md.j2": "derivation.md",
-    "summary.md.j2": "summary.md",
-}
-"""Each template, and the file that it makes."""
+PAGE, SUMMARY = "derivation.md.j2", "summary.md.j2"
+"""The templates of what is for readers alone, and takes longest; the summary is of one scene."""
+
+PAGES = {PAGE: REFERENCE_FILE, SUMMARY: "summary.md"}
+"""The file that each of them makes."""
 
 
-@dataclass(frozen=True)
-class KernelView:
-    """What a template sees of a kernel."""
-
-    name: str
-    arguments: list[str]
-    output_names: tuple[str, ...]
-    summary: str
-    equation: str
-    cost: str
-    single: bool
-    numpy: Body
-    alone: Body
-    c: Body
-    c_cost: str
-    js: Body
-    c_arguments: list[str]
-    c_outputs: list[tuple[str, str]]
+def outputs(targets: Iterable[str] | None = None) -> dict[str, str]:
+    """Return each template of some targets, all by default, and the file that it makes."""
+    chosen = BACKENDS if targets is None else targets
+    return {name: file for target in chosen for name, file in BACKENDS[target].files.items()}
 
 
-@dataclass(frozen=True)
-class SharedKernelView:
-    """A view, for templates, of a kernel that a surface shares with the first of its kind."""
-
-    name: str
-    kernel: str
-    given: list[str]
-    output_names: tuple[str, ...]
-    summary: str
-
-    @property
-    def arguments(self) -> list[str]:
-        """What is given, each once."""
-        return list(dict.fromkeys(self.given))
-
-
-_BY_NAME = ("normal", "off", "tube", "seam", "round")
-"""Parts of a surface that drawing a contact, or following a roll, asks for by the body's name."""
-
-
-def _shared(model: Model) -> list[SharedKernelView]:
-    """Return such kernels of the surfaces that are not the first of their kind."""
-    views = []
-    for made in model.surfaces:
-        for part, kernel in made.kernels.items():
-            name = f"{made.surface.name}_{part}"
-            if part.startswith(_BY_NAME) and name != kernel.name:
-                given = [identifier(made.sizes.get(symbol, symbol)) for symbol in kernel.arguments]
-                outputs = kernel.output_names
-                views.append(SharedKernelView(name, kernel.name, given, outputs, kernel.summary))
-    return views
-
-
-C_TYPES = {name: f"{name}_t" for name in ("uint8", "int8", "int16", "int32")} | {"bool": "uint8_t"}
-
-
-@dataclass(frozen=True)
-class ResultView:
-    """What a template sees of a result."""
-
-    result: Result
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.result, name)
-
-    @property
-    def c_type(self) -> str:
-        """Its type in C."""
-        return C_TYPES.get(self.result.dtype, "double")
-
-
-def _kernel_view(
-    program: Program, in_loop: bool, constants: Constants, split: Split | None = None
-) -> KernelView:
-    kernel: Kernel = program.kernel
-    rest = split.rest if split else program
-    kept = range(len(kernel.arguments)) if split is None else split.kept
-    spelling, numpy = (C_SINGLE, NUMPY_SINGLE) if kernel.single else (C, NUMPY)
-    return KernelView(
-        kernel.name,
-        [identifier(symbol) for symbol in kernel.arguments],
-        kernel.output_names,
-        kernel.summary,
-        kernel.equation,
-        describe_cost(program),
-        kernel.single,
-        (print_in_rows(program, constants) if in_loop else None) or print_program(program, numpy),
-        print_program(program, ALONE, constants),
-        print_program(rest, spelling),
-        describe_cost(rest),
-        print_program(program, JS),
-        [
-            f"{'M' if isinstance(a, Truth) else spelling.number} {identifier(a)}"
-            for a in (kernel.arguments[k] for k in kept)
-        ]
-        + [f"{spelling.number} _c{k}" for k in range(len(split.made) if split else 0)],
-        [(TYPES[kind], n) for n, kind in zip(kernel.output_names, kernel.kinds, strict=True)],
-    )
-
-
-def derivation_hash(programs: list[Program]) -> str:
+def derivation_hash(programs: Sequence[Program]) -> str:
     """Return a hash of what the programs compute, the same on every machine."""
     lines = [
         repr((p.kernel.name, p.kernel.output_names, p.operations, p.outputs, p.kernel.single))
@@ -171,9 +53,9 @@ def derivation_hash(programs: list[Program]) -> str:
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
 
 
-def _environment() -> jinja2.Environment:
+def _environment(templates: Traversable = TEMPLATES) -> jinja2.Environment:
     environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(str(resources.files("hoopgen.templates"))),
+        loader=jinja2.FileSystemLoader(str(templates)),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -181,82 +63,56 @@ def _environment() -> jinja2.Environment:
         autoescape=False,
     )
     environment.filters |= FILTERS
-    environment.filters["number"] = lambda value: constant(float(value), NUMPY)
-    environment.filters["c_number"] = lambda value: constant(float(value), C)
+    environment.filters["number"] = lambda value: NUMPY.number_text(float(value))
+    environment.filters["c_number"] = lambda value: LANES.number_text(float(value))
     environment.filters["local"] = lambda name: local(name, 0)
     environment.filters["rows"] = lambda many: ", ".join(f"_r{k}" for k in range(many))
     environment.filters["annotated"] = lambda name: f"{name}: Any"
     environment.filters["before"] = lambda name: f"{name}_before"
-    environment.filters["waiting"] = lambda name: f"waiting_{name}"
-    environment.filters["c_argument"] = lambda name: f"V {name}"
     environment.filters["anchor"] = anchor
     return environment
 
 
-PAGE, SUMMARY = "derivation.md.j2", "summary.md.j2"
-"""The templates of what is for readers alone, and takes longest; the summary is of one scene."""
-
-
-@dataclass(frozen=True)
-class _Derived:
-    """A scene's kernels, lowered and printed: what the templates are rendered with."""
-
-    model: Model
-    plain: Loop
-    views: dict[str, KernelView]
-    constants: Constants
-    ready: dict[str, Split]
-    costs: dict[str, int]
-    derivation: str
-
-    @property
-    def context(self) -> dict[str, Any]:
-        """Return the context of every template."""
-        scene = self.model.scene
-        return {
-            "scene": scene,
-            "parameters": [identifier(symbol) for symbol in scene.symbols],
-            "kernels": list(self.views.values()),
-        }
-
-    def stamp(self, template: str) -> dict[str, Any]:
-        """Return what says how the file of a template is made."""
-        return {"stamp": stamp_of(template, self.model.scene, self.derivation)}
-
-    def page(self) -> dict[str, Any]:
-        """Return what the template of the page is given besides."""
-        scene = self.model.scene
-        return {
-            "derivation": derivation_context(self.model),
-            "house": scene in SCENES,
-            "summary": scene == SCENES[0],
-        }
-
-
-def _derived(scene: Scene) -> _Derived:
-    model: Model = build(scene)
-    programs = [lower(kernel) for kernel in model.kernels]
-    constants = Constants()
-    plain = model.loop.plain()
-    ready = splits(programs, (plain, model.loop))
+def derive(scene: Scene) -> LoweredScene:
+    """Return a scene, derived and lowered, as every target gets it."""
+    model = build(scene)
+    programs = [lower(kernel, scene.symbols) for kernel in model.kernels]
     called = model.loop.called
-    views = {
-        p.kernel.name: _kernel_view(p, p.kernel.name in called, constants, ready.get(p.kernel.name))
-        for p in programs
+    return LoweredScene(model, programs, variants(model.loop), called, derivation_hash(programs))
+
+
+def _context(lowered: LoweredScene, template: str) -> dict[str, Any]:
+    """Return what every template is given."""
+    scene = lowered.model.scene
+    return {
+        "scene": scene,
+        "parameters": [identifier(symbol) for symbol in scene.symbols],
+        "stamp": stamp_of(template, scene, lowered.digest),
     }
-    costs = {p.kernel.name: weighted(p.cost) for p in programs}
-    return _Derived(model, plain, views, constants, ready, costs, derivation_hash(programs))
+
+
+def _page(lowered: LoweredScene, reference: PageData | None = None) -> dict[str, Any]:
+    """Return what the templates of the pages are given besides."""
+    scene = lowered.model.scene
+    return {
+        "kernels": [KernelView(program) for program in lowered.programs],
+        "derivation": derivation_context(lowered.model, reference),
+        "house": scene in SCENES,
+        "summary": scene == SCENES[0],
+    }
 
 
 def explanation(scene: Scene) -> str:
-    """Return the derivation's page of a scene, in Markdown with LaTeX."""
-    derived = _derived(scene)
-    own = derived.stamp(PAGE) | derived.page()
-    return _environment().get_template(PAGE).render(derived.context | own)
+    """Return the whole derivation's page of a scene, in Markdown with LaTeX."""
+    lowered = derive(scene)
+    context = _context(lowered, PAGE) | _page(lowered)
+    return _environment().get_template(PAGE).render(context)
 
 
-def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
-    """Return every generated file of a scene: path below generated/, and text.
+def render_scene(
+    scene: Scene, page: bool = True, targets: Iterable[str] | None = None
+) -> dict[str, str]:
+    """Return generated files of a scene: path below generated/, and text.
 
     Parameters
     ----------
@@ -264,55 +120,66 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
         What is derived.
     page
         Whether the derivation's page is wanted too.
+    targets
+        The names of the targets whose files are wanted; None: of all that are registered.
     """
-    derived = _derived(scene)
-    model, views, constants, ready = derived.model, derived.views, derived.constants, derived.ready
-    plain = derived.plain
-    rows = {name: view.numpy.rows for name, view in views.items() if view.numpy.rows}
-    alone = Alone(constants)
-    loops = [
-        loop_view(scene.name, derived.costs, rows, alone, ready, plain, bounds=False),
-        loop_view(scene.name, derived.costs, rows, alone, ready, model.loop, bounds=True),
-    ]
-    environment = _environment()
-    context: dict[str, Any] = derived.context | {
-        "size_limits": [size_limits(scene, parameter) for parameter in scene.parameters],
-        "max_size": MAX_SIZE,
-        "max_time": MAX_TIME,
-        "shared": _shared(model),
-        "state": tuple(symbol.name for symbol in STATE),
-        "loops": loops,
-        "grouped": any(e.groups for e in model.loop.tables),
-        "constants": constants.lines,
-        "alone": alone,
-        "rows": max(rows.values(), default=1),
-        "outcomes": meanings(scene.ends),
-        "events": EVENTS,
-        "log_rows": 3 if scene.rolls else 1,
-        "results": [ResultView(r) for r in model.results],
-    }
-    files = {}
-    written = derived.page() if page else {}
-    # The library in C is for its engine; the others are read, tested and called by studies.
-    in_c = [view for view in views.values() if view.name in model.loop.called]
-    for template, target in OUTPUTS.items():
-        own = derived.stamp(template)
-        if template.startswith("c/"):
-            own |= {"kernels": in_c}
-        if template in (PAGE, SUMMARY):
-            if not page or (template == SUMMARY and scene != SCENES[0]):
-                continue
-            own |= written
-        if template == SUMMARY:
-            own |= {"worked": worked_shot(scene)}
-        text = environment.get_template(template).render(context | own)
-        files[_path(target, scene)] = text
+    lowered = derive(scene)
+    files: dict[str, str] = {}
+    for target in BACKENDS if targets is None else targets:
+        files |= render_target(lowered, target)
+    for name, text in _pages(lowered) if page else ():
+        files[name] = text
     return files
 
 
-def _path(target: str, scene: Scene) -> str:
-    """Return where a file goes; one whose name no scene is part of is the first scene's."""
-    path = PurePosixPath(target.format(scene=scene.name))
-    if "{scene}" in target or scene.name == SCENES[0].name:
+def render_target(lowered: LoweredScene, target: str) -> dict[str, str]:
+    """Return the files of one target: path below generated/, and text."""
+    backend, scene = BACKENDS[target], lowered.model.scene
+    environment = _environment(backend.templates)
+    kernels = backend.kernels(lowered)
+    printed = {**kernels, **backend.loop(lowered, kernels)}
+    shared = _of_scene(lowered) | printed
+    files: dict[str, str] = {}
+    for template, file in backend.files.items():
+        if "{scene}" in file:
+            context = shared | _context(lowered, template)
+        else:
+            context = {"stamp": shared_stamp_of(template, scene)}
+        files[file.format(scene=scene.name)] = environment.get_template(template).render(context)
+    return files
+
+
+def _of_scene(lowered: LoweredScene) -> dict[str, Any]:
+    """Return what the templates of every target are given of the scene."""
+    scene = lowered.model.scene
+    return {
+        "size_limits": [size_limits(scene, parameter) for parameter in scene.parameters],
+        "max_size": MAX_SIZE,
+        "max_time": MAX_TIME,
+        "state": tuple(symbol.name for symbol in STATE),
+        "outcomes": meanings(scene.ends),
+        "events": EVENTS,
+        "log_rows": 3 if scene.rolls else 1,
+    }
+
+
+def _pages(lowered: LoweredScene) -> Iterator[tuple[str, str]]:
+    """Yield the pages for readers: path below generated/, and text."""
+    scene, environment = lowered.model.scene, _environment()
+    reference = derivation_context(build(SCENES[0])) if scene in SCENES[1:] else None
+    own = _page(lowered, reference)
+    for template, file in PAGES.items():
+        if template == SUMMARY:
+            if scene != SCENES[0]:
+                continue
+            own |= {"worked": worked_shot(scene)}
+        context = _context(lowered, template) | own
+        yield _page_path(file, scene), environment.get_template(template).render(context)
+
+
+def _page_path(page: str, scene: Scene) -> str:
+    """Return where a scene's page goes; the name without a scene is the first scene's."""
+    path = PurePosixPath(page)
+    if scene.name == SCENES[0].name:
         return str(path)
     return str(path.with_stem(f"{path.stem}_{scene.name}"))

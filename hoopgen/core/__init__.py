@@ -1,1 +1,1 @@
-"""Files and folders: locks, folders that hoopgen owns, folders that only this user can change."""
+"""Basics: units, parameters, validation, files and folders, optional dependencies, memory."""

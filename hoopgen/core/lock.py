@@ -1,4 +1,4 @@
-"""A folder that one process holds at a time, and files that are opened only if they are files."""
+"""Locks on folders, one process at a time, and reading of regular files."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import IO
 
-from hoopgen.files import NotRegularError, open_regular
+from .regular_files import NotRegularError, open_regular
 
 if sys.platform == "win32":
     import msvcrt
@@ -43,7 +43,7 @@ _NO_LINK = getattr(os, "O_NOFOLLOW", 0)
 
 
 def read_file(path: Path) -> bytes:
-    """Return what a file holds.
+    """Return the content of a file.
 
     Raises
     ------
@@ -57,7 +57,7 @@ def read_file(path: Path) -> bytes:
 
 
 def _opened(path: Path, flags: int, mode: str) -> IO[bytes]:
-    """Open a file, and nothing else."""
+    """Open a regular file, and nothing else."""
     try:
         return open_regular(path, flags, mode)
     except NotRegularError:
@@ -66,7 +66,7 @@ def _opened(path: Path, flags: int, mode: str) -> IO[bytes]:
 
 @contextlib.contextmanager
 def held(folder: Path) -> Iterator[None]:
-    """Make a folder and hold it; the system lets go of it however the process ends.
+    """Make a folder and lock it; the system releases it however the process ends.
 
     A folder in which nothing is left at the end is removed.
 
@@ -87,7 +87,7 @@ def held(folder: Path) -> Iterator[None]:
 
 
 def _lock(folder: Path) -> IO[bytes]:
-    """Return the lock of a folder, taken; another may be removing both meanwhile."""
+    """Return the locked file of a folder; another process may remove both meanwhile."""
     refused: OSError | None = None
     for _ in range(_TRIES):
         with contextlib.ExitStack() as stack:

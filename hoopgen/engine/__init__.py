@@ -1,1 +1,1 @@
-"""The event loop, once for each target: NumPy here, C in generated/c/ behind `native`."""
+"""Engines: the driver of the NumPy target, and of C through `native`."""

@@ -1,4 +1,4 @@
-"""Loading a compiled library from bytes that were checked, whatever its file holds by then.
+"""Loading of a compiled library from checked bytes, even if its file changes.
 
 On Linux the bytes lie in memory and are loaded through /proc; elsewhere they are copied into a
 folder of this process. Windows keeps the file of a library that is loaded, so there its own file is
@@ -16,7 +16,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TypeVar
 
-from hoopgen.core.private import private_folder
+from hoopgen.core.private_folders import private_folder
 
 __all__ = ["load"]
 
@@ -26,16 +26,16 @@ _COUNT = itertools.count(1)
 
 
 def load(content: bytes, file: Path | None, library: Callable[[Path], T]) -> T:
-    """Return what `library` makes of a path from which exactly these bytes are loaded.
+    """Return `library(path)` for a path from which exactly these bytes are loaded.
 
     Parameters
     ----------
     content
-        All of a shared library.
+        Content of the shared library.
     file
-        Where it lies for good; None if nowhere.
+        Permanent file of the library, or None.
     library
-        Loads a library from a path, which is gone afterwards.
+        Function that loads a library from a path; the path may not exist afterwards.
 
     Raises
     ------
@@ -64,7 +64,7 @@ def _from_memory(content: bytes, library: Callable[[Path], T]) -> T:
 
 
 def _path_of(descriptor: int) -> Path:
-    """Return a path to an open file that no file before had.
+    """Return a path to an open file that no earlier file had.
 
     The C library gives for the same path the library that it loaded first, and numbers of
     descriptors come again. So the path makes detours, which spell a number that does not.

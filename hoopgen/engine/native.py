@@ -1,15 +1,19 @@
-"""The C engine, through ctypes: no call holds the interpreter's lock.
+"""The C engine through ctypes; calls release the interpreter's lock.
 
-It serves if it was built from the sources that are here, and has given NumPy's bits (trust.py).
+It serves if it was built from the sources that are here and gave NumPy's bits (`verification`).
 """
 
 from __future__ import annotations
 
 import ctypes
 import math
-from collections.abc import Sequence
+import operator
+import struct
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from enum import IntEnum
+from functools import cached_property
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -17,15 +21,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import arithmetic, sources, trust
-from .raw import LOG, Raw
-from .trust import WIDTHS, Batch
+from . import arithmetic, c_build, verification
+from .result_arrays import LOG, ResultArrays
+from .verification import WIDTHS, Batch
 
-__all__ = ["WIDTHS", "Library", "Refused", "Share", "checked"]
+__all__ = ["WIDTHS", "Library", "Rejection", "Share", "check_library"]
 
 
 class Error(IntEnum):
-    """Codes that a call returns instead of a width, with nothing run, as in the header."""
+    """Error codes that a call returns instead of a width, as in the header."""
 
     WIDTH = -1
     ARITHMETIC = -2
@@ -43,27 +47,50 @@ class Error(IntEnum):
     PARTS = -14
 
 
-_NOTHING = ctypes.c_char * 0
-"""Of no size, so that it may begin wherever an array does, without shots too."""
+_ENVIRONMENT_WORDS = 8
+"""Words of a floating-point environment, as in the header."""
+
+_EMPTY = ctypes.c_char * 0
+"""A type of size 0, so that it also fits an array without shots."""
 
 
-_AGAIN = "install again without CFLAGS and LDFLAGS of your own"
+_REINSTALL = "install again without CFLAGS and LDFLAGS of your own"
 
 
 @dataclass
 class Share:
-    """How threads that run the same shots share them.
+    """The part of the shots that a thread takes of those that several run.
 
     Attributes
     ----------
     parts
-        Which part of the shots that are left a thread takes at a time.
+        A thread takes one part in so many of the remaining shots at a time.
     next
-        The first shot that none has begun.
+        The first shot that no thread has begun.
     """
 
     parts: int = 1
     next: ctypes.c_size_t = field(default_factory=ctypes.c_size_t)
+
+
+@dataclass(frozen=True)
+class _CallArguments:
+    """Parameters as the library takes them, which the next call mostly takes again.
+
+    Attributes
+    ----------
+    values
+        The parameters; none if any is an array, which would live on.
+    numbers
+        The numbers that pointers point to.
+    pointers, strides
+        By parameter, the place of its values, and the step from one shot's to the next one's.
+    """
+
+    values: Sequence[NDArray[np.float64] | float]
+    numbers: ctypes.Array[ctypes.c_double]
+    pointers: ctypes.Array[ctypes.c_void_p]
+    strides: ctypes.Array[ctypes.c_int64]
 
 
 class Library:
@@ -74,8 +101,7 @@ class Library:
     path
         The shared library.
     kernels
-        The generated NumPy module of its scene: its name, which those of the functions begin with,
-        and its table of results.
+        The generated NumPy module of its scene. Names of C functions begin with the scene's name.
 
     Raises
     ------
@@ -86,17 +112,14 @@ class Library:
     def __init__(self, path: Path, kernels: ModuleType) -> None:
         scene: str = kernels.SCENE
         self._arrays = (*(result.name for result in kernels.RESULTS), *LOG)
-        self._results: type[ctypes.Structure] = type(
-            "Results",
-            (ctypes.Structure,),
-            {"_fields_": [(name, ctypes.c_void_p) for name in self._arrays]},
-        )
+        self._results = struct.Struct(f"{len(self._arrays)}P")
         count = len(kernels.PARAMETERS)
         self._numbers = ctypes.c_double * count
         self._pointers = ctypes.c_void_p * count
         self._strides = ctypes.c_int64 * count
-        library = ctypes.CDLL(str(path))
-        self._simulate = getattr(library, f"{scene}_share")
+        self._last = self._arguments([0.0] * count)
+        self._scene, self._library = scene, ctypes.CDLL(str(path))
+        self._simulate = getattr(self._library, f"{scene}_share")
         self._simulate.restype = ctypes.c_int
         self._simulate.argtypes = [
             ctypes.c_size_t,
@@ -112,14 +135,40 @@ class Library:
             ctypes.c_void_p,
             ctypes.c_size_t,
         ]
-        self._sources = getattr(library, f"{scene}_sources", None)
+        self._sources = getattr(self._library, f"{scene}_sources", None)
         if self._sources is not None:
             self._sources.restype = ctypes.c_char_p
 
     @property
     def sources(self) -> str:
-        """What the build said of the sources; "" if it is older than that."""
+        """The digest of the sources that the build stored; "" of an older build."""
         return "" if self._sources is None else self._sources().decode()
+
+    def _arguments(self, parameters: Sequence[NDArray[np.float64] | float]) -> _CallArguments:
+        """Return the parameters as the library takes them."""
+        numbers = self._numbers(*[p if isinstance(p, float) else 0.0 for p in parameters])
+        start = ctypes.addressof(numbers)
+        pointers = self._pointers(*range(start, start + ctypes.sizeof(numbers), 8))
+        strides = self._strides()
+        rows = [(k, own) for k, own in enumerate(parameters) if not isinstance(own, float)]
+        for k, own in rows:
+            pointers[k], strides[k] = _address(own), 1
+        return _CallArguments(() if rows else tuple(parameters), numbers, pointers, strides)
+
+    @cached_property
+    def missing_width(self) -> int:
+        """The width of its build, if this processor lacks it and one lane serves; else 0."""
+        return int(getattr(self._library, f"{self._scene}_missing_width")())
+
+    @contextmanager
+    def default_environment(self) -> Iterator[None]:
+        """Set this thread's default floating-point environment; restore the earlier one at exit."""
+        before = (ctypes.c_uint64 * _ENVIRONMENT_WORDS)()
+        getattr(self._library, f"{self._scene}_enter")(before)
+        try:
+            yield
+        finally:
+            getattr(self._library, f"{self._scene}_leave")(before)
 
     def run(
         self,
@@ -127,7 +176,7 @@ class Library:
         parameters: Sequence[NDArray[np.float64] | float],
         leaving: NDArray[np.int8] | None,
         max_contacts: int,
-        out: Raw,
+        out: ResultArrays,
         stop: NDArray[np.int32],
         width: int = 0,
         time_limit: float = math.inf,
@@ -146,50 +195,51 @@ class Library:
         stop
             (1,); a nonzero value from another thread ends the run early.
         width
-            Vector lanes, 0 for the widest.
+            Vector lanes; 0 for the widest, or for one lane if there is one shot.
         time_limit
             Time since the release at which a shot ends, s; infinite: none.
         share
-            What it has in common with other threads that run the same shots into the same `out`,
-            of which each then runs some; None: it runs all.
+            The share of threads that run the same shots into the same `out`, of which each runs
+            some; None: this call runs all.
 
         Raises
         ------
         ValueError
-            If that width is not there, or another argument is not as described.
+            If the library does not have that width, or another argument is not as described.
         RuntimeError
-            If doubles are not computed as IEEE 754 says: in this thread, or by how it was built.
+            If doubles are not computed as IEEE 754 says, because of how it was built.
         MemoryError
-            If there is none for the shots in flight.
+            If there is no memory for the shots in flight.
         """
-        rows = [(k, own) for k, own in enumerate(parameters) if not isinstance(own, float)]
-        numbers = self._numbers(*[p if isinstance(p, float) else 0.0 for p in parameters])
-        start = ctypes.addressof(numbers)
-        pointers = self._pointers(*range(start, start + ctypes.sizeof(numbers), 8))
-        strides = self._strides()
-        for k, own in rows:
-            pointers[k], strides[k] = _address(own), 1
+        given = self._last
+        if len(given.values) != len(parameters) or not all(
+            map(operator.is_, given.values, parameters)
+        ):
+            given = self._last = self._arguments(parameters)
         arrays = out.arrays
-        results = self._results(*[_address(arrays.get(name)) for name in self._arrays])
+        # As `_address`, without a call for each array: all of these can be written.
+        addresses = [
+            ctypes.addressof(_EMPTY.from_buffer(arrays[name])) if name in arrays else 0  # type: ignore[arg-type]
+            for name in self._arrays
+        ]
         share = share or Share()
         used = self._simulate(
             len(states),
             _address(states),
-            pointers,
-            strides,
-            _address(leaving),
+            given.pointers,
+            given.strides,
+            None if leaving is None else _address(leaving),
             max_contacts,
             time_limit,
             width,
             _address(stop),
-            ctypes.byref(results),
+            self._results.pack(*addresses),
             ctypes.byref(share.next),
             share.parts,
         )
         if used >= 0:
             return
         if used == Error.ARITHMETIC:
-            arithmetic.check_arithmetic()
             raise RuntimeError("the C engine was built with flags that change arithmetic")
         if used == Error.MEMORY:
             raise MemoryError("there is no memory for the shots in flight")
@@ -206,28 +256,26 @@ class Library:
         raise ValueError(said.get(used, f"the C engine refuses its arguments, with code {used}"))
 
 
-def _address(array: NDArray[Any] | None) -> int | None:
-    """Return where an array's data begin; `ndarray.ctypes` takes four times as long to say."""
-    if array is None:
-        return None
+def _address(array: NDArray[Any]) -> int:
+    """Return the address of an array's data; `ndarray.ctypes` takes four times as long."""
     try:
-        return ctypes.addressof(_NOTHING.from_buffer(array))  # type: ignore[arg-type]
+        return ctypes.addressof(_EMPTY.from_buffer(array))  # type: ignore[arg-type]
     except (TypeError, ValueError, BufferError):  # it must not be written
         return array.__array_interface__["data"][0]  # type: ignore[no-any-return]
 
 
 @dataclass(frozen=True)
-class Refused:
-    """Why there is no C engine, and what to do: both go on after "the C engine"."""
+class Rejection:
+    """The reason why there is no C engine, and a remedy; both continue "the C engine"."""
 
     reason: str
     remedy: str
 
 
-def checked(
-    path: Path, kernels: ModuleType, c_sources: Path, shots: Sequence[Batch]
-) -> Library | Refused:
-    """Return the engine of a library that came with hoopgen, or why it cannot be trusted.
+def check_library(
+    path: Path, kernels: ModuleType, c_sources: Path, shots: Callable[[], Sequence[Batch]]
+) -> Library | Rejection:
+    """Return the C engine of a library that comes with hoopgen, or the reason to reject it.
 
     Parameters
     ----------
@@ -236,26 +284,22 @@ def checked(
     kernels
         The generated NumPy module of its scene.
     c_sources
-        The folder of what it should have been built from.
+        The folder of the sources that it should have been built from.
     shots
-        With which it is compared with NumPy.
-
-    Raises
-    ------
-    RuntimeError
-        If this thread does not compute doubles as IEEE 754 says, so that nothing can be compared.
+        Function that returns the shots with which it is compared with NumPy.
     """
-    arithmetic.check_arithmetic()
+    was_exact = arithmetic.is_exact()
     try:
         library = Library(path, kernels)
     except (OSError, AttributeError):
-        return Refused("was not built", "install again with a C compiler")
-    if not arithmetic.exact():
-        return Refused("makes subnormals zero in this process when it is loaded", _AGAIN)
+        return Rejection("was not built", "install again with a C compiler")
+    if was_exact and not arithmetic.is_exact():
+        return Rejection("makes subnormals zero in this process when it is loaded", _REINSTALL)
     # Without the sources, as in a bundle, there is nothing that could be newer.
-    if sources.word(c_sources, kernels.SCENE) not in ("", library.sources):
-        return Refused("was built from other sources than these", "`pip install -e .` again")
-    differences = trust.trusted(path, library, kernels, shots)
+    if c_build.source_digest(c_sources, kernels.SCENE) not in ("", library.sources):
+        return Rejection("was built from other sources than these", "`pip install -e .` again")
+    with library.default_environment():
+        differences = verification.verify(path, library, kernels, shots())
     if differences:
-        return Refused(f"does not give NumPy's results ({differences})", _AGAIN)
+        return Rejection(f"does not give NumPy's results ({differences})", _REINSTALL)
     return library

@@ -1,8 +1,8 @@
-"""The driver of the generated event loop in NumPy: blocks of shots, in and out, and the log.
+"""The driver of the generated event loop in NumPy: blocks of shots, results and the log.
 
-A block holds the shots in flight as columns; each turn takes all of them to their next event. Shots
-that end leave the columns, and others take their place. What happens to a shot stands in the stages
-of the generated module; nothing here decides anything.
+A block holds the shots in flight as columns. Each iteration takes all of them to their next event;
+shots that end leave the columns, and others take their place. The stages of the generated module
+make all decisions.
 """
 
 from __future__ import annotations
@@ -15,39 +15,39 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .raw import Raw
+from .result_arrays import ResultArrays
 
 Floats = NDArray[np.float64]
 Column = Floats | float
 
-BLOCK = 1 << 14
-"""Shots that are simulated together: their arrays fit the second-level cache."""
+BLOCK_SIZE = 1 << 14
+"""Shots that are simulated together; their arrays fit the second-level cache."""
 
-LAST = 1 << 11
-"""So few shots cost hardly less than twice as many: threads leave them to each other at the end."""
+MIN_SHOTS_PER_THREAD = 1 << 11
+"""Number of shots that cost hardly less than twice as many: at the end, threads merge so few."""
 
-LINE = 8
-"""Doubles in a line of the caches: an array that begins within one is written at half the speed."""
+DOUBLES_PER_LINE = 8
+"""Doubles in a cache line. Arrays that do not begin with a line are written at half the speed."""
 
 
 class Room:
-    """Rows for what a kernel computes on the way: one set for all kernels, which come in turn."""
+    """Scratch rows of kernels, shared by all of them."""
 
     def __init__(self, kernels: ModuleType, shots: int) -> None:
-        rows, width = kernels.ROWS, -(-shots // LINE) * LINE
-        room = np.empty(rows * width + LINE)
-        first = -(room.ctypes.data // room.itemsize) % LINE
+        rows, width = kernels.ROWS, -(-shots // DOUBLES_PER_LINE) * DOUBLES_PER_LINE
+        room = np.empty(rows * width + DOUBLES_PER_LINE)
+        first = -(room.ctypes.data // room.itemsize) % DOUBLES_PER_LINE
         # A list, of which each row is cut anew: an array of them takes five times as long.
         self._rows = list(room[first:][: rows * width].reshape(rows, width))
         self._few, self._none = kernels.FEW, kernels.NO_ROWS
 
     def __call__(self, shots: int) -> tuple[Floats | None, ...]:
-        """Return rows of so many shots, or that a kernel is to make arrays of its own."""
+        """Return rows of so many shots; for few shots none, and the kernel allocates arrays."""
         return self._none if shots < self._few else tuple([row[:shots] for row in self._rows])
 
 
 class Flights:
-    """The shots of a block that are in flight.
+    """Shots of a block that are in flight.
 
     Parameters
     ----------
@@ -56,39 +56,49 @@ class Flights:
     bounds
         Whether anything that bounds errors is wanted.
     job
-        What is the same for all shots, by name.
+        Inputs that are the same for all shots, by name.
     most
-        Shots of the batch.
+        Largest number of shots in flight.
     """
 
     def __init__(self, kernels: ModuleType, bounds: bool, job: dict[str, float], most: int) -> None:
         name = "bounded" if bounds else "plain"
-        stages = ("permit", "admit", "reach", "meet")
-        self._permit, self._admit, self._reach, self._meet = (
+        stages = ("validate", "start", "detect", "resolve")
+        self._validate, self._start, self._detect, self._resolve = (
             getattr(kernels, f"{stage}_{name}") for stage in stages
         )
-        self._starts = {f.name: f.start for f in kernels.FIELDS if bounds or not f.bounds}
+        self._starts = {f.name: f.start for f in kernels.FIELDS if bounds or not f.is_diagnostic}
         self._types = {f.name: f.dtype for f in kernels.FIELDS}
         self._kept = (*self._starts, *kernels.VARIABLES.values())
         self._state, self._results = kernels.STATE, kernels.RESULTS
         self._invalid = float(kernels.Outcome.INVALID)
         self._event, self._end = kernels.Event, len(kernels.BODIES)
-        self._tallies = [result.name for result in kernels.RESULTS if result.tallied]
+        self._tallies = [result.name for result in kernels.RESULTS if result.is_counted]
         self._job, self._bounds = job, bounds
-        self._room = Room(kernels, min(most, BLOCK))
+        self._room = Room(kernels, min(most, BLOCK_SIZE))
         self.row = np.empty(0, np.int64)
         self._columns: dict[str, Any] = dict.fromkeys(self._kept, np.empty(0))
 
-    def begin(self, given: dict[str, Column], row: NDArray[np.int64], out: Raw) -> None:
-        """Add shots, given their columns; one that cannot start ends at once."""
+    def begin(self, given: dict[str, Column], row: NDArray[np.int64], out: ResultArrays) -> None:
+        """Add shots by their columns; one that cannot start ends at once.
+
+        Parameters
+        ----------
+        given
+            Columns by name, each (n,) or a number.
+        row
+            The row of each shot in the results, (n,).
+        out
+            The result arrays.
+        """
         shots = len(row)
         fresh = self._job | {
             name: np.full(shots, start, self._types[name]) if start is not None else given[name]
             for name, start in self._starts.items()
         }
         fresh |= {name: given[name] for name in self._kept if name not in self._starts}
-        self._permit(fresh, shots, self._room)
-        self._admit(fresh, shots, self._room)
+        self._validate(fresh, shots, self._room)
+        self._start(fresh, shots, self._room)
         for name in self._tallies:
             if (tally := getattr(out, name)) is not None:
                 tally[row] = 0
@@ -102,10 +112,10 @@ class Flights:
             self._columns[name] = own
         self.row = np.concatenate([self.row, row[begun]])
 
-    def advance(self, out: Raw) -> None:
-        """Take every shot to its next event; write and drop those that end there."""
+    def advance(self, out: ResultArrays) -> None:
+        """Advance every shot to its next event; write and remove those that end."""
         columns = self._columns | self._job
-        self._reach(columns, len(self.row), self._room)
+        self._detect(columns, len(self.row), self._room)
         before = self._states(columns) if out.events is not None else None
         for name in self._tallies:
             if (tally := getattr(out, name)) is not None:
@@ -116,14 +126,14 @@ class Flights:
             # Nothing is left to do for one that ends and touches nothing.
             over = np.logical_not(columns["touches"]) & (columns["outcome"] >= 0.0)
             columns = self._ended(columns, over, out)
-        self._meet(columns, len(self.row), self._room)
+        self._resolve(columns, len(self.row), self._room)
         if before is not None:
             self._record(columns, before, out)
         columns = self._ended(columns, columns["outcome"] >= 0.0, out)
         self._columns = {name: columns[name] for name in self._kept}
 
-    def _ended(self, columns: dict[str, Any], over: Any, out: Raw) -> dict[str, Any]:
-        """Write and drop shots that are over; return the columns of the others."""
+    def _ended(self, columns: dict[str, Any], over: Any, out: ResultArrays) -> dict[str, Any]:
+        """Write and remove shots that are over; return the columns of the others."""
         shots = len(self.row)
         for name in self._starts:
             if not np.ndim(columns[name]):  # a kernel that says the same of all shots
@@ -137,7 +147,7 @@ class Flights:
         return {name: _take(values, kept) for name, values in columns.items()}
 
     def join(self, other: Flights) -> None:
-        """Add the shots that another has in flight: both have taken theirs to an event, or none."""
+        """Add the shots in flight of another instance at the same stage."""
         if not len(self.row):
             self._columns, self.row = other._columns, other.row
         elif len(other.row):
@@ -149,7 +159,7 @@ class Flights:
     def _states(self, columns: dict[str, Any]) -> Floats:
         return np.stack([columns[name] for name in self._state], axis=1)
 
-    def _record(self, columns: dict[str, Any], before: Floats, out: Raw) -> None:
+    def _record(self, columns: dict[str, Any], before: Floats, out: ResultArrays) -> None:
         assert out.events is not None
         assert out.event_counts is not None
         happened = np.flatnonzero(columns["body"] >= 0.0)
@@ -168,15 +178,15 @@ class Flights:
         out.event_counts[row] += 1
 
 
-class Last:
-    """What threads that each run a part of the same shots leave to each other: their last ones.
+class SharedTail:
+    """The last shots of threads, which one of them finishes for all.
 
     Parameters
     ----------
     threads
-        How many parts there are.
+        Number of parts.
     shots
-        Shots of all parts.
+        Number of shots of all parts.
     """
 
     def __init__(self, threads: int, shots: int) -> None:
@@ -184,17 +194,17 @@ class Last:
         self.shots = shots
 
     def go_on(self, flights: Flights) -> bool:
-        """Return whether a part goes on; it does not if its last shots were left to the others.
+        """Return whether a thread continues; False if it left its last shots to others.
 
-        One that does is given what others left, as far as there is room. The last at work goes on
-        until there is nothing left.
+        A thread that goes on takes over the shots that others left, as far as its block has room.
+        The last thread goes on until no shots are left.
         """
         with self._lock:
-            if len(flights.row) <= LAST and self._at_work > 1:
+            if len(flights.row) <= MIN_SHOTS_PER_THREAD and self._at_work > 1:
                 self._at_work -= 1
                 self._left.append(flights)
                 return False
-            while self._left and len(flights.row) + len(self._left[-1].row) <= BLOCK:
+            while self._left and len(flights.row) + len(self._left[-1].row) <= BLOCK_SIZE:
                 flights.join(self._left.pop())
         return True
 
@@ -205,11 +215,11 @@ def run(
     parameters: Sequence[Column],
     leaving: NDArray[np.int8] | None,
     max_contacts: int,
-    out: Raw,
+    out: ResultArrays,
     stopped: Callable[[], bool] = lambda: False,
     time_limit: float = np.inf,
     first: int = 0,
-    last: Last | None = None,
+    last: SharedTail | None = None,
 ) -> None:
     """Simulate shots and write what `out` has room for.
 
@@ -224,32 +234,31 @@ def run(
     leaving
         Surface that each shot touches at the start and leaves, -1 for none.
     stopped
-        Asked between events; nothing further is done once it returns True.
+        Called between events; the run ends when it returns True.
     time_limit
         Time since the release at which a shot ends, s; infinite: none.
     first
         The row of `out` that the first shot has.
     last
-        What runs of other parts of the same shots, into the same `out`, share; without a log.
+        Shared by runs of other parts of the same shots into the same `out`, without a log.
     """
     if out.event_counts is not None:
         out.event_counts[:] = 0
-    claimed = out.time_error is not None or out.state_error is not None
     job = {
         "most_contacts": float(max_contacts),
         "time_limit": time_limit,
-        "claims": float(claimed),
+        **_switches(kernels, out),
     }
-    last = last or Last(1, len(states))
-    flights = Flights(kernels, bounded(kernels, out), job, last.shots)
+    last = last or SharedTail(1, len(states))
+    flights = Flights(kernels, wants_bounds(kernels, out), job, last.shots)
     begun = 0
     with np.errstate(all="ignore"):
         while not stopped():
             flying = len(flights.row)
             if begun < len(states):
-                if flying < BLOCK // 2:
-                    rows = slice(begun, min(begun + BLOCK - flying, len(states)))
-                    given = _given(kernels, states, parameters, leaving, rows)
+                if flying < BLOCK_SIZE // 2:
+                    rows = slice(begun, min(begun + BLOCK_SIZE - flying, len(states)))
+                    given = _input_columns(kernels, states, parameters, leaving, rows)
                     flights.begin(given, np.arange(rows.start, rows.stop) + first, out)
                     begun = rows.stop
             elif not last.go_on(flights):
@@ -261,19 +270,37 @@ def run(
             flights.advance(out)
 
 
-def bounded(kernels: ModuleType, out: Raw) -> bool:
-    """Return whether anything that bounds errors is wanted."""
-    return any(r.bounds and getattr(out, r.name) is not None for r in kernels.RESULTS)
+def wants_bounds(kernels: ModuleType, out: ResultArrays) -> bool:
+    """Return whether any error bound is wanted.
+
+    Parameters
+    ----------
+    kernels
+        The generated module of the scene.
+    out
+        The result arrays.
+    """
+    return any(r.is_diagnostic and getattr(out, r.name) is not None for r in kernels.RESULTS)
 
 
-def _given(
+def _switches(kernels: ModuleType, out: ResultArrays) -> dict[str, float]:
+    """Return the numbers that are 1 if a result which needs them is wanted."""
+    found: dict[str, float] = {}
+    for result in kernels.RESULTS:
+        if result.switch:
+            wanted = getattr(out, result.name) is not None
+            found[result.switch] = max(found.get(result.switch, 0.0), float(wanted))
+    return found
+
+
+def _input_columns(
     kernels: ModuleType,
     states: Floats,
     parameters: Sequence[Column],
     leaving: NDArray[np.int8] | None,
     rows: slice,
 ) -> dict[str, Column]:
-    """Return the columns of some rows that the caller gave."""
+    """Return the columns of the caller's inputs for some rows."""
     given: dict[str, Column] = dict(zip(kernels.STATE, states[rows].T.copy(), strict=True))
     for name, value in zip(kernels.VARIABLES.values(), parameters, strict=True):
         given[name] = value if np.ndim(value) == 0 else np.asarray(value, np.float64)[rows]
@@ -288,25 +315,25 @@ def _finish(
     columns: dict[str, Any],
     row: NDArray[np.int64],
     over: NDArray[np.bool_],
-    out: Raw,
+    out: ResultArrays,
 ) -> None:
     """Write the results of the shots that are over."""
     ended = np.flatnonzero(over)
     if not len(ended):
         return
     row = row[ended]
-    blank = columns["outcome"][ended] == invalid
+    empty = columns["outcome"][ended] == invalid
     for result in results:
         array = getattr(out, result.name)
-        if array is None or result.tallied:
+        if array is None or result.is_counted:
             continue
         for k, source in enumerate(result.columns):
             values = columns[source][ended]
-            if result.blank:
-                values = np.where(blank, np.nan, values)
+            if result.is_empty_if_invalid:
+                values = np.where(empty, np.nan, values)
             array[(row, k) if result.row else row] = values
 
 
 def _take(values: Any, rows: NDArray[np.int64]) -> Any:
-    """Return the rows of a column; what all shots share stays."""
+    """Return rows of a column; a shared number stays."""
     return values.take(rows, None, None, "clip") if np.ndim(values) else values

@@ -1,1 +1,1 @@
-"""What only a hoop has: presets, releases and their variables, kinds of outcome."""
+"""The hoop: presets, releases and their variables, kinds of shots."""

@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 
 from hoopgen.generated.numpy.hoop import BODIES, Outcome
 
-__all__ = ["Kind", "ended_in", "kinds"]
+__all__ = ["Kind", "hoop_outcomes", "kinds"]
 
 _RING, _BOARD, _BRIDGE = (BODIES.index(name) for name in ("ring", "backboard", "bridge"))
 
 
 class Kind(IntEnum):
-    """What a shot touched on its way."""
+    """The bodies that a shot touched on its way."""
 
     SWISH = 0
     """Made, and touched nothing."""
@@ -53,8 +53,8 @@ def kinds(
     return np.asarray(_KIND_OF[board * 1 + frame * 2 + (first == _BOARD) * 4, outcome])
 
 
-def ended_in(rolls: bool) -> tuple[Outcome, ...]:
-    """Return how the shots of a study can end: none is at rest or endless where none can roll."""
+def hoop_outcomes(rolls: bool) -> tuple[Outcome, ...]:
+    """Return the outcomes that a shot can have: LODGED and ENDLESS only where a ball may roll."""
     return tuple(one for one in Outcome if rolls or one <= Outcome.INVALID)
 
 

@@ -1,4 +1,4 @@
-"""Places on the board and on the ring by name, as coaches say where to aim; from their sizes alone.
+"""Named places on the board and on the ring, as coaches use them to say where to aim.
 
 The square is that painted on the board: NBA Rule Book, rule 1. The upper edge of its base is level
 with the ring; 24 in by 18 in outside, lines 2 in wide.
@@ -10,7 +10,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from hoopgen.units import INCH, shown
+from hoopgen.core.units import INCH, display_unit
 
 __all__ = ["Square", "on_board", "on_ring", "say_on_board", "say_on_ring"]
 
@@ -19,7 +19,7 @@ _ACROSS, _UP, _LINE = 24.0 * INCH, 18.0 * INCH, 2.0 * INCH
 
 @dataclass(frozen=True)
 class Square:
-    """The outer edges of the painted square, and how wide its lines are, m.
+    """Outer edges of the painted square, and the width of its lines, m.
 
     y is to the right as the shooter sees it, z up, both from the ring's centre.
     """
@@ -32,7 +32,7 @@ class Square:
 
     @classmethod
     def of(cls, parameters: Mapping[str, float]) -> Square:
-        """Return that of a scene."""
+        """Return the square of a scene with these parameters."""
         bottom = parameters["wire_radius"] - _LINE
         return cls(-_ACROSS / 2.0, _ACROSS / 2.0, bottom, bottom + _UP, _LINE)
 
@@ -54,7 +54,7 @@ def on_board(parameters: Mapping[str, float]) -> dict[str, tuple[float, float]]:
 def on_ring(parameters: Mapping[str, float]) -> dict[str, float]:
     """Return the named places of the ring by how far past its centre they are, m.
 
-    The rim's are in the middle of the wire, that of the model's ring.
+    Those of the rim lie on the middle of the wire.
     """
     radius = parameters["ring_radius"]
     return {"front of the rim": -radius, "centre of the ring": 0.0, "back of the rim": radius}
@@ -68,7 +68,7 @@ def say_on_board(y: float, z: float, parameters: Mapping[str, float]) -> str:
     y, z
         From the ring's centre, m; +y is to the shooter's right.
     parameters
-        Of the scene.
+        Parameters of the scene.
     """
     places = on_board(parameters)
     name = min(places, key=lambda one: math.dist(places[one], (y, z)))
@@ -85,7 +85,7 @@ def say_on_ring(past: float, parameters: Mapping[str, float]) -> str:
 
 def _said(name: str, ways: list[tuple[float, str, str]]) -> str:
     """Say a place by how far it is from a named one, each way."""
-    unit = shown("short")
+    unit = display_unit("short")
     parts = [
         f"{abs(away) / unit.size:.0f} {unit.symbol} {more if away > 0.0 else less}"
         for away, more, less in ways

@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from hoopgen.core.parameters import Parameters, Table
 from hoopgen.generated.numpy import hoop
-from hoopgen.parameters import Parameters, Table
 
 NAMES = tuple(hoop.PARAMETERS)
-"""Of its parameters."""
+"""Names of the parameters of the article's hoop."""
 
 HOOP_TABLE = Table.of(hoop)
 
@@ -23,7 +23,7 @@ def _preset(
     wire_radius: float,
     board_distance: float,
     board: tuple[float, float],
-) -> Parameters:
+) -> Parameters[float]:
     """Return a preset; the board's lower edge is 0.15 m below the ring's top edge."""
     width, height = board
     bottom = wire_radius - 0.15
@@ -40,7 +40,8 @@ def _preset(
 
 
 PAPER = Parameters(HOOP_TABLE.defaults)
-"""Inside the rule books' tolerances, and every sequence of the article's Table 3 comes out."""
+"""The article's sizes: within the tolerances of the rule books. They give every sequence of
+contacts in the article's Table 3."""
 
 NBA = _preset(
     0.1213,  # 30 in round
@@ -58,10 +59,12 @@ FIBA = _preset(
     0.2270 + 0.151,
     (1.80, 1.05),
 )
-"""FIBA equipment rules, middle of the tolerances."""
+"""FIBA equipment rules; each size is the middle of its tolerance."""
 
-PRESETS: Mapping[str, Parameters] = MappingProxyType({"paper": PAPER, "nba": NBA, "fiba": FIBA})
-"""By the names that they have on the command line and in files."""
+PRESETS: Mapping[str, Parameters[float]] = MappingProxyType(
+    {"paper": PAPER, "nba": NBA, "fiba": FIBA}
+)
+"""Presets of the hoop by the names that they have on the command line and in files."""
 
 
 def nearest_preset(
@@ -72,14 +75,14 @@ def nearest_preset(
     Parameters
     ----------
     parameters
-        Of the scene, one number each or (n,). Names that are not there do not count.
+        Parameters of the scene, one number each or (n,). Those left out are not compared.
     presets
-        By name.
+        The presets to choose from, by name.
 
     Returns
     -------
     tuple
-        A key of `presets`, of several the first; and names and values.
+        A key of `presets`, the first one of several; and the names and values that differ.
     """
 
     def apart(preset: Mapping[str, Any]) -> dict[str, Any]:

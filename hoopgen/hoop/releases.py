@@ -8,21 +8,21 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.inputs import check_angles, check_spins, doubles
+from hoopgen.core.validation import as_doubles, check_angles, check_spins
 
 RING_HEIGHT = 3.048
-"""m, of the ring above the floor: 10 ft."""
+"""Height of the ring above the floor, m: 10 ft."""
 
 CATCHING_HEIGHT = 2.5
-"""m above the floor, of the ball's centre when a rebound is caught. A choice, not a measurement:
-about where a tall player's hands are who stands and reaches up; who jumps has them higher."""
+"""Height of the ball's centre above the floor when a rebound is caught, m. This is a choice and
+not a measurement: a tall player who stands reaches about so high, one who jumps reaches higher."""
 
 _ANGLES = ("elevation", "azimuth", "angle")
 _SPINS = ("backspin", "sidespin")
 
 
 FROM_ZERO: Mapping[str, str] = MappingProxyType({"speed": "m/s", "distance": "m"})
-"""Arguments of `release` that are never negative, and their units: backwards is said by angles."""
+"""Arguments of `release` that are never negative, and their units; an angle gives the direction."""
 
 
 def from_zero(name: str, values: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -101,14 +101,14 @@ def release(
         "distance": distance,
         "angle": angle,
     }
-    arrays = {name: doubles(name, value) for name, value in arguments.items()}
+    arrays = {name: as_doubles(name, value) for name, value in arguments.items()}
     check_angles("release", {name: arrays[name] for name in _ANGLES})
     check_spins("release", {name: arrays[name] for name in _SPINS})
-    return released(arrays)
+    return states_of(arrays)
 
 
-def released(arrays: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
-    """Return what `release` does, whatever the angles: studies check theirs once.
+def states_of(arrays: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
+    """Return states as `release` does, without its checks of angles and spins.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Variables of a shot at a hoop: what releases it, what stands for that, and the parameters."""
+"""Variables of a shot at a hoop: arguments of its release, their alternatives, and parameters."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.brief import listed
+from hoopgen.core.units import Kind
+from hoopgen.core.validation import as_doubles, check_spins
+from hoopgen.core.validation import check_angles as check_radians
+from hoopgen.core.variables import STATE, Releases, Variable, check_names
 from hoopgen.generated.numpy import hoop
-from hoopgen.inputs import check_angles as check_radians
-from hoopgen.inputs import check_spins, doubles
-from hoopgen.units import Kind
-from hoopgen.variables import STATE, Releases, Variable, check_names
+from hoopgen.text.shorten import join_names
 
 from .presets import NAMES, PAPER
-from .releases import RING_HEIGHT, released
+from .releases import RING_HEIGHT, states_of
 
 __all__ = [
     "ARGUMENTS",
-    "INSTEAD",
+    "ALTERNATIVE_VARIABLES",
     "STANDS_FOR",
     "VARIABLES",
     "change_variables",
@@ -48,14 +48,14 @@ ARGUMENTS = _listed(
 )
 """The arguments of `hoopgen.release`."""
 
-INSTEAD = _listed(
+ALTERNATIVE_VARIABLES = _listed(
     Variable("aim", "length", "aim past the ring's centre"),
     Variable("entry", "angle", "entry angle"),
     Variable("x", "length", "place on the floor, x"),
     Variable("y", "length", "place on the floor, y"),
 )
-"""Those that stand for arguments: `aim` for speed, `entry` for elevation, `x` and `y` for distance
-and angle."""
+"""Variables that replace arguments: `aim` the speed, `entry` the elevation, `x` and `y` the
+distance and the angle."""
 
 STANDS_FOR: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -65,7 +65,7 @@ STANDS_FOR: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "y": ("distance", "angle"),
     }
 )
-"""What they take the place of."""
+"""The arguments that each of them replaces."""
 
 _KINDS: Mapping[str, Kind] = MappingProxyType(
     {"m": "length", "m/s²": "acceleration", "1": "number"}
@@ -78,14 +78,16 @@ _PARAMETERS = _listed(
     )
 )
 
-VARIABLES: Mapping[str, Variable] = MappingProxyType({**ARGUMENTS, **INSTEAD, **_PARAMETERS})
-"""Every variable: arguments of a release, what stands for them, and the scene's parameters."""
+VARIABLES: Mapping[str, Variable] = MappingProxyType(
+    {**ARGUMENTS, **ALTERNATIVE_VARIABLES, **_PARAMETERS}
+)
+"""Every variable: arguments of a release, those that replace them, and parameters of the scene."""
 
 
 def check_angles(name: str, values: Mapping[str, ArrayLike]) -> None:
-    """Refuse those of some variables that are angles in degrees, or spins in no rad/s.
+    """Refuse angles that seem to be in degrees, and spins that seem not to be in rad/s.
 
-    See `hoopgen.inputs`.
+    The limits are those of `hoopgen.core.validation`.
 
     Raises
     ------
@@ -125,8 +127,8 @@ def resolve_variables(
         If a name is unknown, one is missing, two stand for the same, or shapes disagree.
     """
     names = tuple(parameters) or NAMES
-    check_names("variables", values, (*ARGUMENTS, *INSTEAD, *names))
-    arrays = {name: doubles(name, value) for name, value in values.items()}
+    check_names("variables", values, (*ARGUMENTS, *ALTERNATIVE_VARIABLES, *names))
+    arrays = {name: as_doubles(name, value) for name, value in values.items()}
     lengths = {name: array.shape for name, array in arrays.items() if array.ndim}
     if any(len(shape) != 1 for shape in lengths.values()) or len(set(lengths.values())) > 1:
         shapes = ", ".join(f"{name} {shape}" for name, shape in lengths.items())
@@ -144,7 +146,7 @@ def make_releases(
 ) -> Releases:
     """Return so many shots of all arguments of `hoopgen.release`, each one number or (shots,)."""
     return Releases(
-        np.broadcast_to(released(arguments), (shots, len(STATE))),
+        np.broadcast_to(states_of(arguments), (shots, len(STATE))),
         parameters,
         {name: np.broadcast_to(array, (shots,)) for name, array in arguments.items()},
     )
@@ -185,7 +187,7 @@ def release_arguments(
     if "elevation" not in given or (not aimed and "speed" not in given):
         raise ValueError(
             "variables: expected speed and elevation, or aim in place of speed, "
-            f"or entry in place of both; got {listed(values)}"
+            f"or entry in place of both; got {join_names(values)}"
         )
     if aimed:
         given["speed"] = _aimed_speed(given["elevation"], reach, rise, gravity)

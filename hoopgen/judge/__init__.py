@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-from hoopgen.installed import explained
+from hoopgen.core.extras import explain_import_error
 
 try:
     import flint as _flint  # noqa: F401
     import sympy as _sympy  # noqa: F401
 except ImportError as error:
-    raise explained(error, "certify", extra="certify") from None
+    raise explain_import_error(error, "certify", extra="certify") from None
 
-from .batch import MAX_BITS, certify
+from .batch import MAX_BITS, CertificationOptions, certify
 from .certificate import UNDECIDED, Certificate, Enclosure, Proof
 
-__all__ = ["MAX_BITS", "UNDECIDED", "Certificate", "Enclosure", "Proof", "certify"]
+__all__ = [
+    "MAX_BITS",
+    "UNDECIDED",
+    "Certificate",
+    "CertificationOptions",
+    "Enclosure",
+    "Proof",
+    "certify",
+]

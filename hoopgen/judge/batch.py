@@ -1,4 +1,4 @@
-"""`certify`: more and more digits, until every decision of a shot is proved."""
+"""`certify`: precision is doubled until every decision of a shot is proved."""
 
 from __future__ import annotations
 
@@ -7,48 +7,60 @@ import multiprocessing
 import os
 import sys
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 from flint import arb, ctx
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.derive.scenes.scene import Scene
-from hoopgen.inputs import (
+from hoopgen.core.parameters import ParameterValues, resolve
+from hoopgen.core.validation import (
     check_contacts,
     check_count,
     check_leaving,
     check_states,
     check_time_limit,
 )
-from hoopgen.parameters import resolve
-from hoopgen.scene.definition import definition, table_of, usual_contacts, usual_limit
+from hoopgen.derive.scenes.scene import Scene
+from hoopgen.scene.definition import default_max_contacts, default_time_limit, definition, table_of
+from hoopgen.scene.lookup import SceneLike
 
 from .certificate import UNDECIDED, Certificate, Proof, ProvedEvent, doubles, enclosure
-from .flight import Flown, fly
+from .flight import ProvedFlight, fly
 from .formulas import formulas
 from .roots import Undecided
 
 FIRST_BITS = 128
 MAX_BITS = 4096
 
-CHUNK = 64
+SHOTS_PER_TASK = 64
 """Shots that a process takes at a time; fewer are not worth another process."""
 
-_ROLLS = "from there the ball rolls, which the judge does not follow"
+_ROLLS_QUESTION = "from there the ball rolls, which the judge does not follow"
 
 _FORKS = sys.platform == "linux"
-"""Whether processes begin at once, with all that is compiled here, and no script runs anew."""
+"""True where new processes start as copies of this one, and no script runs again."""
+
+
+class CertificationOptions(TypedDict, total=False):
+    """Keywords of `certify`, but for the scene."""
+
+    max_contacts: int | None
+    max_bits: int
+    record: bool
+    leaving: ArrayLike | None
+    time_limit: float | None
+    processes: int | None
 
 
 def certify(
     states: ArrayLike,
-    parameters: Mapping[str, Any] | None = None,
+    parameters: ParameterValues | None = None,
     *,
-    scene: Any = None,
+    scene: SceneLike = None,
     max_contacts: int | None = None,
     max_bits: int = MAX_BITS,
     record: bool = False,
@@ -56,7 +68,7 @@ def certify(
     time_limit: float | None = None,
     processes: int | None = None,
 ) -> Certificate:
-    """Prove what shots do, in ball arithmetic and without any of the engines.
+    """Prove what shots do, in ball arithmetic, independent of the engines.
 
     Every shot is flown from its exact doubles, with twice as many bits each time, until every
     decision (is there an arrival, which is first, is it within the bounds, is it made) is proved,
@@ -91,11 +103,11 @@ def certify(
     derived = definition(scene)
     table = table_of(scene, derived)
     own = resolve(parameters, len(releases), table)
-    values = table.inputs(dict(zip(table.defaults, own, strict=True)))
+    values = table.inputs(own)
     left = check_leaving(leaving, len(releases), len(derived.bodies))
-    most = usual_contacts(derived) if max_contacts is None else check_contacts(max_contacts)
+    most = default_max_contacts(derived) if max_contacts is None else check_contacts(max_contacts)
     bits = check_count("max_bits", max_bits, least=FIRST_BITS)
-    limit = usual_limit(derived) if time_limit is None else check_time_limit(time_limit)
+    limit = default_time_limit(derived) if time_limit is None else check_time_limit(time_limit)
     return prove(derived, releases, values, left, most, bits, record, processes, limit)
 
 
@@ -110,7 +122,7 @@ def prove(
     processes: int | None = None,
     time_limit: float = math.inf,
 ) -> Certificate:
-    """Prove what shots do in a scene; arguments as of `certify`, checked.
+    """Prove what shots do in a scene; arguments as for `certify`, already checked.
 
     Parameters
     ----------
@@ -127,8 +139,12 @@ def prove(
     values = np.stack(columns, axis=-1)
     left = np.full(len(states), -1, np.int8) if leaving is None else leaving
     chunks = [
-        (states[k : k + CHUNK], values[k : k + CHUNK], left[k : k + CHUNK])
-        for k in range(0, len(states), CHUNK)
+        (
+            states[k : k + SHOTS_PER_TASK],
+            values[k : k + SHOTS_PER_TASK],
+            left[k : k + SHOTS_PER_TASK],
+        )
+        for k in range(0, len(states), SHOTS_PER_TASK)
     ]
     workers = min(_processes(processes), len(chunks))
     if workers < 2:
@@ -164,7 +180,7 @@ class _Task:
         return [self.prove(*row) for row in zip(*(c.tolist() for c in chunk), strict=True)]
 
     def prove(self, state: Sequence[float], parameters: Sequence[float], leaving: int) -> Proof:
-        """Prove one shot, with as few doublings as it takes."""
+        """Prove one shot with the fewest doublings of precision."""
         bits, own, most = FIRST_BITS, formulas(self.scene), self.max_contacts
         while True:
             with ctx.workprec(bits):
@@ -178,16 +194,16 @@ class _Task:
                     return self._proof(flown, bits, question)
             bits *= 2
 
-    def _invalid(self, flown: Flown) -> bool:
+    def _invalid(self, flown: ProvedFlight) -> bool:
         return flown.outcome == self.scene.outcomes["invalid"]
 
-    def _proof(self, flown: Flown, bits: int, question: str) -> Proof:
+    def _proof(self, flown: ProvedFlight, bits: int, question: str) -> Proof:
         times, radii = doubles([event.time for event in flown.events])
         final = [flown.time, *flown.state]
         values, away = doubles(final)
         if flown.hops >= 0:
             body = self.scene.bodies[flown.events[-1].surface].name
-            question = f"the bounces on the {body} accumulate; {_ROLLS}"
+            question = f"the bounces on the {body} accumulate; {_ROLLS_QUESTION}"
         if question or self._invalid(flown):
             values = away = [math.nan] * len(final)
         events: tuple[ProvedEvent, ...] = ()
@@ -217,7 +233,7 @@ class _Task:
         )
 
 
-def _accurate(flown: Flown) -> bool:
+def _accurate(flown: ProvedFlight) -> bool:
     """Return whether the final time and state are known well enough to be rounded to doubles."""
     relative, absolute = arb(2) ** -64, arb(2) ** -100
     return all(

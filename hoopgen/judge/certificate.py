@@ -1,4 +1,4 @@
-"""What the judge returns: proved sequences, and enclosures of times and states."""
+"""Certificates: proved sequences of contacts, and enclosures of times and states."""
 
 from __future__ import annotations
 
@@ -11,14 +11,15 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
-from hoopgen.events import Event
-from hoopgen.phrases import counted
+from hoopgen.core.event_log import Event
+from hoopgen.generated.numpy import hoop
+from hoopgen.text.numbers import format_count
 
 if TYPE_CHECKING:
-    from hoopgen.results import Shots
+    from hoopgen.results.shots import Shots
 
 UNDECIDED = 255
-"""In `Certificate.outcome`: none was proved."""
+"""Value of `Certificate.outcome` where no outcome was proved."""
 
 
 class Enclosure(NamedTuple):
@@ -30,7 +31,7 @@ class Enclosure(NamedTuple):
 
     @property
     def ball(self) -> arb:
-        """The same as an Arb ball."""
+        """The enclosure as an Arb ball."""
         with ctx.workprec(max(64, self.middle.bit_length())):
             scale = arb(2) ** self.exponent
             return arb(self.middle) * scale + arb(0, arb(self.radius) * scale)
@@ -45,7 +46,7 @@ class Enclosure(NamedTuple):
 
 
 def enclosure(ball: arb) -> Enclosure:
-    """Return a finite ball in whole numbers."""
+    """Return a finite ball as an enclosure."""
     middle, place = map(int, ball.mid().man_exp())
     radius, radius_place = map(int, ball.rad().man_exp())
     if not radius:
@@ -55,7 +56,7 @@ def enclosure(ball: arb) -> Enclosure:
 
 
 def doubles(balls: Sequence[arb]) -> tuple[list[float], list[float]]:
-    """Return the doubles nearest to the balls' middles, and how far the truth can be from them."""
+    """Return the doubles nearest to the balls' middles, and bounds on their errors."""
     nearest = [float(ball) for ball in balls]
     away = [(ball - arb(n)).abs_upper() for ball, n in zip(balls, nearest, strict=True)]
     # An upper bound, rounded to nearest and then up once.
@@ -73,7 +74,7 @@ class ProvedEvent(NamedTuple):
 
 @dataclass(frozen=True)
 class Proof:
-    """One shot.
+    """The proof of one shot.
 
     Attributes
     ----------
@@ -130,7 +131,7 @@ class Proof:
 class Certificate:
     """Proofs of a batch: arrays by shot, and each shot's own by index.
 
-    Every result of a simulation is here under its name.
+    Every result of a simulation that the judge knows is here under its name.
 
     Attributes
     ----------
@@ -160,6 +161,10 @@ class Certificate:
         As in `Shots`, of what is proved: bool (n,), float64 (n,) and (n, 3).
     """
 
+    rolls: NDArray[np.int32]
+    slip_left: NDArray[np.bool_]
+    grip_lost: NDArray[np.float64]
+
     def __init__(self, proofs: Sequence[Proof], bodies: int) -> None:
         self.proofs = tuple(proofs)
         shots = len(proofs)
@@ -177,16 +182,16 @@ class Certificate:
         self.until: NDArray[np.float64] = np.array([p.until for p in proofs], float)
         self.accumulates: NDArray[np.bool_] = np.array([p.accumulates for p in proofs], np.bool_)
         # What the judge has proved to an end has bounced all the way.
-        self.rolls = np.zeros(shots, np.int32)
-        self.slip_left = np.zeros(shots, np.bool_)
-        self.grip_lost = np.full(shots, np.inf)
+        for result in (*hoop.RESULTS, *hoop.ABSENT_RESULTS):
+            if result.proved is not None:
+                setattr(self, result.name, np.full(shots, result.proved, result.dtype))
         self.time: NDArray[np.float64] = np.array([p.time for p in proofs], float)
         self.time_radius: NDArray[np.float64] = np.array([p.time_radius for p in proofs], float)
         states = [p.state for p in proofs], [p.state_radii for p in proofs]
         self.state, self.state_radius = (np.array(s, float).reshape(shots, 9) for s in states)
 
     def agrees(self, shots: Shots) -> NDArray[np.bool_]:
-        """Return where shots are as it is proved here, or marked as uncertain.
+        """Return a mask of the shots that are as proved, or are marked as uncertain.
 
         A shot that rolls, or whose bounces have ended with slip left, is compared as far as both
         go: until it rolls, and until the proof ends (`until`). No outcome is proved of it.
@@ -233,12 +238,12 @@ class Certificate:
 
     @property
     def uncertain(self) -> NDArray[np.bool_]:
-        """Where not every decision was proved."""
+        """A mask of the shots with a decision that is not proved."""
         return ~self.decided
 
     @property
     def time_error(self) -> NDArray[np.float64]:
-        """The times' radii."""
+        """The radii of the times, s."""
         return self.time_radius
 
     @property
@@ -257,4 +262,4 @@ class Certificate:
         rolling = int(self.accumulates.sum())
         until_rolling = f", {rolling:,} until they roll" if rolling else ""
         decided = f"{int(self.decided.sum()):,} decided"
-        return f"Certificate({counted(len(self), 'shot')}, {decided}{until_rolling})"
+        return f"Certificate({format_count(len(self), 'shot')}, {decided}{until_rolling})"

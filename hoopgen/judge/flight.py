@@ -1,4 +1,4 @@
-"""One shot in balls: every event is the earliest certainly, or the shot is undecided.
+"""Event detection in balls: every event is certainly the earliest, or the shot is undecided.
 
 The states are exact doubles at the release and balls from the first contact on. What is exact by
 construction is kept exact: a ball is on the surface that it left last (the constant term of that
@@ -17,8 +17,8 @@ from flint import arb, arb_poly, ctx
 from hoopgen.derive.scenes.passage import FALLEN
 
 from . import passage
+from .accumulation import Hops
 from .formulas import Formulas, Function, SurfaceFormulas
-from .hops import Hops
 from .roots import Arrival, Undecided, descent, first_arrival, possible_from, root_bound, sign
 from .validity import valid
 
@@ -36,8 +36,8 @@ class Event:
 
 
 @dataclass
-class Flown:
-    """A shot as far as it is proved.
+class ProvedFlight:
+    """The proved part of a shot.
 
     Attributes
     ----------
@@ -60,10 +60,25 @@ def fly(
     max_contacts: int,
     leaving: int = -1,
     time_limit: float = math.inf,
-) -> Flown:
+) -> ProvedFlight:
     """Return the shot's events and outcome, all proved at the current precision.
 
     If `leaving` is a surface, the release is on it, whatever the last digits of the position say.
+
+    Parameters
+    ----------
+    formulas
+        The formulas of the scene.
+    state
+        The release, nine exact numbers.
+    parameters
+        The kernels' inputs, exact numbers.
+    max_contacts
+        The number of contacts at which a shot is capped.
+    leaving
+        The surface that the ball leaves at the start, or -1.
+    time_limit
+        The time limit, s.
 
     Raises
     ------
@@ -72,10 +87,10 @@ def fly(
     """
     values = [arb(value) for value in parameters]
     now = [arb(component) for component in state]
-    flown = Flown(formulas.outcomes["short"], arb(0), now)
+    flown = ProvedFlight(formulas.outcomes["short"], arb(0), now)
     try:
         if not valid(formulas, now, values, leaving):
-            return Flown(formulas.outcomes["invalid"], arb.nan(), [arb.nan()] * len(now))
+            return ProvedFlight(formulas.outcomes["invalid"], arb.nan(), [arb.nan()] * len(now))
         _follow(formulas, values, max_contacts, leaving, time_limit, flown)
     except Undecided as question:
         raise Undecided(question.args[0], flown) from None
@@ -88,7 +103,7 @@ def _follow(
     max_contacts: int,
     leaving: int,
     time_limit: float,
-    flown: Flown,
+    flown: ProvedFlight,
 ) -> None:
     """Add event after event."""
     last = left_by(formulas, flown.state, values, leaving)
@@ -117,7 +132,7 @@ def _follow(
             flown.events.append(Event(formulas.bodies, flown.time, before, before))
             flown.outcome = formulas.outcomes["endless"]
             if not timed:
-                flown.outcome = _reached(formulas.surfaces[last], before, values, through)
+                flown.outcome = _crossing_outcome(formulas.surfaces[last], before, values, through)
             return
         after = _bounce(formulas.surfaces[last], before, values)
         flown.state = after
@@ -135,7 +150,19 @@ def _follow(
 
 
 def left_by(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> int:
-    """Return what the ball leaves: of a surface of several parts, the nearest in its bounds."""
+    """Return the surface that the ball leaves: of several parts, the nearest in its bounds.
+
+    Parameters
+    ----------
+    formulas
+        The formulas of the scene.
+    state
+        The state, nine balls.
+    values
+        The kernels' inputs.
+    leaving
+        The face that the ball leaves, or -1.
+    """
     own = [k for k, surface in enumerate(formulas.surfaces) if surface.face == leaving]
     within = [
         k
@@ -149,20 +176,20 @@ def left_by(formulas: Formulas, state: list[arb], values: list[arb], leaving: in
     return min(within or own, key=away, default=-1)
 
 
-def _stops(surface: SurfaceFormulas, flown: Flown, values: list[arb]) -> bool:
+def _stops(surface: SurfaceFormulas, flown: ProvedFlight, values: list[arb]) -> bool:
     """Return whether the ball left its last surface with no velocity along the normal."""
     return bool(_restitution(surface, flown.events[-1].before, values).is_zero())
 
 
 def _restitution(surface: SurfaceFormulas, before: list[arb], values: list[arb]) -> arb:
-    """Return that of a contact, from the state before it."""
+    """Return the restitution of a contact, from the state before it."""
     assert surface.restitution is not None
     normal = surface.normal(before, values)
     speed = -sum((v * n for v, n in zip(before[3:6], normal, strict=True)), arb(0))
     return arb(surface.restitution(values, (speed,))[0])
 
 
-def _reached(
+def _crossing_outcome(
     plane: SurfaceFormulas, state: list[arb], values: list[arb], through: int | None
 ) -> int:
     """Return the outcome of a crossing that counts: the first end whose bounds hold."""
@@ -251,6 +278,21 @@ def arrival_at(
     Exactly vanishing low coefficients are divided out: `zeros` of them by construction, and those
     that are seen to vanish. If there are any, the ball is on the surface, and the sign of the first
     that remains says whether it moves away, or is about to enter: an arrival now.
+
+    Parameters
+    ----------
+    formulas
+        The formulas of the scene.
+    index
+        The number of the surface.
+    state
+        The state, nine balls.
+    values
+        The kernels' inputs.
+    zeros
+        The number of roots at t = 0, which are divided out.
+    latest
+        The time up to which arrivals matter, s.
     """
     surface = formulas.surfaces[index]
     coefficients = surface.coefficients(state, values)
@@ -263,12 +305,12 @@ def arrival_at(
     if moving is None and (zeros or surface.axis < 0):
         return possible_from(arb(0))
     if moving == -1 and zeros:
-        entering = _bounded(formulas, surface, state, values, Arrival(arb(0)))
+        entering = _check_bounds(formulas, surface, state, values, Arrival(arb(0)))
         if entering is not None or surface.axis >= 0:
             return entering
     if surface.axis >= 0:
         arrival = descent(rest, moving)
-        return None if arrival is None else _bounded(formulas, surface, state, values, arrival)
+        return None if arrival is None else _check_bounds(formulas, surface, state, values, arrival)
     if moving == -1 and not surface.bounded:
         raise AssertionError(f"the ball is inside the {surface.name}")
     return _first(formulas, surface, state, values, rest, moving == -1, latest)
@@ -305,7 +347,7 @@ def _first(
         if not root.certain:
             return found
         if not inside:
-            arrival = _bounded(formulas, surface, state, values, found)
+            arrival = _check_bounds(formulas, surface, state, values, found)
             if arrival is not None:
                 return arrival
         behind = _behind(coefficients, found.time, inside)
@@ -329,14 +371,14 @@ def _behind(coefficients: list[arb], root: arb, inside: bool) -> arb | None:
     return None
 
 
-def _bounded(
+def _check_bounds(
     formulas: Formulas,
     surface: SurfaceFormulas,
     state: list[arb],
     values: list[arb],
     arrival: Arrival,
 ) -> Arrival | None:
-    """Drop the arrival if it certainly is out of bounds; it is certain if it certainly is not."""
+    """Return an arrival, dropped if certainly out of bounds, certain if certainly within them."""
     if arrival.onwards:
         return arrival
     there = formulas.flight(state, values, (arrival.time,))
@@ -347,7 +389,7 @@ def _bounded(
 
 
 def _bounce(surface: SurfaceFormulas, before: list[arb], values: list[arb]) -> list[arb]:
-    """Return the state after a contact, what is exact by construction kept so."""
+    """Return the state after a contact, with exact components kept exact."""
     assert surface.impact is not None
     after = before[:3] + surface.impact(before, values, surface.normal(before, values))
     if any(component.is_nan() for component in after):

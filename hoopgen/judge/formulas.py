@@ -1,4 +1,4 @@
-"""The formulas of derive/, made ready for ball arithmetic.
+"""The formulas of derive/, compiled for ball arithmetic.
 
 SymPy expressions become straight-line Python that works on whatever numbers it is given, here
 Arb's balls. Nothing is reordered or simplified, and a rational number is never rounded.
@@ -14,9 +14,15 @@ from typing import Any
 import sympy as sp
 from flint import arb, fmpq
 
-from hoopgen.derive.follow.settling import keeps_ball, small_hop
-from hoopgen.derive.ground.choice import Held, IfAtMost, IfLess
-from hoopgen.derive.ground.symbols import (
+from hoopgen.derive.events.event_polynomials import event_coefficients
+from hoopgen.derive.rolling.settling import small_hop
+from hoopgen.derive.rolling.surface_kernels import allows_rolling
+from hoopgen.derive.scenes import HOOP
+from hoopgen.derive.scenes.scene import Scene
+from hoopgen.derive.scenes.validity import condition_scales, size_limits, without_assumptions
+from hoopgen.derive.surfaces import Box, EndPlane, Plane, Surface
+from hoopgen.derive.symbolic.conditionals import Barrier, IfAtMost, IfLess
+from hoopgen.derive.symbolic.symbols import (
     NORMAL,
     POSITION,
     SPIN,
@@ -26,13 +32,8 @@ from hoopgen.derive.ground.symbols import (
     t,
     velocity,
 )
-from hoopgen.derive.scenes import HOOP
-from hoopgen.derive.scenes.scene import Scene
-from hoopgen.derive.scenes.validity import condition_scales, plain, size_limits
-from hoopgen.derive.search.events import event_coefficients
-from hoopgen.derive.surfaces import Box, Gate, Plane, Surface
 
-from .parts import box_solid, parts
+from .box_parts import box_parts, box_solid
 
 Function = Callable[..., list[Any]]
 
@@ -40,7 +41,9 @@ ARRIVAL = sp.Symbol("arrival_speed", positive=True)
 """Along the normal, towards the surface, m/s."""
 
 
-def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) -> Function:
+def compile_expressions(
+    expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]
+) -> Function:
     """Return a Python function from sequences of numbers to the list of the expressions' values.
 
     Parameters
@@ -62,21 +65,21 @@ def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) ->
     results = [writer.write(sp.sympify(expression)) for expression in expressions]
     head = f"def function({', '.join(f'a{place}' for place in range(len(arguments)))}):"
     source = "\n    ".join([head, *writer.lines, f"return [{', '.join(results)}]"])
-    namespace: dict[str, Any] = {"fmpq": fmpq, "chosen": _chosen, "infinity": arb.pos_inf()}
+    namespace: dict[str, Any] = {"fmpq": fmpq, "chosen": _choose, "infinity": arb.pos_inf()}
     exec(source, namespace)  # made above, from derive/ alone
     made: Function = namespace["function"]
     return made
 
 
-def _chosen(holds: bool, fails: bool, then: Any, other: Any) -> Any:
-    """Return what a comparison chooses; if it is not certain, what is no number."""
+def _choose(holds: bool, fails: bool, then: Any, other: Any) -> Any:
+    """Return the branch that a comparison chooses; NaN if it is undecided."""
     if holds or fails:
         return then if holds else other
     return arb.nan()
 
 
 class _Writer:
-    """Writes each subexpression once, as an assignment."""
+    """A writer of expressions as assignments, one for each distinct subexpression."""
 
     def __init__(self) -> None:
         self.names: dict[sp.Expr, str] = {}
@@ -85,7 +88,7 @@ class _Writer:
     def write(self, expression: sp.Expr) -> str:
         """Return the name of the expression's value, writing it if it is new."""
         if expression not in self.names:
-            if isinstance(expression, Held):
+            if isinstance(expression, Barrier):
                 return self.write(expression.args[0])
             formula = self._formula(expression)
             if expression.is_Integer:
@@ -144,7 +147,7 @@ class _Writer:
 
 @dataclass(frozen=True)
 class SurfaceFormulas:
-    """What the judge needs of one surface; each function takes (state, parameters).
+    """The formulas of one surface; each function takes (state, parameters).
 
     Attributes
     ----------
@@ -175,7 +178,7 @@ class SurfaceFormulas:
     ends
         Where a shot ends: in order, each end's name, the number of its outcome, its bounds, and
         whether it is for a ball alone that has fallen through the scene's passage.
-    keeps_ball
+    allows_rolling
         Whether a ball whose bounces accumulate there rolls, in a scene in which balls do.
     """
 
@@ -193,12 +196,12 @@ class SurfaceFormulas:
     impact: Function | None
     restitution: Function | None
     ends: tuple[tuple[str, int, Function, bool], ...]
-    keeps_ball: bool
+    allows_rolling: bool
 
 
 @dataclass(frozen=True)
 class Formulas:
-    """What the judge needs of a scene.
+    """The formulas of a scene.
 
     Attributes
     ----------
@@ -257,19 +260,19 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
     impact = restitution = None
     if body < len(scene.bodies):
         law = scene.bodies[body].law
-        after = law.after(normal, velocity, spin, scene.ball_radius)
+        after = law.after(normal, velocity, spin, scene.ball)
         state = (*POSITION, *VELOCITY, *SPIN)
-        impact = compiled([e for vector in after for e in vector], state, motion, NORMAL)
-        restitution = compiled([law.restitution_at(ARRIVAL)], motion, (ARRIVAL,))
+        impact = compile_expressions([e for vector in after for e in vector], state, motion, NORMAL)
+        restitution = compile_expressions([law.restitution_at(ARRIVAL)], motion, (ARRIVAL,))
 
     ends: list[tuple[str, int, Function, bool]] = []
-    if isinstance(surface, Gate):
+    if isinstance(surface, EndPlane):
         for outcome, part in zip(surface.outcomes, surface.parts, strict=True):
             end = scene.ends[outcome]
-            ends.append((end.name, outcome, compiled(part, place, motion), end.passed))
+            ends.append((end.name, outcome, compile_expressions(part, place, motion), end.passed))
 
     def by_state(expressions: Sequence[sp.Expr]) -> Function:
-        return compiled(expressions, place, motion)
+        return compile_expressions(expressions, place, motion)
 
     return SurfaceFormulas(
         surface.name,
@@ -282,11 +285,11 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
         body,
         bool(surface.bounds),
         axis,
-        compiled([offset], motion),
+        compile_expressions([offset], motion),
         impact,
         restitution,
         tuple(ends),
-        face < len(scene.surfaces) and keeps_ball(scene.surfaces[face], scene.flight),
+        face < len(scene.surfaces) and allows_rolling(scene.surfaces[face], scene.flight),
     )
 
 
@@ -298,7 +301,7 @@ def _hop(scene: Scene) -> Function | None:
     if not scene.rolls:
         return None
     sides = small_hop(scene.flight.strength, scene.ball_radius)
-    return compiled(sides, (*POSITION, *VELOCITY, *SPIN), scene.symbols, NORMAL)
+    return compile_expressions(sides, (*POSITION, *VELOCITY, *SPIN), scene.symbols, NORMAL)
 
 
 @cache
@@ -309,24 +312,32 @@ def formulas(scene: Scene = HOOP) -> Formulas:
     there = scene.flight.at()
     faces = zip(scene.surfaces, scene.faces, strict=True)
     touched = [
-        (part, face, body) for face, (surface, body) in enumerate(faces) for part in parts(surface)
+        (part, face, body)
+        for face, (surface, body) in enumerate(faces)
+        for part in box_parts(surface)
     ]
     gates = [
-        (gate, len(scene.surfaces) + k, len(scene.bodies)) for k, gate in enumerate(scene.gates)
+        (end_plane, len(scene.surfaces) + k, len(scene.bodies))
+        for k, end_plane in enumerate(scene.end_planes)
     ]
     surfaces = tuple(_surface(*place, scene) for place in (*touched, *gates))
     passage = scene.passage
     return Formulas(
         surfaces,
-        tuple(compiled(_solid(s), (*POSITION, *VELOCITY), parameters) for s in scene.surfaces),
+        tuple(
+            compile_expressions(_solid(s), (*POSITION, *VELOCITY), parameters)
+            for s in scene.surfaces
+        ),
         len(touched),
         len(scene.bodies),
         scene.outcomes,
         tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),
-        compiled([e for vector in there for e in vector], state, parameters, (t,)),
+        compile_expressions([e for vector in there for e in vector], state, parameters, (t,)),
         _hop(scene),
-        None if passage is None else compiled([*passage.sizes, scene.gravity], parameters),
-        compiled(scene.requirements, parameters),
+        None
+        if passage is None
+        else compile_expressions([*passage.sizes, scene.gravity], parameters),
+        compile_expressions(scene.requirements, parameters),
         tuple(p.name for p in scene.parameters),
         tuple(p.sign for p in scene.parameters),
         tuple(p.lower for p in scene.parameters),
@@ -335,5 +346,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
             (float(least), float(most))
             for least, most in (size_limits(scene, p) for p in scene.parameters)
         ),
-        compiled(condition_scales(scene), [plain(symbol) for symbol in parameters]),
+        compile_expressions(
+            condition_scales(scene), [without_assumptions(symbol) for symbol in parameters]
+        ),
     )

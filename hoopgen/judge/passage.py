@@ -1,4 +1,4 @@
-"""Whether a ball has fallen through the ring, decided in balls (`derive/scenes/passage.py`)."""
+"""Proof in balls that a ball has fallen through the ring (`derive/scenes/passage.py`)."""
 
 from __future__ import annotations
 
@@ -14,11 +14,21 @@ Sizes = Sequence[arb]
 """Radius and depth of the passage, and gravity."""
 
 Passing = tuple[bool | None, arb]
-"""Whether the plane is passed upwards, None if it may be passed either way; and when."""
+"""A passage of the plane: True if upwards, None if undecided, and its time."""
 
 
 def at_start(sizes: Sizes, state: Sequence[arb], leaving: int) -> int | None:
-    """Return what a ball starts as, None if that is not certain; `leaving` as of `fly`."""
+    """Return the state of passage at the start, None if undecided; `leaving` as for `fly`.
+
+    Parameters
+    ----------
+    sizes
+        Radius and depth of the passage, and gravity.
+    state
+        The state, nine balls.
+    leaving
+        The surface that the ball leaves, or -1.
+    """
     radius, depth, _ = sizes
     height = state[2]
     if leaving < 0 or height >= 0 or height < -depth:
@@ -32,9 +42,20 @@ def at_start(sizes: Sizes, state: Sequence[arb], leaving: int) -> int | None:
 def after(
     through: int, sizes: Sizes, start: Sequence[arb], end: Sequence[arb], time: arb
 ) -> int | None:
-    """Return what a ball is after a flight from what it was before it, None if not certain.
+    """Return the state of passage after a flight from that before it, None if undecided.
 
     Nothing is asked of a ball that surely is outside the disc where it may pass its plane.
+
+    Parameters
+    ----------
+    through
+        The state of passage before the flight.
+    sizes
+        Radius and depth of the passage, and gravity.
+    start, end
+        The states at the flight's start and end, nine balls each.
+    time
+        The duration of the flight, s.
     """
     radius, _, gravity = sizes
     for place in (start, end):

@@ -1,4 +1,4 @@
-"""The first root of a polynomial known as balls, proved.
+"""Proof of the first root of a polynomial whose coefficients are balls.
 
 Boxes of time are taken from the left. Descartes' rule of signs, through the map that takes the
 box to (0, oo), proves that there is no root in a box, or exactly one; else the box is split. The
@@ -13,19 +13,19 @@ from dataclasses import dataclass
 
 from flint import arb, arb_poly, ctx
 
-_SPLIT = 0.48828125
-"""Where a box is split: no root of a plain shot falls just there, as it would on the middle."""
+_SPLIT_POINT = 0.48828125
+"""Share of a box at which it is split: roots of simple shots fall on the middle, none does here."""
 
 _MAP = arb_poly([1, 1])
 
 
 class Undecided(Exception):
-    """A decision that the balls do not make at this precision; the message says which."""
+    """A decision that the balls cannot make at this precision; the message names it."""
 
 
 @dataclass(frozen=True)
 class Arrival:
-    """A time at which there is an arrival, or, if not certain, may be one.
+    """A time at which there is an arrival or, if it is not certain, may be one.
 
     `onwards`: or at any later time.
     """
@@ -36,12 +36,12 @@ class Arrival:
 
 
 def possible_from(time: arb) -> Arrival:
-    """Return what may be an arrival, at that time or any later one."""
+    """Return a possible arrival at a time or later."""
     return Arrival(time, certain=False, onwards=True)
 
 
 def sign(ball: arb) -> int | None:
-    """Return 1, 0 or -1, or None where the ball does not tell."""
+    """Return 1, 0 or -1, or None if it is undecided."""
     if ball > 0:
         return 1
     if ball < 0:
@@ -65,8 +65,15 @@ def root_bound(coefficients: Sequence[arb]) -> arb | None:
 def descent(coefficients: list[arb], moving: int | None) -> Arrival | None:
     """Return the arrival of a plane, in t > 0: the root where the polynomial falls.
 
-    `moving` is the sign of the constant term, if known. Of degree two, the root of a t² + b t + c
-    with negative slope -sqrt(D) is 2 c / (sqrt(D) - b) = -(b + sqrt(D)) / (2 a).
+    For degree two, the root of a t² + b t + c with the negative slope -sqrt(D) is
+    2 c / (sqrt(D) - b) = -(b + sqrt(D)) / (2 a).
+
+    Parameters
+    ----------
+    coefficients
+        Coefficients of the polynomial in t, lowest power first.
+    moving
+        The sign of the constant term; None if it is undecided.
     """
     while coefficients and coefficients[-1].is_zero():
         coefficients = coefficients[:-1]
@@ -95,7 +102,7 @@ def descent(coefficients: list[arb], moving: int | None) -> Arrival | None:
 
 
 def _apex(b: arb, a: arb, discriminant: arb) -> arb:
-    """Enclose both roots of a parabola that may touch zero: its apex and their distance from it."""
+    """Return enclosures of both roots of a parabola that may touch zero."""
     reach = discriminant.abs_upper().sqrt() / (2 * abs(a))
     return -b / (2 * a) + arb(0, reach.abs_upper())
 
@@ -104,6 +111,13 @@ def first_arrival(coefficients: Sequence[arb], end: arb) -> Arrival | None:
     """Return the first root in (0, end) of a polynomial that is certainly positive at 0.
 
     There it goes from positive to negative. None is a proof that there is no root.
+
+    Parameters
+    ----------
+    coefficients
+        Coefficients, lowest power first.
+    end
+        The end of the interval.
     """
     polynomial = arb_poly(coefficients)
     degree = len(coefficients) - 1
@@ -115,16 +129,28 @@ def first_arrival(coefficients: Sequence[arb], end: arb) -> Arrival | None:
         if most == 0:
             continue
         if fewest == most == 1:
-            return _enclosed(polynomial, low, high)
+            return _enclose_root(polynomial, low, high)
         if not high - low > narrowest:
             return possible_from(low)
-        split = (low + (high - low) * _SPLIT).mid()
+        split = (low + (high - low) * _SPLIT_POINT).mid()
         boxes += [(split, high), (low, split)]
     return None
 
 
 def positive_within(polynomial: arb_poly, degree: int, low: arb, width: arb) -> bool:
-    """Return True if the polynomial certainly is positive within the open box."""
+    """Return True if the polynomial certainly is positive within the open box.
+
+    Parameters
+    ----------
+    polynomial
+        The polynomial.
+    degree
+        Its degree.
+    low
+        The lower end of the box.
+    width
+        The width of the box.
+    """
     return _variations(polynomial, degree, low, width)[1] == 0
 
 
@@ -160,8 +186,8 @@ def sign_changes(signs: Iterable[int | None]) -> tuple[int, int]:
     return fewest, most + unknown
 
 
-def _enclosed(polynomial: arb_poly, low: arb, high: arb) -> Arrival:
-    """Enclose the only root in the box; what cannot be enclosed is not certain."""
+def _enclose_root(polynomial: arb_poly, low: arb, high: arb) -> Arrival:
+    """Return an enclosure of the only root in the box; without one, an uncertain arrival."""
     slope = polynomial.derivative()
     middle = _approximate(polynomial, slope, low, high)
     residue = polynomial(middle)

@@ -1,16 +1,16 @@
-"""`settle`: what the engine could not decide in doubles, decided by proof."""
+"""`settle`: proofs decide the shots that the engine could not decide in doubles."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.engines import HOOP, Engine
-from hoopgen.events import Event
-from hoopgen.inputs import doubles
+from hoopgen.core.event_log import Event
+from hoopgen.core.parameters import ParameterValues
+from hoopgen.core.validation import as_doubles
+from hoopgen.engine.compiled_scene import CompiledScene
 
 from .batch import certify
 from .certificate import Certificate
@@ -22,16 +22,16 @@ SETTLING_BITS = 1024
 def settle(
     fields: dict[str, NDArray[Any]],
     states: NDArray[np.float64],
-    parameters: Mapping[str, Any] = HOOP.parameters,
-    max_contacts: int = 40,
+    parameters: ParameterValues,
+    max_contacts: int | None = None,
     *,
-    scene: Engine = HOOP,
+    scene: CompiledScene,
     leaving: ArrayLike | None = None,
     time_limit: float | None = None,
     max_bits: int = SETTLING_BITS,
     processes: int | None = None,
 ) -> NDArray[np.int64]:
-    """Replace the results of uncertain shots by proved ones; what is undecidable stays as it is.
+    """Replace the results of uncertain shots by proved ones; undecidable shots stay.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def settle(
     rows = np.flatnonzero(fields["uncertain"])
     if not len(rows):
         return rows
-    own = {name: _rows(doubles(name, value), rows) for name, value in parameters.items()}
+    own = {name: _rows(as_doubles(name, value), rows) for name, value in parameters.items()}
     certificate = certify(
         states[rows],
         own,
@@ -66,7 +66,8 @@ def settle(
     proved = certificate.decided
     settled = rows[proved]
     for name in scene.layout.results.keys() & fields.keys():
-        fields[name][settled] = getattr(certificate, name)[proved]
+        if scene.layout.results[name].is_judged:
+            fields[name][settled] = getattr(certificate, name)[proved]
     if "events" in fields:
         fields["events"] = _log(fields["events"], rows, certificate, proved, len(scene.surfaces))
     return settled
@@ -78,12 +79,12 @@ def _rows(value: ArrayLike, rows: NDArray[np.int64]) -> NDArray[Any]:
 
 
 def _log(
-    events: NDArray[Any],
+    events: NDArray[np.void],
     rows: NDArray[np.int64],
     certificate: Certificate,
     proved: NDArray[np.bool_],
     bodies: int,
-) -> NDArray[Any]:
+) -> NDArray[np.void]:
     """Return the event log with the proved events of settled shots in place of theirs."""
     fresh = [
         (

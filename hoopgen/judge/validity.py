@@ -1,10 +1,10 @@
-"""Whether a shot can be simulated: its parameters, its sizes and its start, decided in balls."""
+"""Proof in balls that a shot is valid: its parameters, its sizes and its start."""
 
 from __future__ import annotations
 
 from flint import arb
 
-from hoopgen.derive.ground.number_range import MAX_COEFFICIENT, MAX_SIZE
+from hoopgen.derive.symbolic.number_range import MAX_COEFFICIENT, MAX_SIZE
 
 from .formulas import Formulas
 from .roots import Undecided, sign
@@ -13,7 +13,19 @@ _MAX_SIZE, _MIN_SCALE = arb(float(MAX_SIZE)), 1 / arb(float(MAX_COEFFICIENT))
 
 
 def valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> bool:
-    """Decide whether parameters are allowed and the ball is inside no surface."""
+    """Return whether all parameters are allowed and the ball is inside no surface.
+
+    Parameters
+    ----------
+    formulas
+        The formulas of the scene.
+    state
+        The release, nine balls.
+    values
+        The kernels' inputs.
+    leaving
+        The surface that the ball leaves at the start, or -1.
+    """
     if not all(abs(component) <= _MAX_SIZE for component in state):
         return False
     if not all(_allowed(formulas, index, value) for index, value in enumerate(values)):
@@ -31,7 +43,7 @@ def valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int)
 
 
 def _allowed(formulas: Formulas, index: int, value: arb) -> bool:
-    """Return whether a parameter has one of the values that it may have, which are exact."""
+    """Return whether the value of a parameter, which is exact, is allowed."""
     least, most = formulas.sizes[index]
     if not least <= abs(value) <= most:
         return False

@@ -1,10 +1,11 @@
-"""Bank shots: where on the board they aim, by place on the floor, and where they are the better."""
+"""Aim points of bank shots on the board by place on the floor, and where the bank is better."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, TypedDict, Unpack, overload
+from math import inf
+from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib import colormaps
@@ -16,20 +17,22 @@ from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
-from hoopgen.hoop.courts import Court, find_court
+from hoopgen.hoop.court_lines import Court, find_court
 from hoopgen.hoop.places import Square, on_board, say_on_board, say_on_ring
-from hoopgen.plots.court import FLOOR, add_floor, on_floor
-from hoopgen.plots.layout import Box, place_labels
-from hoopgen.plots.page import add_view, new_page
-from hoopgen.plots.panels import Panel
-from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
-from hoopgen.plots.scene import draw_hoop, scene_corners
-from hoopgen.plots.style import DARK, NARROW, PAGE, letter, style
-from hoopgen.plots.views import Limits, View
-from hoopgen.told import in_a_note, say_scene, told_by
+from hoopgen.report.provenance import describe_dataset, describe_hoop, sentences
+
+from .figure import add_key, add_title, draw_picture, fit_view
+from .floor_plan import FLOOR, add_floor, on_floor
+from .hoop import draw_hoop, scene_corners
+from .label_placement import Box, place_labels
+from .page import ABOVE, BELOW, add_view, lay_pair, new_page
+from .style import DARK, PAGE, letter
+from .views import Limits, Panel, View, limits_around
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from hoopgen.results.drawing import Drawn
 
 __all__ = ["plot_aim_points"]
 
@@ -37,9 +40,10 @@ Column = NDArray[np.float64]
 
 FRONT = View("front view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), ("y", "above the ring"))
 
-_NEEDED = ("x", "y", "touch_y", "touch_z", "sight_y", "difference_low", "difference_high")
+_REQUIRED = ("x", "y", "touch_y", "touch_z", "sight_y", "difference_low", "difference_high")
 
-_COLOURS, _DARK = "plasma", 0.64  # made for readers with any colour vision, but for its pale end
+# The colour map suits readers with any colour vision; its pale end is left out.
+_COLOUR_MAP, _COLOUR_MAP_END = "plasma", 0.64
 
 # What the interval of the difference says, and the marker that stands for it.
 _VERDICTS = (
@@ -49,55 +53,31 @@ _VERDICTS = (
 )
 """Said, marker, its area in square points, and whether it is filled."""
 
-_RANGE = ("touch_y_low", "touch_y_high", "touch_z_low", "touch_z_high")
-"""Of the dataset; older ones have none."""
+_RANGE_VARIABLES = ("touch_y_low", "touch_y_high", "touch_z_low", "touch_z_high")
+"""Variables of the dataset that hold the range of touches; older datasets lack them."""
 
-_COLOUR = "A colour is a direction from the ring."
-_FLOOR = "Lines on the floor lead along the releases."
-_CROSSES = "A cross spans nine tenths of the made bank shots, each way."
+_COLOUR_NOTE = "A colour is a direction from the ring."
+_FLOOR_NOTE = "Lines on the floor lead along the releases."
+_CROSS_NOTE = "A cross spans nine tenths of the made bank shots, each way."
 
-_NAMES = 6.5  # points
+_NAME_SIZE = 6.5  # points
 
 # Inches.
-_LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE = 0.58, 0.1, 0.5, 0.46, 0.1
-_LEGEND = 0.25
+_LEGEND_HEIGHT = 0.25
 _MARGIN = 0.1  # m
-_AIRY = 0.25  # m, around the places
-
-
-class _Options(TypedDict, total=False):
-    court: str | None
-    title: str
-    note: str | None
-    width: float
-
-
-@overload
-def plot_aim_points(
-    dataset: xr.Dataset,
-    parameters: Mapping[str, Any],
-    *,
-    ax: None = None,
-    **options: Unpack[_Options],
-) -> Figure: ...
-
-
-@overload
-def plot_aim_points(
-    dataset: xr.Dataset, parameters: Mapping[str, Any], *, ax: Axes, **options: Unpack[_Options]
-) -> Axes: ...
+_FLOOR_MARGIN = 0.25  # m, around the places
 
 
 def plot_aim_points(
     dataset: xr.Dataset,
-    parameters: Mapping[str, Any],
+    parameters: Mapping[str, float],
     *,
     court: str | None = None,
     title: str = "",
     note: str | None = None,
     width: float = PAGE,
-    ax: Axes | None = None,
-) -> Figure | Axes:
+    ax: Drawn | None = None,
+) -> Drawn:
     """Draw where on the board the best bank shots touch it, and the places they come from.
 
     A place and its point on the board have one colour, by direction from the ring, and one marker,
@@ -108,12 +88,12 @@ def plot_aim_points(
     Parameters
     ----------
     dataset
-        Of `hoopgen.study.bank.bank_or_direct`.
+        Of `hoopgen.study.questions.bank.bank_or_direct`.
     parameters
         Of the scene, one number each.
     court
-        Whose lines are drawn, of `hoopgen.hoop.courts.COURTS`; by default FIBA's for a hoop nearest
-        to that preset, else the NBA's.
+        Whose lines are drawn, of `hoopgen.hoop.court_lines.COURTS`; by default FIBA's for a hoop
+        nearest to that preset, else the NBA's.
     title
         Above the picture.
     note
@@ -138,28 +118,29 @@ def plot_aim_points(
     ValueError
         If the dataset lacks a variable, no place has a bank shot, or there is no such court.
     """
-    missing = [name for name in _NEEDED if name not in dataset]
+    missing = [name for name in _REQUIRED if name not in dataset]
     if missing:
         raise ValueError(f"dataset: expected that of bank_or_direct; {', '.join(missing)} missing")
     lines = find_court(court, parameters)
-    columns = {name: np.asarray(dataset[name], dtype=np.float64) for name in _NEEDED}
+    columns = {name: np.asarray(dataset[name], dtype=np.float64) for name in _REQUIRED}
     there = np.isfinite(columns["touch_y"])
     if not there.any():
         raise ValueError("dataset: expected a bank shot from one place at least, got none")
-    aims = _Aims(
+    aims: _AimPoints = _AimPoints(
         **{name: column[there] for name, column in columns.items()}, ranges=_ranges(dataset, there)
     )
-    told = _told(dataset, parameters) if note is None else note
-    told = " ".join([*_where(aims, dataset, parameters), told])
-    with style():
-        if ax is not None:
-            return _draw_on(check_axes(ax), aims, parameters, title, told)
-        return _draw(aims, parameters, lines, title, told, width)
+    description = _default_note(dataset, parameters) if note is None else note
+    description = " ".join([*_describe_aims(aims, dataset, parameters), description])
+    return draw_picture(
+        ax,
+        lambda: _draw(aims, parameters, lines, title, description, width),
+        lambda axes: _draw_on(axes, aims, parameters, title, description),
+    )
 
 
 @dataclass(frozen=True)
-class _Aims:
-    """By place, (n,) each, m: as in the dataset."""
+class _AimPoints:
+    """Values by place, (n,) each, m, as in the dataset."""
 
     x: Column
     y: Column
@@ -172,10 +153,10 @@ class _Aims:
 
     @property
     def colours(self) -> Column:
-        """By direction from the ring, (n, 4)."""
+        """Colours by direction from the ring, (n, 4)."""
         angle = np.arctan2(self.y, self.x)
         limit = max(float(np.abs(angle).max()), 1e-6)
-        return np.asarray(colormaps[_COLOURS](_DARK * Normalize(-limit, limit)(angle)))
+        return np.asarray(colormaps[_COLOUR_MAP](_COLOUR_MAP_END * Normalize(-limit, limit)(angle)))
 
     @property
     def verdicts(self) -> NDArray[np.int64]:
@@ -185,29 +166,33 @@ class _Aims:
 
 def _ranges(dataset: xr.Dataset, there: NDArray[np.bool_]) -> NDArray[np.float64] | None:
     """Return the ends of y and of z that hold nine tenths of the made shots, (n, 4), if known."""
-    if any(name not in dataset for name in _RANGE):
+    if any(name not in dataset for name in _RANGE_VARIABLES):
         return None
-    return np.stack([np.asarray(dataset[name], dtype=np.float64)[there] for name in _RANGE], axis=1)
+    return np.stack(
+        [np.asarray(dataset[name], dtype=np.float64)[there] for name in _RANGE_VARIABLES], axis=1
+    )
 
 
-def _where(aims: _Aims, dataset: xr.Dataset, parameters: Mapping[str, float]) -> list[str]:
-    """Say where the shots aim, by the names of places: the outermost on the board, and the ring."""
+def _describe_aims(
+    aims: _AimPoints, dataset: xr.Dataset, parameters: Mapping[str, float]
+) -> list[str]:
+    """Describe where the shots aim, by named places on the board and the ring."""
     ends = [int(end(aims.touch_y)) for end in (np.argmin, np.argmax)]
     points = [(float(aims.touch_y[one]), float(aims.touch_z[one])) for one in ends]
     names = list(dict.fromkeys(say_on_board(*point, parameters) for point in points))
-    said = [f"Bank shots aim {_from_to(names)}."]
+    said = [f"Bank shots aim {_join_ends(names)}."]
     if "aim" in dataset and "direct" in dataset["way"].values:
         past = np.asarray(dataset["aim"].sel(way="direct"), dtype=np.float64)
         if np.isfinite(past).any():
             both = (float(end(past)) for end in (np.nanmin, np.nanmax))
             said.append(
-                f"Direct ones aim {_from_to([say_on_ring(one, parameters) for one in both])}."
+                f"Direct ones aim {_join_ends([say_on_ring(one, parameters) for one in both])}."
             )
     return said
 
 
-def _from_to(names: list[str]) -> str:
-    """Say the first and the last of some places, what both have in common once."""
+def _join_ends(names: list[str]) -> str:
+    """Join the names of the first and the last place; a common part is written once."""
     first, last = names[0], names[-1]
     if first == last:
         return f"at {first}"
@@ -217,12 +202,12 @@ def _from_to(names: list[str]) -> str:
     return f"from {first} to {last}"
 
 
-def _told(dataset: xr.Dataset, parameters: Mapping[str, Any]) -> str:
-    return in_a_note({**told_by(dataset), "scene": say_scene(parameters)}, scene=True)
+def _default_note(dataset: xr.Dataset, parameters: Mapping[str, float]) -> str:
+    return sentences({**describe_dataset(dataset), "scene": describe_hoop(parameters)}, scene=True)
 
 
 def _draw(
-    aims: _Aims,
+    aims: _AimPoints,
     parameters: Mapping[str, float],
     court: Court,
     title: str,
@@ -230,14 +215,14 @@ def _draw(
     width: float,
 ) -> Figure:
     """Draw the board and the floor, one beside or above the other."""
-    board, floor = _arrange(aims, parameters, width)
-    top = max(panel.bottom + panel.height for panel in (board, floor))
+    both = (FRONT, _board(parameters)), (FLOOR, _floor(aims, parameters))
+    board, floor = lay_pair(*both, width, _LEGEND_HEIGHT + BELOW, inf)
     figure = new_page(
         width,
-        top + _ABOVE - _LEGEND,
+        max(board.top, floor.top) + ABOVE - _LEGEND_HEIGHT,
         title=title,
-        note=f"{_COLOUR} {_FLOOR} {_spans(aims)}{note}",
-        foot=_LEGEND,
+        note=f"{_COLOUR_NOTE} {_FLOOR_NOTE} {_spans(aims)}{note}",
+        foot=_LEGEND_HEIGHT,
     )
     front = add_view(figure, board)
     _draw_board(front, board, aims, parameters)
@@ -247,7 +232,7 @@ def _draw(
     plan.add_collection(LineCollection(list(sights), colors=aims.colours, lw=0.4, zorder=3.0))
     _scatter(plan, on_floor(aims.x, aims.y), aims)
     figure.legend(
-        handles=_said(plan, aims),
+        handles=_legend_handles(plan, aims),
         loc="lower left",
         ncols=len(_VERDICTS),
         frameon=False,
@@ -259,20 +244,21 @@ def _draw(
 
 
 def _draw_on(
-    axes: Axes, aims: _Aims, parameters: Mapping[str, float], title: str, note: str
-) -> Axes:
+    axes: Axes, aims: _AimPoints, parameters: Mapping[str, float], title: str, note: str
+) -> None:
     """Draw the board on axes that there are."""
     _draw_board(axes, fit_view(axes, FRONT, _board(parameters)), aims, parameters)
-    add_title(axes, title, f"{_COLOUR} {_spans(aims)}{note}")
-    add_key(axes, _said(axes, aims))
-    return axes
+    add_title(axes, title, f"{_COLOUR_NOTE} {_spans(aims)}{note}")
+    add_key(axes, _legend_handles(axes, aims))
 
 
-def _spans(aims: _Aims) -> str:
-    return "" if aims.ranges is None else f"{_CROSSES} "
+def _spans(aims: _AimPoints) -> str:
+    return "" if aims.ranges is None else f"{_CROSS_NOTE} "
 
 
-def _draw_board(axes: Axes, panel: Panel, aims: _Aims, parameters: Mapping[str, float]) -> None:
+def _draw_board(
+    axes: Axes, panel: Panel, aims: _AimPoints, parameters: Mapping[str, float]
+) -> None:
     draw_hoop(axes, FRONT, parameters, panel.scale)
     _draw_target(axes, parameters)
     points = np.stack([aims.touch_y, aims.touch_z], axis=1)
@@ -282,7 +268,7 @@ def _draw_board(axes: Axes, panel: Panel, aims: _Aims, parameters: Mapping[str, 
     _scatter(axes, points, aims)
 
 
-def _draw_ranges(axes: Axes, points: NDArray[np.float64], aims: _Aims) -> None:
+def _draw_ranges(axes: Axes, points: NDArray[np.float64], aims: _AimPoints) -> None:
     """Draw a cross through each aim point, as wide and as high as its range."""
     assert aims.ranges is not None
     (left, right, low, high), (y, z) = aims.ranges.T, points.T
@@ -302,7 +288,7 @@ def _name_places(
     inch = 1.0 / panel.scale
     places = {name.replace(" of the square", ""): at for name, at in on_board(parameters).items()}
     boxes = [
-        Box(at, 0.06 * inch, len(name) * letter(_NAMES) * inch, 0.13 * inch)
+        Box(at, 0.06 * inch, len(name) * letter(_NAME_SIZE) * inch, 0.13 * inch)
         for name, at in places.items()
     ]
     for (name, at), centre in zip(
@@ -315,42 +301,28 @@ def _name_places(
             centre,
             ha="center",
             va="center",
-            fontsize=_NAMES,
+            fontsize=_NAME_SIZE,
             color=DARK,
             zorder=70.0,
             path_effects=[withStroke(linewidth=1.5, foreground="white")],
         )
 
 
-def _said(axes: Axes, aims: _Aims) -> list[Collection]:
+def _legend_handles(axes: Axes, aims: _AimPoints) -> list[Collection]:
     """Return what the key shows: the verdicts that there are, as they were drawn last."""
     return [axes.collections[-len(_VERDICTS) + one] for one in np.unique(aims.verdicts)]
 
 
 def _board(parameters: Mapping[str, float]) -> Limits:
     """Bound the board and the ring from the front."""
-    scene = FRONT.flatten(scene_corners(parameters))
-    low, high = scene.min(axis=0) - _MARGIN, scene.max(axis=0) + _MARGIN
-    return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+    return limits_around(FRONT.flatten(scene_corners(parameters)), _MARGIN)
 
 
-def _arrange(aims: _Aims, parameters: Mapping[str, float], width: float) -> tuple[Panel, Panel]:
-    """Place board and floor, equally high if beside one another, equally wide if not."""
-    board = _board(parameters)
-    wide = float(np.abs(aims.y).max()) + _AIRY
-    floor = (-wide, wide, -float(aims.x.max()) - _AIRY, parameters["board_distance"] + _AIRY)
-    bottom = _LEGEND + _BELOW
-    if width < NARROW:
-        across = width - _LEFT - _RIGHT
-        scales = [across / (limits[1] - limits[0]) for limits in (board, floor)]
-        lower = Panel(FLOOR, floor, scales[1], _LEFT, bottom)
-        over = lower.bottom + lower.height + _BELOW + _ABOVE
-        return Panel(FRONT, board, scales[0], _LEFT, over), lower
-    forms = [(right - left) / (top - down) for left, right, down, top in (board, floor)]
-    tall = (width - _LEFT - _BETWEEN - _RIGHT) / sum(forms)
-    scales = [tall / (limits[3] - limits[2]) for limits in (board, floor)]
-    first = Panel(FRONT, board, scales[0], _LEFT, bottom)
-    return first, Panel(FLOOR, floor, scales[1], _LEFT + first.width + _BETWEEN, bottom)
+def _floor(aims: _AimPoints, parameters: Mapping[str, float]) -> Limits:
+    """Bound the places on the floor and the board."""
+    wide, far = float(np.abs(aims.y).max()), float(aims.x.max())
+    points = np.array([[-wide, -far], [wide, parameters["board_distance"]]])
+    return limits_around(points, _FLOOR_MARGIN)
 
 
 def _draw_target(axes: Axes, parameters: Mapping[str, float]) -> None:
@@ -362,7 +334,7 @@ def _draw_target(axes: Axes, parameters: Mapping[str, float]) -> None:
     axes.add_patch(Rectangle(corner, *size, fill=False, ec="white", lw=2.0, zorder=5.0))
 
 
-def _scatter(axes: Axes, points: NDArray[np.float64], aims: _Aims) -> None:
+def _scatter(axes: Axes, points: NDArray[np.float64], aims: _AimPoints) -> None:
     for one, (label, marker, size, filled) in enumerate(_VERDICTS):
         here = aims.verdicts == one
         axes.scatter(

@@ -1,10 +1,10 @@
-"""A fan: the paths of many shots from one place, from the side, coloured by what became of them."""
+"""Fans: paths of many shots from one place, seen from the side, coloured by how they end."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, TypedDict, Unpack, overload
+from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -15,78 +15,59 @@ from matplotlib.patches import Rectangle
 from matplotlib.path import Path
 from numpy.typing import NDArray
 
-from hoopgen.brief import brief
+from hoopgen.core.parameters import ParameterValues
 from hoopgen.hoop.kinds import kinds
-from hoopgen.phrases import counted, percent
-from hoopgen.plots.key import CLASSES, Class, classify, draw_key, key_height
-from hoopgen.plots.multiples import (
-    BELOW,
-    Group,
-    by_angle,
-    by_name,
-    check_by,
-    draw_grid,
-    lay_grid,
-    say_by,
-)
-from hoopgen.plots.page import add_view, new_page
-from hoopgen.plots.panels import Panel
-from hoopgen.plots.paths import bezier, draw_paths
-from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
-from hoopgen.plots.scene import draw_hoop, scene_corners
-from hoopgen.plots.style import EDGES, GRID, NARROW, PAGE, style
-from hoopgen.plots.ticks import few_ticks
-from hoopgen.plots.views import Limits, View
-from hoopgen.results import Outcome, Shots, Trajectory
-from hoopgen.told import say_scene
+from hoopgen.report.provenance import describe_scene
+from hoopgen.results.shots import Outcome, Shots
+from hoopgen.results.trajectory import Trajectory
+from hoopgen.text.numbers import format_count, format_percent
+from hoopgen.text.shorten import brief
 
-__all__ = ["Fan", "draw_fan", "gather_fan", "plot_fan"]
+from .class_legend import CLASSES, Class, classify, draw_names, names_height, outcome_classes
+from .figure import add_key, add_title, draw_picture, fit_view
+from .page import ABOVE, BELOW, LEFT, RIGHT, add_view, lay_pair, new_page
+from .scenery import Scenery, scenery_of
+from .small_multiples import (
+    FOOT,
+    Group,
+    check_grouping,
+    describe_grouping,
+    draw_grid,
+    group_by_angle,
+    group_by_name,
+    lay_grid,
+)
+from .style import COLOURS, EDGES, GRID, PAGE
+from .ticks import few_ticks
+from .views import Limits, Panel, Points, View, limits_around
+
+if TYPE_CHECKING:
+    from hoopgen.results.drawing import Drawn
+
+__all__ = ["Fan", "bezier", "draw_fan", "gather_fan", "plot_fan"]
 
 
 # Inches.
-_LEFT, _RIGHT, _BELOW, _ABOVE, _PAD = 0.55, 0.1, 0.48, 0.08, 0.08
-_BETWEEN = 0.68
-_TALLEST = 3.5
-_TALLEST_ABOVE, _TALLEST_PART = 2.4, 1.7  # of all paths above small multiples, and of one of these
+_MAX_HEIGHT = 3.5
+_MAX_HEIGHT_ABOVE, _MAX_HEIGHT_PART = 2.4, 1.7  # all paths above small multiples; one of these
 
-_LINE, _WIDER = 0.45, 0.75  # points, of many paths and of those of a small panel
-_MARGIN = 0.08  # m around what is drawn
-
-
-_BY = ("all", "kind", "outcome", "elevation")
-
-
-class _Options(TypedDict, total=False):
-    paths: int
-    by: str
-    title: str
-    note: str
-    width: float
-
-
-@overload
-def plot_fan(
-    shots: Shots, parameters: Mapping[str, Any], *, ax: None = None, **options: Unpack[_Options]
-) -> Figure: ...
-
-
-@overload
-def plot_fan(
-    shots: Shots, parameters: Mapping[str, Any], *, ax: Axes, **options: Unpack[_Options]
-) -> Axes: ...
+_LINE, _WIDE_LINE = 0.45, 0.75  # points, of many paths and of those of a small panel
+_MARGIN = 0.02  # around what is drawn, of its size
+_RING_MARGIN = 0.08  # m around ring and board
+_ROLL_PIECE_DURATION = 0.01  # s, of a roll: less than can be seen off a parabola
 
 
 def plot_fan(
     shots: Shots,
-    parameters: Mapping[str, Any],
+    parameters: ParameterValues,
     *,
     paths: int = 120,
     by: str = "auto",
     title: str = "",
     note: str = "",
     width: float = PAGE,
-    ax: Axes | None = None,
-) -> Figure | Axes:
+    ax: Drawn | None = None,
+) -> Drawn:
     """Draw the paths of many shots from the side, to scale.
 
     Parameters
@@ -132,57 +113,109 @@ def plot_fan(
     if paths < 1:
         raise ValueError(f"paths: expected a number above 0, got {brief(paths)}")
     if ax is not None:
-        by = _on_one(by)
-    if not shots.scene.is_hoop:
-        some = range(min(paths, len(shots)))
-        return draw_paths(
-            shots, parameters, some, by=by, title=title, note=note, width=width, ax=ax
-        )
-    place = classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))
-    shares = {CLASSES[one]: float(np.mean(place == one)) for one in np.unique(place).tolist()}
+        by = _check_single_panel(by)
     fan = gather_fan(shots, parameters, range(min(paths, len(shots))))
-    made = percent(float(np.mean(shots.outcome == Outcome.MADE)))
+    allowed: Sequence[str] = ("all", "outcome")
+    usual, made = "outcome", ""
+    if fan.hoop:
+        allowed, usual = ("all", "kind", "outcome", "elevation"), "kind"
+        made = f", {format_percent(float(np.mean(shots.outcome == Outcome.MADE)))} made"
+    by = check_grouping(by, allowed, len(fan.curves), len(set(fan.classes)), usual)
     drawn = f"{len(fan.curves)} {'is' if len(fan.curves) == 1 else 'are'}"
-    by = check_by(by, _BY, len(fan.curves), len(set(fan.classes)), "kind")
-    groups = _parted(fan, by)
-    said = f"{counted(len(shots), 'shot')}, {made} made; {drawn} drawn{say_by(by)}."
-    told = f"{said} Scene: {say_scene(parameters)}. {note}"
-    with style():
-        if ax is not None:
-            return _draw_on(check_axes(ax), fan, shares, title, told)
-        if groups:
-            return _draw_parted(fan, groups, shares, title, told, width)
-        return _draw(fan, shares, title, told, width)
+    said = f"{format_count(len(shots), 'shot')}{made}; {drawn} drawn{describe_grouping(by)}."
+    description = f"{said} Scene: {describe_scene(shots.scene, parameters)}. {note}"
+    key = _key(shots, fan.ends)
+    groups = _group_paths(fan, by)
+    return draw_picture(
+        ax,
+        lambda: _draw(fan, groups, key, title, description, width),
+        lambda axes: _draw_on(axes, fan, key, title, description),
+    )
 
 
-def _on_one(by: str) -> str:
-    """Return how paths are drawn on axes that there are: all in one panel."""
+def _check_single_panel(by: str) -> str:
+    """Return the grouping for given axes, which have room for one panel."""
     if by not in ("auto", "all"):
         raise ValueError(f"ax: by {brief(by)} there are several panels; leave ax out, or by")
     return "all"
 
 
-def gather_fan(shots: Shots, parameters: Mapping[str, Any], drawn: Iterable[int]) -> Fan:
-    """Return the paths of those of some shots that have one; arguments as of `plot_fan`.
+def _classes(shots: Shots) -> tuple[Sequence[Class], NDArray[np.intp]]:
+    """Return the classes of a scene's shots, and the index of each shot's."""
+    if shots.scene.is_hoop:
+        return CLASSES, classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))
+    names = [name.lower() for name in shots.scene.outcomes.__members__]
+    return outcome_classes(names), np.asarray(shots.outcome, np.intp)
+
+
+def _key(shots: Shots, ends: str) -> list[Line2D]:
+    """Return the entries of the legend: the classes with their shares, and the line of the ends."""
+    classes, codes = _classes(shots)
+    shares = {classes[code]: float(np.mean(codes == code)) for code in np.unique(codes).tolist()}
+    key = [
+        Line2D([], [], color=one.line, label=f"{one.words} {format_percent(share)}")
+        for one, share in shares.items()
+    ]
+    if ends:
+        key.append(Line2D([], [], color=COLOURS["end"], lw=0.9, ls=(0, (5, 3)), label=ends))
+    return key
+
+
+def gather_fan(shots: Shots, parameters: ParameterValues, drawn: Iterable[int]) -> Fan:
+    """Return the paths of the valid shots; arguments as for `plot_fan`.
+
+    Parameters
+    ----------
+    shots
+        The recorded shots.
+    parameters
+        The scene's parameters.
+    drawn
+        The rows of the shots to draw.
 
     Raises
     ------
     ValueError
         If none has: short and invalid shots have not.
     """
-    place = classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))
     flown = {shot: shots.trajectory(shot) for shot in drawn}
     flown = {shot: trajectory for shot, trajectory in flown.items() if len(trajectory.events)}
     if not flown:
         raise ValueError("shots: expected one at least that touches something or ends, got none")
-    view = _from_the_side([trajectory.release for trajectory in flown.values()])
+    curves = [bezier(trajectory) for trajectory in flown.values()]
+    hoop = None
+    if shots.scene.is_hoop:
+        hoop = {name: float(np.mean(np.asarray(one, float))) for name, one in parameters.items()}
+    points = np.concatenate(curves)
+    scenery = scenery_of(shots.scene, hoop or parameters, points)
+    releases = [trajectory.release for trajectory in flown.values()]
+    view = _side_view(releases)
+    if hoop is None:
+        view = scenery.look(scenery.views(scenery.upright(points))[0])
+    classes, codes = _classes(shots)
     return Fan(
-        [_curve(trajectory, view) for trajectory in flown.values()],
-        [CLASSES[place[shot]] for shot in flown],
+        [_project(scenery.upright(curve), view) for curve in curves],
+        [classes[codes[shot]] for shot in flown],
+        classes,
         view,
-        {name: float(np.mean(value)) for name, value in parameters.items()},
-        [_elevation(trajectory.release) for trajectory in flown.values()],
+        scenery,
+        hoop,
+        [_elevation(release) for release in releases],
     )
+
+
+def _project(points: Points, view: View) -> Path:
+    """Return the projection of Bézier curves."""
+    return Path(view.flatten(points), [Path.MOVETO, *[Path.CURVE3] * (len(points) - 1)])
+
+
+def _side_view(releases: list[NDArray[np.float64]]) -> View:
+    """Return the view across the line from the releases to the ring."""
+    x, y = np.mean([release[:2] for release in releases], axis=0)
+    angle = np.arctan2(y, x)
+    right = (float(np.cos(angle)), float(np.sin(angle)), 0.0)
+    labels = ("from the ring's centre", "above the ring")
+    return View("side view", right, (0.0, 0.0, 1.0), labels)
 
 
 def _elevation(release: NDArray[np.float64]) -> float:
@@ -192,141 +225,133 @@ def _elevation(release: NDArray[np.float64]) -> float:
 
 @dataclass(frozen=True)
 class Fan:
-    """Paths of the ball's centre, flat, the class and release angle (°) of each; view and scene."""
+    """Projected paths of the ball's centre, each with its class and release angle (°).
+
+    The article's scene has its parameters, `hoop`; there shots have kinds. `known` are the classes
+    of the scene, in order.
+    """
 
     curves: list[Path]
     classes: list[Class]
+    known: Sequence[Class]
     view: View
-    scene: Mapping[str, float]
+    scenery: Scenery
+    hoop: Mapping[str, float] | None
     elevations: list[float]
 
+    @property
+    def ends(self) -> str:
+        """The legend's entry for the lines at which shots end, "" if none are drawn."""
+        return "" if self.hoop else self.scenery.said_of_ends
+
     def part(self, members: Iterable[int]) -> Fan:
-        """Return some of the paths."""
-        own = list(members)
+        """Return a fan of some of the paths."""
+        rows = list(members)
         return replace(
             self,
-            curves=[self.curves[one] for one in own],
-            classes=[self.classes[one] for one in own],
-            elevations=[self.elevations[one] for one in own],
+            curves=[self.curves[row] for row in rows],
+            classes=[self.classes[row] for row in rows],
+            elevations=[self.elevations[row] for row in rows],
         )
 
     def limits(self) -> Limits:
-        """Bound all of it."""
-        boxes = [curve.get_extents() for curve in self.curves]
-        corners = self.view.flatten(scene_corners(self.scene))
-        low = np.min([*(box.min for box in boxes), corners.min(axis=0)], axis=0) - _MARGIN
-        high = np.max([*(box.max for box in boxes), corners.max(axis=0)], axis=0) + _MARGIN
-        return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+        """Return limits around all paths."""
+        boxes = [curve.get_extents().get_points() for curve in self.curves]
+        points = np.vstack([*boxes, self.view.flatten(self.scenery.corners())])
+        return limits_around(points, _MARGIN * float(np.ptp(points, axis=0).max()))
 
     def near_the_ring(self) -> Limits:
-        """Bound the part around ring and board."""
-        corners = self.view.flatten(scene_corners(self.scene))[:, 0]
-        ring, ball = self.scene["ring_radius"], self.scene["ball_radius"]
-        left = min(float(corners.min()), -ring) - _MARGIN
-        low = -self.scene["end_depth"] - ball
+        """Return limits around ring and board."""
+        assert self.hoop is not None
+        ring, ball = self.hoop["ring_radius"], self.hoop["ball_radius"]
+        corners = self.view.flatten(self.scenery.corners())[:, 0]
+        left, low = min(float(corners.min()), -ring) - _RING_MARGIN, -self.hoop["end_depth"] - ball
         return left, 3.0 * ring, low, max(3.0 * ring, low + 0.8 * (3.0 * ring - left))
 
 
-def _from_the_side(releases: list[NDArray[np.float64]]) -> View:
-    """Look across the line from the place of the releases to the ring."""
-    x, y = np.mean([release[:2] for release in releases], axis=0)
-    angle = np.arctan2(y, x)
-    right = (float(np.cos(angle)), float(np.sin(angle)), 0.0)
-    labels = ("from the ring's centre", "above the ring")
-    return View("side view", right, (0.0, 0.0, 1.0), labels)
+def bezier(trajectory: Trajectory) -> NDArray[np.float64]:
+    """Return a path as Bézier curves: its start, then two points for each flight (2 n + 1, 3).
+
+    Each flight is a parabola, which is one quadratic Bézier curve; a roll is cut into short ones.
+    """
+    times, states, _ = trajectory.pieces(_ROLL_PIECE_DURATION)
+    lasting = np.diff(times)[:, np.newaxis]
+    start, velocity = states[:-1, :3], states[:-1, 3:6]
+    points = np.stack([start + velocity * lasting / 2.0, states[1:, :3]], axis=1).reshape(-1, 3)
+    return np.concatenate([states[:1, :3], points])
 
 
-def _curve(trajectory: Trajectory, view: View) -> Path:
-    """Return a path, flat."""
-    points = bezier(trajectory)
-    codes = np.full(len(points), Path.CURVE3)
-    codes[0] = Path.MOVETO
-    return Path(view.flatten(points), codes)
-
-
-def _draw(fan: Fan, shares: Mapping[Class, float], title: str, note: str, width: float) -> Figure:
-    """Draw all of it and the part near the ring, one beside or above the other."""
-    key_width = width - 2.0 * _PAD
-    foot = key_height(shares, key_width) + _PAD
-    panels = _arrange(fan, width, foot)
-    top = max(panel.bottom + panel.height for panel in panels)
-    figure = new_page(width, top + _ABOVE - foot, title=title, note=note, foot=foot)
+def _draw(
+    fan: Fan, groups: list[Group], key: list[Line2D], title: str, note: str, width: float
+) -> Figure:
+    """Draw all paths on a page, in the article's scene with the part near the ring; or groups."""
+    foot = names_height([str(line.get_label()) for line in key], width)
+    near = fan.near_the_ring() if fan.hoop else None
+    grid, panels = None, []
+    bottom, tallest = foot + BELOW, _MAX_HEIGHT
+    if groups:
+        place = LEFT, foot + FOOT, width - LEFT - RIGHT
+        part = _MAX_HEIGHT_PART if near else _MAX_HEIGHT
+        grid = lay_grid(len(groups), fan.view, near or fan.limits(), place, width, part)
+        bottom, tallest = grid.top + BELOW, _MAX_HEIGHT_ABOVE
+    if near and not grid:
+        whole = fan.view, fan.limits()
+        panels = [*lay_pair(whole, (fan.view, near), width, bottom, tallest)]
+    elif near or not grid:
+        across = width - LEFT - RIGHT
+        panels = [Panel.fitted(fan.view, fan.limits(), LEFT, bottom, across, tallest)]
+    top = max([panel.top + ABOVE for panel in panels] or [grid.top if grid else 0.0])
+    figure = new_page(width, top - foot, title=title, note=note, foot=foot)
     for panel in panels:
         draw_fan(add_view(figure, panel), panel, fan)
-    _outline(figure.axes[0], panels[1].limits)
-    draw_key(figure, shares, _PAD, foot, key_width, areas=False, lines=True)
+    if near:
+        _outline(figure.axes[0], near)
+    if grid:
+        for axes in figure.axes:
+            few_ticks(axes)
+        places = draw_grid(figure, grid, [group.title for group in groups])
+        for axes, panel, group in zip(places, grid.panels, groups, strict=True):
+            draw_fan(axes, panel, fan.part(group.members), _WIDE_LINE)
+    draw_names(figure, key, width)
     return figure
 
 
-def _parted(fan: Fan, by: str) -> list[Group]:
-    """Return the paths of each panel, none where all share one."""
+def _group_paths(fan: Fan, by: str) -> list[Group]:
+    """Return the groups of paths, one a panel; none if all share one."""
     if by == "all":
         return []
     if by == "elevation":
-        return by_angle(fan.elevations)
-    names = {one: one.words if by == "kind" else one.outcome for one in CLASSES}
-    return by_name([names[one] for one in fan.classes], list(dict.fromkeys(names.values())))
+        return group_by_angle(fan.elevations)
+    names = [one.words if by == "kind" else one.outcome for one in fan.classes]
+    order = [one.words if by == "kind" else one.outcome for one in fan.known]
+    return group_by_name(names, list(dict.fromkeys(order)))
 
 
-def _draw_parted(
-    fan: Fan,
-    groups: list[Group],
-    shares: Mapping[Class, float],
-    title: str,
-    note: str,
-    width: float,
-) -> Figure:
-    """Draw all of it, and below each group near the ring."""
-    key_width = width - 2.0 * _PAD
-    foot = key_height(shares, key_width) + _PAD
-    across, whole, near = width - _LEFT - _RIGHT, fan.limits(), fan.near_the_ring()
-    place = _LEFT, foot + BELOW, across
-    grid = lay_grid(len(groups), fan.view, near, place, width, _TALLEST_PART)
-    scale = min(across / (whole[1] - whole[0]), _TALLEST_ABOVE / (whole[3] - whole[2]))
-    above = Panel(fan.view, whole, scale, _LEFT, grid.top + _BELOW)
-    top = above.bottom + above.height + _ABOVE
-    figure = new_page(width, top - foot, title=title, note=note, foot=foot)
-    whole_flight = add_view(figure, above)
-    few_ticks(whole_flight)
-    draw_fan(whole_flight, above, fan)
-    _outline(whole_flight, near)
-    places = draw_grid(figure, grid, [group.title for group in groups])
-    for axes, panel, group in zip(places, grid.panels, groups, strict=True):
-        draw_fan(axes, panel, fan.part(group.members), _WIDER)
-    draw_key(figure, shares, _PAD, foot, key_width, areas=False, lines=True)
-    return figure
-
-
-def _draw_on(axes: Axes, fan: Fan, shares: Mapping[Class, float], title: str, note: str) -> Axes:
-    """Draw all of it on axes that there are."""
+def _draw_on(axes: Axes, fan: Fan, key: list[Line2D], title: str, note: str) -> None:
+    """Draw all paths on given axes."""
     draw_fan(axes, fit_view(axes, fan.view, fan.limits()), fan)
     add_title(axes, title, note)
-    said = {one: f"{one.words} {percent(share)}" for one, share in shares.items()}
-    add_key(axes, [Line2D([], [], color=one.line, label=text) for one, text in said.items()])
-    return axes
-
-
-def _arrange(fan: Fan, width: float, foot: float) -> tuple[Panel, Panel]:
-    """Place both panels, equally high if beside one another, equally wide if not."""
-    whole, near = fan.limits(), fan.near_the_ring()
-    forms = [(right - left) / (top - bottom) for left, right, bottom, top in (whole, near)]
-    bottom = foot + _BELOW
-    if width < NARROW:
-        across = width - _LEFT - _RIGHT
-        scales = [across / (limits[1] - limits[0]) for limits in (whole, near)]
-        lower = Panel(fan.view, near, scales[1], _LEFT, bottom)
-        upper = Panel(fan.view, whole, scales[0], _LEFT, bottom + lower.height + _BELOW)
-        return upper, lower
-    tall = min(_TALLEST, (width - _LEFT - _BETWEEN - _RIGHT) / sum(forms))
-    scales = [tall / (limits[3] - limits[2]) for limits in (near, whole)]
-    left = Panel(fan.view, near, scales[0], _LEFT, bottom)
-    return Panel(fan.view, whole, scales[1], _LEFT + left.width + _BETWEEN, bottom), left
+    add_key(axes, key)
 
 
 def draw_fan(axes: Axes, panel: Panel, fan: Fan, wide: float = _LINE) -> None:
-    """Draw hoop and paths on axes of `add_view`, missed shots below made ones."""
+    """Draw the scene and the paths on axes of `add_view`, missed shots below made ones.
+
+    Parameters
+    ----------
+    axes
+        The axes.
+    panel
+        Their view and scale.
+    fan
+        The paths.
+    wide
+        The width of the lines, points.
+    """
     axes.grid(color=GRID, lw=0.5)
-    draw_hoop(axes, panel.view, fan.scene, panel.scale)
+    fan.scenery.draw(axes, panel.view, panel.scale)
+    if fan.ends:
+        fan.scenery.draw_ends(axes, panel.view)
     order = sorted(range(len(fan.curves)), key=lambda shot: fan.classes[shot].outcome == "made")
     lines = PathCollection(
         [fan.curves[shot] for shot in order],
@@ -339,7 +364,7 @@ def draw_fan(axes: Axes, panel: Panel, fan: Fan, wide: float = _LINE) -> None:
 
 
 def _outline(axes: Axes, limits: Limits) -> None:
-    """Show which part the other panel has."""
+    """Outline the part that the other panel shows."""
     left, right, bottom, top = limits
     box = Rectangle((left, bottom), right - left, top - bottom, fill=False, ec=EDGES, lw=0.5)
     axes.add_patch(box)

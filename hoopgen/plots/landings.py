@@ -1,10 +1,10 @@
-"""Where misses go: the places where the ball reaches the floor, on the floor plan."""
+"""Floor plans of the places at which missed balls reach the floor."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, TypedDict, Unpack, overload
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -15,93 +15,70 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
-from hoopgen.engines import HOOP, Engine
-from hoopgen.hoop.courts import Court, find_court
-from hoopgen.inputs import doubles
-from hoopgen.phrases import percent
-from hoopgen.plots.court import FLOOR, add_floor, draw_floor, on_floor
-from hoopgen.plots.page import add_axes, new_page
-from hoopgen.plots.panels import Panel
-from hoopgen.plots.picture import add_title, check_axes, fit_view
-from hoopgen.plots.sectors import at_height, draw_sectors
-from hoopgen.plots.shades import limit_shades
-from hoopgen.plots.style import COLOURS, DARK, PAGE, SHADES, style
-from hoopgen.plots.views import Limits, Points
-from hoopgen.told import say_of
-from hoopgen.units import shown
+from hoopgen.core.parameters import ParameterValues
+from hoopgen.core.units import display_unit
+from hoopgen.core.validation import as_doubles
+from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.hoop.court_lines import Court, find_court
+from hoopgen.report.provenance import describe_scene
+from hoopgen.simulation.hoop import HOOP
+from hoopgen.text.numbers import format_percent
+
+from .figure import add_title, draw_picture, fit_view
+from .floor_plan import FLOOR, add_floor, draw_floor, on_floor
+from .page import ABOVE, BELOW, LEFT, add_axes, new_page
+from .sectors import at_height, draw_sectors
+from .style import COLOURS, DARK, PAGE, SHARE_COLOURS
+from .views import Limits, Panel, Points
+
+if TYPE_CHECKING:
+    from hoopgen.results.drawing import Drawn
 
 __all__ = ["plot_landings"]
 
 
 # Inches.
-_LEFT, _BELOW, _ABOVE = 0.5, 0.46, 0.08
 _BAR, _BAR_GAP, _BAR_LABELS = 0.12, 0.1, 0.55
-_TALLEST = 5.0
+_MAX_HEIGHT = 5.0
 
-_WITHIN = (0.5, 0.9)
+_CIRCLE_SHARES = (0.5, 0.9)
 """Shares of the balls within the circles."""
 
-_LABELLED = np.radians(-35.0)  # on the circle, from the middle of the court
-_SHOWN = 0.995  # of the balls; the few that go furthest do not set the limits
+_LABEL_ANGLE = np.radians(-35.0)  # on the circle, from the middle of the court
+_VISIBLE_SHARE = 0.995  # of the balls; the few that go furthest do not set the limits
 _MARGIN = 0.3  # m
-_CELLS = 500  # along a side, at most
+_MAX_CELLS = 500  # along a side, at most
 
-_FROM = "Distances are from the point of the floor below the ring's centre."
+_DENSE_SHARE = 0.9
+"""Share of the balls that are where the density is no greater than the darkest shade stands for."""
+
+_OUTLIER_FACTOR = 2.0
+"""Times that density: with no more somewhere, the darkest shade is that of the greatest."""
+
+_DISTANCE_NOTE = "Distances are from the point of the floor below the ring's centre."
 
 _PLAN = replace(FLOOR, labels=("y from the ring's centre", "x from the ring's centre"))
 
 
 def _share(height: float | None) -> str:
     what = "land there" if height is None else "come down there"
-    return f"balls that {what} (% per {shown('length').symbol}²)"
-
-
-class _Options(TypedDict, total=False):
-    place: tuple[float, float] | None
-    height: float | None
-    court: str | None
-    scene: Engine
-    title: str
-    note: str
-    width: float
-
-
-@overload
-def plot_landings(
-    x: ArrayLike,
-    y: ArrayLike,
-    parameters: Mapping[str, Any],
-    *,
-    ax: None = None,
-    **options: Unpack[_Options],
-) -> Figure: ...
-
-
-@overload
-def plot_landings(
-    x: ArrayLike,
-    y: ArrayLike,
-    parameters: Mapping[str, Any],
-    *,
-    ax: Axes,
-    **options: Unpack[_Options],
-) -> Axes: ...
+    return f"balls that {what} (% per {display_unit('length').symbol}²)"
 
 
 def plot_landings(
     x: ArrayLike,
     y: ArrayLike,
-    parameters: Mapping[str, Any],
+    parameters: ParameterValues,
     *,
     place: tuple[float, float] | None = None,
     height: float | None = None,
     court: str | None = None,
-    scene: Engine = HOOP,
+    scene: CompiledScene = HOOP,
     title: str = "",
     note: str = "",
     width: float = PAGE,
-    ax: Axes | None = None,
-) -> Figure | Axes:
+    ax: Drawn | None = None,
+) -> Drawn:
     """Draw how densely balls reach the floor around the basket, to scale.
 
     Parameters
@@ -119,8 +96,8 @@ def plot_landings(
         in place of floor_x and floor_y. With a `place` it is said how many go in which direction,
         seen from there.
     court
-        Whose lines are drawn, of `hoopgen.hoop.courts.COURTS`; by default FIBA's for a hoop nearest
-        to that preset, else the NBA's.
+        Whose lines are drawn, of `hoopgen.hoop.court_lines.COURTS`; by default FIBA's for a hoop
+        nearest to that preset, else the NBA's.
     scene
         That the shots were simulated in, with a hoop: it is said.
     title
@@ -147,20 +124,19 @@ def plot_landings(
     """
     lines = find_court(court, parameters)
     points, misses = _points(x, y)
-    hoop = {name: float(np.mean(value)) for name, value in parameters.items()}
-    circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _WITHIN}
+    hoop = {name: float(np.mean(np.asarray(value, float))) for name, value in parameters.items()}
+    circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _CIRCLE_SHARES}
     caught = at_height(height, sectors=place is not None)
-    told = f"Scene: {say_of(scene, parameters)}. {note}"
-    places = _Places(points, misses, circles, place, hoop, lines, told, height, caught)
-    with style():
-        if ax is not None:
-            return _draw_on(check_axes(ax), places, title)
-        return _draw(places, title, width)
+    note = f"Scene: {describe_scene(scene, parameters)}. {note}"
+    places = _Landings(points, misses, circles, place, hoop, lines, note, height, caught)
+    return draw_picture(
+        ax, lambda: _draw(places, title, width), lambda axes: _draw_on(axes, places, title)
+    )
 
 
 def _points(x: ArrayLike, y: ArrayLike) -> tuple[Points, int]:
-    """Return the places that there are, (n, 2), and of how many balls."""
-    columns = doubles("x", x), doubles("y", y)
+    """Return the valid places, (n, 2), and the number of balls."""
+    columns = as_doubles("x", x), as_doubles("y", y)
     if columns[0].ndim != 1 or columns[0].shape != columns[1].shape:
         raise ValueError(f"x, y: expected (n,) both, got {columns[0].shape}, {columns[1].shape}")
     points = np.stack(columns, axis=1)
@@ -171,8 +147,8 @@ def _points(x: ArrayLike, y: ArrayLike) -> tuple[Points, int]:
 
 
 @dataclass(frozen=True)
-class _Places:
-    """Where balls land: x and y, (n, 2), of how many; radii that hold shares; what is around."""
+class _Landings:
+    """Landing places (n, 2) of missed balls, circles that contain shares, and the surroundings."""
 
     points: Points
     misses: int
@@ -185,8 +161,8 @@ class _Places:
     caught: str
 
     @property
-    def told(self) -> str:
-        """Say how many of how many are seen, what the circles hold, and what else there is."""
+    def full_note(self) -> str:
+        """The note of the picture: how many landings it shows, its circles and the scene."""
         left, right, bottom, top = self.limits
         across, up = on_floor(*self.points.T).T
         seen = int(((across >= left) & (across <= right) & (up >= bottom) & (up <= top)).sum())
@@ -200,19 +176,19 @@ class _Places:
         lands = down if seen != 1 else {"land": "lands"}.get(down, "comes down")
         said = ", ".join([f"{of} {lands} within the picture", *others])
         said += f", all{self.caught}" if self.caught else ""
-        return f"{said}. Circles hold shares of those that {down}. {_FROM} {self.note}"
+        return f"{said}. Circles hold shares of those that {down}. {_DISTANCE_NOTE} {self.note}"
 
     @property
     def limits(self) -> Limits:
-        """Bound what is shown."""
+        """The limits of the view."""
         radius = max(self.circles.values())
         return _limits(self.points, radius, self.scene, self.place, self.court)
 
     def draw(self, axes: Axes, limits: Limits) -> PolyCollection:
-        """Draw all but the floor, on a floor plan."""
+        """Draw everything but the floor on a floor plan."""
         shown = on_floor(*self.points.T)
         cells = _draw_density(axes, shown, limits, self.scene["ball_radius"])
-        limit_shades(cells)
+        _limit_shades(cells)
         for share, radius in self.circles.items():
             _draw_circle(axes, radius, share)
         if self.height is not None and self.place is not None:
@@ -222,17 +198,14 @@ class _Places:
         return cells
 
 
-def _draw(places: _Places, title: str, width: float) -> Figure:
+def _draw(places: _Landings, title: str, width: float) -> Figure:
     """Draw the places on a page, the floor to scale."""
-    limits = places.limits
-    beside = _LEFT + _BAR_GAP + _BAR + _BAR_LABELS
-    left, right, bottom, top = limits
-    scale = min((width - beside) / (right - left), _TALLEST / (top - bottom))
-    panel = Panel(_PLAN, limits, scale, _LEFT, _BELOW)
-    body = _BELOW + panel.height + _ABOVE
-    figure = new_page(panel.width + beside, body, title=title, note=places.told)
+    beside = LEFT + _BAR_GAP + _BAR + _BAR_LABELS
+    panel = Panel.fitted(_PLAN, places.limits, LEFT, BELOW, width - beside, _MAX_HEIGHT)
+    page = panel.width + beside, panel.top + ABOVE
+    figure = new_page(*page, title=title, note=places.full_note)
     axes = add_floor(figure, panel, places.court, places.scene)
-    cells = places.draw(axes, limits)
+    cells = places.draw(axes, panel.limits)
     left_of_bar = panel.left + panel.width + _BAR_GAP
     bar = add_axes(figure, left_of_bar, panel.bottom, _BAR, panel.height, "bar")
     figure.colorbar(cells, cax=bar, label=_share(places.height))
@@ -240,21 +213,20 @@ def _draw(places: _Places, title: str, width: float) -> Figure:
     return figure
 
 
-def _draw_on(axes: Axes, places: _Places, title: str) -> Axes:
-    """Draw the places on axes that there are."""
+def _draw_on(axes: Axes, places: _Landings, title: str) -> None:
+    """Draw the places on given axes."""
     panel = fit_view(axes, _PLAN, places.limits)
     draw_floor(axes, panel, places.court, places.scene)
     cells = places.draw(axes, panel.limits)
-    add_title(axes, title, places.told)
+    add_title(axes, title, places.full_note)
     figure = axes.figure
     assert figure is not None
     ticks = MaxNLocator(steps=[1, 2, 5, 10])
     figure.colorbar(cells, ax=axes, label=_share(places.height), ticks=ticks)
-    return axes
 
 
 def _draw_release(axes: Axes, across: float, up: float) -> None:
-    """Mark where the shots are released, on the floor plan."""
+    """Mark the place of the releases on the floor plan."""
     axes.plot(across, up, marker="x", ms=5.0, mew=1.2, color=COLOURS["release"], label="release")
     inwards = -6.0 if across > 0.0 else 6.0  # points
     axes.annotate(
@@ -275,9 +247,9 @@ def _limits(
     place: tuple[float, float] | None,
     court: Court,
 ) -> Limits:
-    """Show nearly all balls, the circles to both sides, the lane, and the place of the shooter."""
+    """Return limits around nearly all balls, the circles, the lane and the shooter."""
     front, half = -scene["board_distance"], court.lane / 2.0
-    far = (1.0 - _SHOWN) / 2.0
+    far = (1.0 - _VISIBLE_SHARE) / 2.0
     corners = [
         *np.quantile(points, [far, 1.0 - far], axis=0),
         (front - court.baseline, -max(radius, half)),
@@ -295,11 +267,11 @@ def _draw_density(axes: Axes, points: Points, limits: Limits, finest: float) -> 
     # cells smaller than a ball would only make a large file.
     spread = float(np.sqrt(points.var(axis=0).mean()))
     low, high = np.array(limits[::2]), np.array(limits[1::2])
-    wide = max(spread * len(points) ** -0.25, finest, float((high - low).max()) / _CELLS)
+    wide = max(spread * len(points) ** -0.25, finest, float((high - low).max()) / _MAX_CELLS)
     step = np.array([wide, wide * np.sqrt(3.0)])
     count = np.ceil((high - low) / step).astype(int)
     high = low + count * step
-    share = 100.0 / len(points) / (step.prod() / 2.0) * shown("length").size ** 2
+    share = 100.0 / len(points) / (step.prod() / 2.0) * display_unit("length").size ** 2
     inside = points[((points >= low) & (points <= high)).all(axis=1)]
     return axes.hexbin(
         inside[:, 0],
@@ -308,7 +280,7 @@ def _draw_density(axes: Axes, points: Points, limits: Limits, finest: float) -> 
         reduce_C_function=np.sum,
         gridsize=(int(count[0]), int(count[1])),
         extent=(low[0], high[0], low[1], high[1]),
-        cmap=SHADES,
+        cmap=SHARE_COLOURS,
         vmin=0.0,
         linewidths=0.2,
         antialiaseds=False,
@@ -317,14 +289,32 @@ def _draw_density(axes: Axes, points: Points, limits: Limits, finest: float) -> 
     )
 
 
+def _limit_shades(cells: PolyCollection) -> None:
+    """Limit the scale so that its darkest shade stands for all extreme densities.
+
+    A ring throws many balls to almost one place; with a shade of its own it would leave all others
+    pale. The bar of colours then ends in an arrow.
+    """
+    density = np.sort(np.asarray(cells.get_array(), dtype=np.float64))
+    upto = np.cumsum(density)
+    if not upto.size or not upto[-1]:
+        return
+    most = float(density[np.searchsorted(upto, _DENSE_SHARE * upto[-1])])
+    if density[-1] > _OUTLIER_FACTOR * most:
+        shades: Any = cells.get_cmap().copy()  # whose annotation of what follows is too narrow
+        shades.colorbar_extend = "max"
+        cells.set_cmap(shades)
+        cells.set_clim(0.0, most)
+
+
 def _draw_circle(axes: Axes, radius: float, share: float) -> None:
     """Draw the circle about the point below the ring's centre that holds a share of the balls."""
     axes.add_patch(Circle((0.0, 0.0), radius, fill=False, ec=DARK, lw=0.8, ls=(0, (4, 2))))
-    at = radius * np.sin(_LABELLED), -radius * np.cos(_LABELLED)
-    unit = shown("length")
+    at = radius * np.sin(_LABEL_ANGLE), -radius * np.cos(_LABEL_ANGLE)
+    unit = display_unit("length")
     axes.text(
         *at,
-        f"{percent(share, 0)} within {radius / unit.size:.2f} {unit.symbol}",
+        f"{format_percent(share, 0)} within {radius / unit.size:.2f} {unit.symbol}",
         ha="center",
         va="center",
         fontsize=7.0,

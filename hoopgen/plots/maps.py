@@ -1,10 +1,10 @@
-"""Maps: what becomes of a shot, or how probably it is made, over one, two or three variables."""
+"""Maps of outcomes, kinds or probabilities over one, two or three variables."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, TypedDict, Unpack, overload
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -16,60 +16,46 @@ from matplotlib.path import Path
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 from numpy.typing import NDArray
 
-from hoopgen.hoop.courts import Court, find_court
-from hoopgen.phrases import percent
-from hoopgen.plots.cells import Cells, read_cells
-from hoopgen.plots.contours import draw_contours
-from hoopgen.plots.court import FLOOR, draw_floor, on_floor
-from hoopgen.plots.key import draw_key, draw_names, key_height, names_height
-from hoopgen.plots.page import add_axes, add_view, new_page
-from hoopgen.plots.panels import Panel
-from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
-from hoopgen.plots.style import COLOURS, DARK, EDGES, GRID, NARROW, PAGE, SHADES, SMALL, style
-from hoopgen.plots.views import Limits
+from hoopgen.hoop.court_lines import Court, find_court
+from hoopgen.text.numbers import format_percent
+
+from .class_legend import draw_names, names_height
+from .contours import draw_contours
+from .figure import add_key, add_title, draw_picture, fit_view
+from .floor_plan import FLOOR, draw_floor, on_floor
+from .map_cells import Cells, read_cells
+from .page import LEFT, RIGHT, add_axes, new_page
+from .small_multiples import FOOT, draw_grid, lay_grid
+from .style import COLOURS, DARK, EDGES, GRID, NARROW_PAGE, NOTE_SIZE, PAGE, SHARE_COLOURS
+from .views import Limits, limits_around
 
 if TYPE_CHECKING:
     import xarray as xr
 
+    from hoopgen.results.drawing import Drawn
+
 __all__ = ["draw_classes", "plot_map"]
 
-_BAND = "#A6CEE3"
+_BAND_COLOUR = "#A6CEE3"
 _LIGHT = COLOURS["paper"]
 
 _LEVELS, _FEW_LEVELS = (MaxNLocator(nbins=n, steps=[1, 2, 5, 10]) for n in (8, 4))
 
-_BEST = "\N{WHITE CIRCLE} best"
+_BEST_NOTE = "\N{WHITE CIRCLE} best"
 
 # Inches.
-_STRIP = 0.9
-_HEIGHT = 0.62  # of a panel, in its width
+_STRIP_HEIGHT = 0.9
+_PANEL_ASPECT = 0.62  # of a panel, in its width
 _LABELS = 0.3
 _PAD = 0.08
 
-
 # Inches of a page with a court.
-_LEFT, _RIGHT, _BETWEEN, _BELOW, _HEAD = 0.5, 0.1, 0.5, 0.46, 0.14
+_HEAD = 0.14
 _BAR, _BAR_LABELS = 0.12, 0.62
-_TALLEST, _NARROWEST = 6.0, 3.4
+_MAX_HEIGHT, _MIN_WIDTH = 6.0, 3.4
 
-_AIR = 0.25  # m, around what a floor plan shows
-_NOWHERE = "Hatched: no such flight."
-
-
-class _Options(TypedDict, total=False):
-    of: str | None
-    title: str
-    note: str | None
-    court: str | None
-    width: float
-
-
-@overload
-def plot_map(dataset: xr.Dataset, *, ax: None = None, **options: Unpack[_Options]) -> Figure: ...
-
-
-@overload
-def plot_map(dataset: xr.Dataset, *, ax: Axes, **options: Unpack[_Options]) -> Axes: ...
+_FLOOR_MARGIN = 0.25  # m, around what a floor plan shows
+_HATCH_NOTE = "Hatched: no such flight."
 
 
 def plot_map(
@@ -80,8 +66,8 @@ def plot_map(
     note: str | None = None,
     court: str | None = None,
     width: float = PAGE,
-    ax: Axes | None = None,
-) -> Figure | Axes:
+    ax: Drawn | None = None,
+) -> Drawn:
     """Draw a map of `hoopgen.map`.
 
     Over one variable a probability is a line with its interval; over two it is colours, a cell
@@ -106,8 +92,8 @@ def plot_map(
         Below the title; by default what is the same in all cells, the scatter, the number of shots
         and the seed; on `ax`, where several maps may share one, the scene alone.
     court
-        Whose lines are drawn, of `hoopgen.hoop.courts.COURTS`; by default FIBA's for a hoop nearest
-        to that preset, else the NBA's.
+        Whose lines are drawn, of `hoopgen.hoop.court_lines.COURTS`; by default FIBA's for a hoop
+        nearest to that preset, else the NBA's.
     width
         Of the page, inches, as of `plot_fan`.
     ax
@@ -131,28 +117,34 @@ def plot_map(
     lines = find_court(court, shown.hoop or {})
     said = shown.scene if note is None else note
     lined = shown.of == "probability" and len(shown.axes) == 1
-    hatched = _NOWHERE if shown.nowhere.any() and not lined else ""
+    hatched = _HATCH_NOTE if shown.nowhere.any() and not lined else ""
     shown = replace(shown, note=f"{shown.note if note is None else note} {hatched}".strip())
-    with style():
-        if ax is not None:
-            return _draw_on(check_axes(ax), shown, title, f"{said} {hatched}".strip(), lines)
-        if lined:
-            return _plot_line(shown, title, width)
-        if shown.hoop is not None:
-            return _plot_courts(shown, title, width, lines)
-        return _plot_panels(shown, title, width)
+    return draw_picture(
+        ax,
+        lambda: _draw(shown, title, width, lines, lined=lined),
+        lambda axes: _draw_on(axes, shown, title, f"{said} {hatched}".strip(), lines),
+    )
+
+
+def _draw(shown: Cells, title: str, width: float, court: Court, *, lined: bool) -> Figure:
+    """Draw a map on a page."""
+    if lined:
+        return _plot_line(shown, title, width)
+    if shown.hoop is not None:
+        return _plot_courts(shown, title, width, court)
+    return _plot_panels(shown, title, width)
 
 
 def _plot_line(shown: Cells, title: str, width: float) -> Figure:
     """Draw a probability over one variable."""
-    body = 2.4 if width < NARROW else 3.2
+    body = 2.4 if width < NARROW_PAGE else 3.2
     figure = new_page(width, body, title=title, note=shown.note, arrange=True)
     _draw_line(figure.subplots(), shown)
     return figure
 
 
-def _draw_on(axes: Axes, shown: Cells, title: str, note: str, court: Court) -> Axes:
-    """Draw a map on axes that there are."""
+def _draw_on(axes: Axes, shown: Cells, title: str, note: str, court: Court) -> None:
+    """Draw a map on given axes."""
     (panel, *more) = shown.panels()
     if more:
         third = shown.axes[2].quantity.name
@@ -179,7 +171,6 @@ def _draw_on(axes: Axes, shown: Cells, title: str, note: str, court: Court) -> A
         assert figure is not None
         _draw_probabilities(figure, [axes], [panel])
     add_title(axes, title, note, axes.get_title(loc="left"))
-    return axes
 
 
 def _draw_line(axes: Axes, shown: Cells) -> None:
@@ -188,14 +179,16 @@ def _draw_line(axes: Axes, shown: Cells) -> None:
     if shown.interval is not None:
         known = np.isfinite(shown.values)  # without a flight anything may be, which says nothing
         low, top = (np.where(known, bound, np.nan) for bound in shown.interval)
-        share = f"{percent(shown.confidence, 0)} " if shown.confidence else ""
+        share = f"{format_percent(shown.confidence, 0)} " if shown.confidence else ""
         alone = " of the simulation alone" if shown.measured else ""
-        axes.fill_between(axis.values, low, top, color=_BAND, lw=0, label=f"{share}interval{alone}")
+        axes.fill_between(
+            axis.values, low, top, color=_BAND_COLOUR, lw=0, label=f"{share}interval{alone}"
+        )
     axes.plot(axis.values, shown.values, color=COLOURS["path"], lw=1.2, label="estimate")
     best = shown.best()
     if best is not None:
         _mark(axes, shown.at(best)[0], float(shown.values[best]))
-        axes.set_title(f"{_BEST} {shown.say(best)}", loc="left", fontsize=SMALL)
+        axes.set_title(f"{_BEST_NOTE} {shown.say(best)}", loc="left", fontsize=NOTE_SIZE)
     axes.set_xlabel(axis.quantity.label, parse_math=False)
     axes.set_ylabel(shown.label, parse_math=False)
     axes.yaxis.set_major_formatter(FuncFormatter(_in_percent))
@@ -206,16 +199,16 @@ def _draw_line(axes: Axes, shown: Cells) -> None:
     axes.grid(color=GRID, lw=0.5)
     axes.set_axisbelow(True)
     if shown.interval is not None:
-        axes.legend(frameon=False, fontsize=SMALL)
+        axes.legend(frameon=False, fontsize=NOTE_SIZE)
 
 
 def _plot_panels(shown: Cells, title: str, width: float) -> Figure:
     """Draw a map over two variables, one for each value of the third; a strip over one."""
     panels = shown.panels()
-    columns = min(len(panels), 2 if width < NARROW else 3)
+    columns = min(len(panels), 2 if width < NARROW_PAGE else 3)
     rows = -(-len(panels) // columns)
-    foot = _key_height(shown, width)
-    tall = _STRIP if len(shown.axes) == 1 else _HEIGHT * width / columns + _LABELS
+    foot = names_height([one.words for one in shown.present], width)
+    tall = _STRIP_HEIGHT if len(shown.axes) == 1 else _PANEL_ASPECT * width / columns + _LABELS
     figure = new_page(width, rows * tall, title=title, note=shown.note, foot=foot, arrange=True)
     grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
     for empty in grid.flat[len(panels) :]:
@@ -223,7 +216,7 @@ def _plot_panels(shown: Cells, title: str, width: float) -> Figure:
     places = list(grid.flat[: len(panels)])
     for axes, panel in zip(places, panels, strict=True):
         if len(panels) > 1:
-            axes.set_title(panel.note, loc="left", fontsize=SMALL)
+            axes.set_title(panel.note, loc="left", fontsize=NOTE_SIZE)
     for axes in places[-columns:]:
         axes.tick_params(labelbottom=True)
     across, *up = [axis.quantity.label for axis in shown.axes]
@@ -233,35 +226,12 @@ def _plot_panels(shown: Cells, title: str, width: float) -> Figure:
         axes.set_ylabel(up[0] if up else "")
     if not up:
         places[0].set_yticks([])
-    if shown.classes:
-        for axes, panel in zip(places, panels, strict=True):
-            draw_classes(axes, panel)
-        _draw_key(figure, shown, foot, width)
-    else:
-        _draw_probabilities(figure, places, panels)
+    _fill(figure, places, shown, width)
     return figure
 
 
 def _swatches(shown: Cells) -> list[Patch]:
     return [Patch(fc=one.colour, ec=EDGES, lw=0.4, label=one.words) for one in shown.present]
-
-
-def _key_height(shown: Cells, width: float) -> float:
-    """Return the height of a page's key, inches, of which there is none of probabilities."""
-    if not shown.present:
-        return 0.0
-    room = width - 2.0 * _PAD
-    if shown.of == "kind":
-        return key_height(dict.fromkeys(shown.present), room) + _PAD
-    return names_height([one.words for one in shown.present], room) + _PAD
-
-
-def _draw_key(figure: Figure, shown: Cells, height: float, width: float) -> None:
-    """Write it: kinds against made and missed, or the outcomes by name."""
-    if shown.of == "kind":
-        draw_key(figure, dict.fromkeys(shown.present), _PAD, height, width - 2.0 * _PAD)
-    elif shown.present:
-        draw_names(figure, _swatches(shown), width - 2.0 * _PAD)
 
 
 def _draw_cells(axes: Axes, panel: Cells, **colours: Any) -> QuadMesh:
@@ -295,7 +265,15 @@ def _hatches(across: NDArray[Any], up: NDArray[Any], cells: NDArray[np.bool_]) -
 
 
 def draw_classes(axes: Axes, panel: Cells) -> None:
-    """Colour cells by what their shots are; one or two axes."""
+    """Colour cells by the class of their shots, over one or two axes.
+
+    Parameters
+    ----------
+    axes
+        The axes.
+    panel
+        The cells.
+    """
     colours = ListedColormap([one.colour for one in panel.classes])
     _draw_cells(axes, panel, cmap=colours, norm=Normalize(-0.5, len(panel.classes) - 0.5))
 
@@ -310,17 +288,17 @@ def _draw_probabilities(
     inner = [float(level) for level in levels[1:-1] if level < top]
     for axes, panel in zip(places, panels, strict=True):
         flat = panel.flat()
-        mesh = _draw_cells(axes, panel, cmap=SHADES, norm=norm)
+        mesh = _draw_cells(axes, panel, cmap=SHARE_COLOURS, norm=norm)
         if len(flat.axes) > 1:
             across, up = (axis.values for axis in flat.axes)
             draw_contours(axes, across, up, flat.values, flat.interval, inner, norm)
         best = panel.best()
         if best is not None:
             _mark(axes, *panel.point(best))
-            said = f"{_BEST} {panel.say(best)}"
+            said = f"{_BEST_NOTE} {panel.say(best)}"
             if len(panels) > 1:
-                said = f"{panel.note}\n{_BEST} {percent(float(panel.values[best]))}"
-            axes.set_title(said, loc="left", fontsize=SMALL)
+                said = f"{panel.note}\n{_BEST_NOTE} {format_percent(float(panel.values[best]))}"
+            axes.set_title(said, loc="left", fontsize=NOTE_SIZE)
     taken: dict[str, Any] = {"ax": list(places), "pad": 0.02} if bar_on is None else {"cax": bar_on}
     bar = figure.colorbar(mesh, label=panels[0].label, ticks=levels, **taken)
     bar.ax.yaxis.set_major_formatter(FuncFormatter(_in_percent))
@@ -334,51 +312,51 @@ def _draw_probabilities(
 def _plot_courts(shown: Cells, title: str, width: float, court: Court) -> Figure:
     """Draw a map over places on the floor, on a court for each value of the third variable."""
     panels = shown.panels()
-    columns = min(len(panels), 2)
-    rows = -(-len(panels) // columns)
-    limits = _limits(shown, court)
-    across, up = limits[1] - limits[0], limits[3] - limits[2]
-    beside = _LEFT + _RIGHT + (0.0 if shown.classes else _BAR + _BAR_LABELS)
-    room = (width - beside - (columns - 1) * _BETWEEN) / columns
-    scale = min(room / across, (_TALLEST / rows - _BELOW) / up)
-    foot = _key_height(shown, width)
+    foot = names_height([one.words for one in shown.present], width)
+    beside = RIGHT + (0.0 if shown.classes else _BAR + _BAR_LABELS)
     lines = (len(panels) > 1) + (shown.of == "probability")  # said above each
-    head = _PAD + _HEAD * lines
-    step = head + up * scale + _BELOW
-    wide = columns * across * scale + (columns - 1) * _BETWEEN + beside
-    figure = new_page(max(wide, _NARROWEST), rows * step, title=title, note=shown.note, foot=foot)
-    places = []
-    for number, panel in enumerate(panels):
-        row, column = divmod(number, columns)
-        left = _LEFT + column * (across * scale + _BETWEEN)
-        bottom = foot + (rows - 1 - row) * step + _BELOW
-        place = Panel(FLOOR, limits, scale, left, bottom)
-        axes = add_view(figure, place)
+    place, rows = (LEFT, foot + FOOT, width - LEFT - beside), -(-len(panels) // 2)
+    grid = lay_grid(
+        *(len(panels), FLOOR, _limits(shown, court), place, width, _MAX_HEIGHT / rows),
+        head=_PAD + _HEAD * lines,
+        most=2,
+    )
+    wide = grid.right + beside
+    height = grid.top - foot
+    figure = new_page(max(wide, _MIN_WIDTH), height, title=title, note=shown.note, foot=foot)
+    notes = [panel.note if len(panels) > 1 else "" for panel in panels]
+    places = draw_grid(figure, grid, notes)
+    for axes, one, panel in zip(places, grid.panels, panels, strict=True):
         assert panel.hoop is not None
-        draw_floor(axes, place, court, panel.hoop, over=True)
-        if len(panels) > 1:
-            axes.set_title(panel.note, loc="left", fontsize=SMALL)
-        places.append(axes)
-    if shown.classes:
-        for axes, panel in zip(places, panels, strict=True):
-            draw_classes(axes, panel)
-        _draw_key(figure, shown, foot, width)
-    else:
-        high = (rows - 1) * step + up * scale
-        bar = add_axes(figure, wide - _BAR - _BAR_LABELS, _BELOW, _BAR, high, "bar")
-        _draw_probabilities(figure, places, panels, bar)
+        draw_floor(axes, one, court, panel.hoop, over=True)
+    bar = None
+    if not shown.classes:
+        low, high = grid.panels[-1].bottom, grid.panels[0].top
+        bar = add_axes(figure, wide - _BAR - _BAR_LABELS, low, _BAR, high - low, "bar")
+    _fill(figure, places, shown, width, bar)
     return figure
 
 
+def _fill(
+    figure: Figure, places: Sequence[Axes], shown: Cells, width: float, bar: Axes | None = None
+) -> None:
+    """Draw the panels of a map on their axes, and the legend of its classes."""
+    panels = shown.panels()
+    if not shown.classes:
+        _draw_probabilities(figure, places, panels, bar)
+        return
+    for axes, panel in zip(places, panels, strict=True):
+        draw_classes(axes, panel)
+    draw_names(figure, _swatches(shown), width)
+
+
 def _limits(shown: Cells, court: Court) -> Limits:
-    """Show the cells, and the basket with its lane up to the baseline."""
+    """Return limits around the cells, the basket and the lane up to the baseline."""
     assert shown.hoop is not None
     front, half = -shown.hoop["board_distance"], court.lane / 2.0
     x, y = [front - court.baseline, front + court.free_throw], [-half, half]
     ends = [axis.edges()[[0, -1]] for axis in shown.flat().axes[:2]]
-    corners = np.concatenate([on_floor(x, y), np.transpose(ends)])
-    low, high = corners.min(axis=0) - _AIR, corners.max(axis=0) + _AIR
-    return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+    return limits_around(np.concatenate([on_floor(x, y), np.transpose(ends)]), _FLOOR_MARGIN)
 
 
 def _mark(axes: Axes, x: float, y: float) -> None:

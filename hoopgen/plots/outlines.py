@@ -1,4 +1,4 @@
-"""Outlines of triangles in a flat picture: shapes, lines between what is seen, lines edge-on."""
+"""Outlines of triangles in a flat picture."""
 
 from __future__ import annotations
 
@@ -11,23 +11,41 @@ from matplotlib.colors import to_rgb
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
-from hoopgen.plots.scene import order_of
-from hoopgen.plots.views import Points, View
 from hoopgen.scene.meshes import Mesh, chains, loops
 
-__all__ = ["EDGE_ON", "RIMS", "draw_edge_on", "draw_lines", "edge_on", "mixed", "patch", "spans"]
+from .hoop import drawing_order
+from .views import Points, View
+
+__all__ = [
+    "EDGE_ON",
+    "RIM_ORDER",
+    "draw_edge_on",
+    "draw_lines",
+    "edge_on",
+    "mix_with_white",
+    "merge_triangles",
+    "spans",
+]
 
 EDGE_ON = 1e-6
 """Cosine of the angle between a normal and the eye below which a surface is seen as a line."""
 
-RIMS = 4.2
+RIM_ORDER = 4.2
 """Drawing order of lines below paths."""
 
 _NEAR, _PASSES = 2e-4, 6  # of a shape's size, and how often points of its outline are left out
 
 
 def edge_on(mesh: Mesh, view: View) -> bool:
-    """Return whether a mesh is flat, and seen as a line."""
+    """Return whether a mesh is flat and appears as a line.
+
+    Parameters
+    ----------
+    mesh
+        The mesh.
+    view
+        The view.
+    """
     ways = mesh.corners[..., 3:] - mesh.corners[..., :3]
     if not ways.any():  # an end: its ball has no size
         flat = mesh.corners[..., :3].reshape(-1, 3)
@@ -38,7 +56,7 @@ def edge_on(mesh: Mesh, view: View) -> bool:
 
 
 def draw_edge_on(axes: Axes, view: View, corners: Points, facing: Points, colour: str) -> None:
-    """Draw what of a curved surface is seen as a line: a pipe from its end, for one.
+    """Draw the parts of a curved surface that appear as lines, such as a pipe from its end.
 
     Parameters
     ----------
@@ -52,12 +70,12 @@ def draw_edge_on(axes: Axes, view: View, corners: Points, facing: Points, colour
     lines = view.flatten(corners[(np.abs(facing) < EDGE_ON).all(axis=1)][..., :3])
     if len(lines):
         axes.add_collection(
-            LineCollection(list(lines), colors=[colour], linewidths=1.1, zorder=RIMS)
+            LineCollection(list(lines), colors=[colour], linewidths=1.1, zorder=RIM_ORDER)
         )
 
 
 def spans(triangles: Points) -> list[Points]:
-    """Return what triangles that lie on one line cover of it, as few segments."""
+    """Return the segments that triangles on one line cover, merged."""
     points = triangles.reshape(-1, 2)
     if not len(points):
         return []
@@ -77,19 +95,27 @@ def spans(triangles: Points) -> list[Points]:
     return [np.array(ends) for ends in found]
 
 
-def patch(corners: Points, view: View, **look: Any) -> PathPatch:
-    """Return the triangles as one shape, without the lines between them."""
+def merge_triangles(corners: Points, view: View, **look: Any) -> PathPatch:
+    """Return the union of triangles as one shape.
+
+    Parameters
+    ----------
+    corners
+        The triangles, (n, 3, 3), m.
+    view
+        The view.
+    """
     vertices, codes = [], []
     for line in loops(corners[..., :3]):
-        flat = _fewer(view.flatten(line))
+        flat = _drop_collinear(view.flatten(line))
         vertices.append(flat)
         codes += [Path.MOVETO, *[Path.LINETO] * (len(flat) - 2), Path.CLOSEPOLY]
     shape = Path(np.concatenate([np.empty((0, 2)), *vertices]), codes)
     return PathPatch(shape, joinstyle="round", **look)
 
 
-def _fewer(line: Points) -> Points:
-    """Return a line without the points that are as good as between their neighbours."""
+def _drop_collinear(line: Points) -> Points:
+    """Return a line without the points that lie nearly between their neighbours."""
     near = _NEAR * float(np.ptp(line, axis=0).max())
     for _ in range(_PASSES):
         if len(line) < 5:
@@ -107,22 +133,38 @@ def _fewer(line: Points) -> Points:
 def draw_lines(
     axes: Axes, view: View, lines: Points, colour: str, wide: float, *, behind: bool
 ) -> None:
-    """Draw segments (k, 2, 3), the near ones over the ball."""
+    """Draw segments (k, 2, 3), near ones over the ball.
+
+    Parameters
+    ----------
+    axes
+        The axes.
+    view
+        The view.
+    lines
+        The segments, (k, 2, 3), m.
+    colour
+        The colour.
+    wide
+        The width of the lines, points.
+    behind
+        True if all lines are below the paths.
+    """
     if not len(lines):
         return
     if behind:
-        groups = [(np.arange(len(lines)), RIMS)]
+        groups = [(np.arange(len(lines)), RIM_ORDER)]
     else:
         depth = view.depth(lines.mean(axis=1))
         rows = np.array_split(np.argsort(depth, kind="stable"), min(16, len(lines)))
         middle = [lines[group].mean(axis=(0, 1)) for group in rows]
-        groups = [(g, order_of(view, m)) for g, m in zip(rows, middle, strict=True)]
+        groups = [(g, drawing_order(view, m)) for g, m in zip(rows, middle, strict=True)]
     for group, order in groups:
         flat = [view.flatten(line) for line in chains(lines[group])]
         axes.add_collection(
             LineCollection(
                 flat,
-                colors=[mixed(colour, -0.2)],
+                colors=[mix_with_white(colour, -0.2)],
                 linewidths=wide,
                 zorder=order,
                 capstyle="round",
@@ -130,8 +172,16 @@ def draw_lines(
         )
 
 
-def mixed(colour: str, white: float) -> tuple[float, float, float]:
-    """Return a colour on the way to white, or with a minus to black."""
+def mix_with_white(colour: str, white: float) -> tuple[float, float, float]:
+    """Return a colour mixed with white, or with black.
+
+    Parameters
+    ----------
+    colour
+        A colour of matplotlib.
+    white
+        The share of white, 0 to 1, or negative the share of black.
+    """
     aim = float(white > 0.0)
     red, green, blue = (c + abs(white) * (aim - c) for c in to_rgb(colour))
     return red, green, blue

@@ -2,19 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-from hoopgen.plots.panels import Panel
-from hoopgen.plots.picture import Picture
-from hoopgen.plots.style import INK, wrap
-from hoopgen.plots.ticks import label_lengths
-from hoopgen.printable import printable
+from hoopgen.text.escape import printable
 
-__all__ = ["add_axes", "add_view", "new_page"]
+from .figure import Picture, set_view
+from .style import INK, NARROW_PAGE, wrap
+from .views import Limits, Panel, View
+
+__all__ = [
+    "ABOVE",
+    "BELOW",
+    "LEFT",
+    "RIGHT",
+    "add_axes",
+    "add_view",
+    "lay_pair",
+    "new_page",
+    "stack_views",
+]
+
+LEFT, RIGHT, BELOW, ABOVE = 0.58, 0.1, 0.48, 0.1
+"""Room around axes to scale for their numbers and names, inches."""
 
 # Inches.
+_BETWEEN = 0.68  # two views beside one another
 _MARGIN = 0.1
 _TITLE, _NOTE = 0.24, 0.15
 
@@ -67,7 +83,17 @@ def new_page(
 def add_axes(
     figure: Figure, left: float, bottom: float, width: float, height: float, label: str
 ) -> Axes:
-    """Return axes at a place of the page, in inches, which the layout leaves there."""
+    """Return axes at a fixed place of the page, in inches.
+
+    Parameters
+    ----------
+    figure
+        The page.
+    left, bottom, width, height
+        The place, inches.
+    label
+        The label by which the axes are known.
+    """
     across, up = figure.get_size_inches()
     place = (left / across, bottom / up, width / across, height / up)
     axes = figure.add_axes(place, label=label)
@@ -76,11 +102,68 @@ def add_axes(
 
 
 def add_view(figure: Figure, panel: Panel) -> Axes:
-    """Return axes of a side view or a plan, to scale, labelled."""
-    view, (left, right, bottom, top) = panel.view, panel.limits
-    axes = add_axes(figure, panel.left, panel.bottom, panel.width, panel.height, view.name)
-    axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
-    if view.labels is not None:
-        label_lengths(axes, view.labels)
-    axes.set_axisbelow(True)
+    """Return axes of a side view or a plan, to scale, labelled.
+
+    Parameters
+    ----------
+    figure
+        The page.
+    panel
+        The view and its place.
+    """
+    place = panel.left, panel.bottom, panel.width, panel.height
+    axes = add_axes(figure, *place, panel.view.name)
+    set_view(axes, panel.view, panel.limits)
     return axes
+
+
+def lay_pair(
+    first: tuple[View, Limits],
+    second: tuple[View, Limits],
+    width: float,
+    bottom: float,
+    tallest: float,
+) -> tuple[Panel, Panel]:
+    """Place two views, equally high beside one another; equally wide, one above the other.
+
+    They are one above the other on a narrow page.
+
+    Parameters
+    ----------
+    first, second
+        The views and their limits, from the left or from the top.
+    width, bottom
+        The width of the page, and where the panels begin, inches.
+    tallest
+        The greatest height of two views beside one another, inches.
+    """
+    room = width - LEFT - RIGHT
+    sizes = [(right - left, top - low) for _, (left, right, low, top) in (first, second)]
+    if width < NARROW_PAGE:
+        lower = Panel(*second, room / sizes[1][0], LEFT, bottom)
+        return Panel(*first, room / sizes[0][0], LEFT, lower.top + BELOW + ABOVE), lower
+    tall = min(tallest, (room - _BETWEEN) / sum(across / up for across, up in sizes))
+    one, other = (tall / up for _, up in sizes)
+    beside = Panel(*first, one, LEFT, bottom)
+    return beside, Panel(*second, other, LEFT + beside.width + _BETWEEN, bottom)
+
+
+def stack_views(
+    views: Sequence[tuple[View, Limits]], scale: float, left: float, bottom: float, gap: float
+) -> list[Panel]:
+    """Place views of one scale one above the other, the first on top.
+
+    Parameters
+    ----------
+    views
+        The views and their limits.
+    scale
+        Inches of the page per metre.
+    left, bottom, gap
+        The place of the lowest, and the room between two, inches.
+    """
+    panels: list[Panel] = []
+    for view, limits in reversed(views):
+        panels.append(Panel(view, limits, scale, left, bottom))
+        bottom = panels[-1].top + gap
+    return panels[::-1]

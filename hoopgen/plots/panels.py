@@ -10,35 +10,52 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator
 
-from hoopgen.plots.marks import Mark, draw_badges
-from hoopgen.plots.scene import draw_ball, draw_path
-from hoopgen.plots.scenery import Scenery
-from hoopgen.plots.style import COLOURS, EDGES, FRAME, GRID, INK, POINTS_PER_INCH
-from hoopgen.plots.ticks import label_lengths, number
-from hoopgen.plots.views import Limits, Points, View
-from hoopgen.units import shown
+from hoopgen.core.units import display_unit
 
-__all__ = ["Drawing", "Panel", "Room", "add_panel", "draw_panel", "draw_view", "dress_flat", "some"]
+from .contact_marks import Mark, draw_badges
+from .hoop import draw_ball, draw_path
+from .page import add_view
+from .scenery import Scenery
+from .style import COLOURS, EDGES, FRAME, GRID, INK, POINTS_PER_INCH
+from .ticks import number
+from .views import Panel, Points, View
+
+__all__ = [
+    "Drawing",
+    "Room",
+    "add_panel",
+    "draw_panel",
+    "draw_view",
+    "label_flat_view",
+    "thin_rows",
+]
 
 Place = Sequence[float]
 
-_STEPS = (0.25, 0.5, 1.0, 2.0, 5.0, 10.0)  # between ticks, in the unit shown; with room for numbers
-_SMALL = (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1)
+_TICK_STEPS = (
+    0.25,
+    0.5,
+    1.0,
+    2.0,
+    5.0,
+    10.0,
+)  # between ticks, in the unit shown; with room for numbers
+_SMALL_TICK_STEPS = (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1)
 _TICK_ROOM = 0.36  # inches
-_FEW = 3  # ticks on an axis, at least
-_LEFT_VISIBLE = 5_000  # points of a path that badges stay clear of
-_CORNER = 0.3  # of a step: of two ticks at a corner of the room, one is left out
+_MIN_TICKS = 3  # ticks on an axis, at least
+_MAX_OBSTACLES = 5_000  # points of a path that badges stay clear of
+_CORNER_GAP = 0.3  # of a step: of two ticks at a corner of the room, one is left out
 
 
 @dataclass(frozen=True)
 class Room:
-    """A box along the axes that holds all that is drawn, m."""
+    """A box along the axes that contains everything drawn, m."""
 
     low: tuple[float, float, float]
     high: tuple[float, float, float]
 
     def corners(self) -> Points:
-        """List its corners, shape (8, 3)."""
+        """Return its corners, shape (8, 3)."""
         sides = np.array([self.low, self.high])
         grid = np.stack(np.meshgrid(*sides.T, indexing="ij"), axis=-1)
         return grid.reshape(-1, 3)
@@ -46,7 +63,7 @@ class Room:
 
 @dataclass(frozen=True)
 class Drawing:
-    """What all views of a shot share, in metres.
+    """The content that all views of a shot share, in metres.
 
     Attributes
     ----------
@@ -75,39 +92,6 @@ class Drawing:
     views: tuple[View, ...]
 
 
-@dataclass(frozen=True)
-class Panel:
-    """A view and its place on the page.
-
-    Attributes
-    ----------
-    view
-        From where.
-    limits
-        Left, right, bottom, top of the picture, m.
-    scale
-        Inches of the page per metre.
-    left, bottom
-        Of the axes, inches.
-    """
-
-    view: View
-    limits: Limits
-    scale: float
-    left: float
-    bottom: float
-
-    @property
-    def width(self) -> float:
-        """Of the axes, inches."""
-        return (self.limits[1] - self.limits[0]) * self.scale
-
-    @property
-    def height(self) -> float:
-        """Of the axes, inches."""
-        return (self.limits[3] - self.limits[2]) * self.scale
-
-
 def draw_panel(figure: Figure, panel: Panel, drawing: Drawing) -> Axes:
     """Draw a view of a shot.
 
@@ -131,11 +115,21 @@ def draw_panel(figure: Figure, panel: Panel, drawing: Drawing) -> Axes:
 
 
 def draw_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
-    """Draw a view of a shot on axes that show it."""
+    """Draw a view of a shot on axes that show it.
+
+    Parameters
+    ----------
+    axes
+        The axes.
+    panel
+        Their view and scale.
+    drawing
+        The content.
+    """
     view = drawing.scenery.look(panel.view)
     written = _draw_floor(axes, panel, drawing) if view.labels is None else []
     if view.labels is not None:
-        dress_flat(axes, panel, drawing)
+        label_flat_view(axes, panel, drawing)
     radius = drawing.scenery.ball_radius
     drawing.scenery.draw(axes, view, panel.scale)
     draw_path(axes, view, drawing.path)
@@ -144,41 +138,55 @@ def draw_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
             ghost = mark.kind == "release"
             draw_ball(axes, view, mark.position, radius, drawing.scenery.ball, ghost=ghost)
     _draw_dots(axes, view, drawing)
-    lines = np.vstack([some(drawing.path, _LEFT_VISIBLE), drawing.scenery.points()])
+    lines = np.vstack([thin_rows(drawing.path, _MAX_OBSTACLES), drawing.scenery.points()])
     obstacles = np.vstack([view.flatten(lines), *written])
     draw_badges(axes, view, drawing.marks, obstacles, panel.limits, radius, panel.scale)
 
 
-def some(rows: Points, most: int) -> Points:
-    """Return so many of the rows at most, evenly, the first and the last among them."""
+def thin_rows(rows: Points, most: int) -> Points:
+    """Return at most so many rows, evenly chosen, with the first and the last.
+
+    Parameters
+    ----------
+    rows
+        The rows, (n, ...).
+    most
+        The greatest number of rows.
+    """
     if len(rows) <= most:
         return rows
     return rows[np.linspace(0, len(rows) - 1, most).astype(np.intp)]
 
 
 def add_panel(figure: Figure, panel: Panel) -> Axes:
-    """Return axes of a view on the page, to scale."""
-    width, height = figure.get_size_inches()
-    place = (
-        panel.left / width,
-        panel.bottom / height,
-        panel.width / width,
-        panel.height / height,
-    )
-    axes = figure.add_axes(place, label=panel.view.name)
-    axes.set_xlim(panel.limits[0], panel.limits[1])
-    axes.set_ylim(panel.limits[2], panel.limits[3])
-    axes.set_aspect("equal")
+    """Return axes of a view on the page, to scale, with the view's name above.
+
+    Parameters
+    ----------
+    figure
+        The page.
+    panel
+        The view and its place.
+    """
+    axes = add_view(figure, panel)
     axes.set_title(panel.view.name, loc="left", fontsize=8.0, color=FRAME, pad=4.0)
     return axes
 
 
-def dress_flat(axes: Axes, panel: Panel, drawing: Drawing) -> None:
-    """Give a side or top view its labels, and the end plane where it is seen edge on."""
+def label_flat_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
+    """Label a side or top view, and draw the end plane if it appears as a line.
+
+    Parameters
+    ----------
+    axes
+        The axes.
+    panel
+        Their view and scale.
+    drawing
+        The content.
+    """
     view = panel.view
-    assert view.labels is not None
-    label_lengths(axes, view.labels)
-    metres = shown("length").size
+    metres = display_unit("length").size
     left, right, bottom, top = panel.limits
     for axis, span in ((axes.xaxis, right - left), (axes.yaxis, top - bottom)):
         axis.set_major_locator(
@@ -218,32 +226,32 @@ def _draw_floor(axes: Axes, panel: Panel, drawing: Drawing) -> list[Points]:
         _line(axes, view, (room.low[0], y, floor), (room.high[0], y, floor))
     left = min(room.corners().tolist(), key=lambda corner: float(view.flatten(corner)[0]))
     _line(axes, view, (left[0], left[1], floor), (left[0], left[1], room.high[2]), EDGES)
-    clear = [x for x in xs if abs(x - near[0]) > _CORNER * steps[0]]
+    clear = [x for x in xs if abs(x - near[0]) > _CORNER_GAP * steps[0]]
     written = [
         *_name_edge(axes, panel, room, 0, names[0], (0.0, near[1], floor), clear),
         *_name_edge(axes, panel, room, 1, names[1], (near[0], 0.0, floor), ys),
     ]
-    high = [z for z in zs if z - floor > _CORNER * steps[2]]
+    high = [z for z in zs if z - floor > _CORNER_GAP * steps[2]]
     written += _name_edge(axes, panel, room, 2, names[2], (left[0], left[1], 0.0), high)
-    shadow = view.flatten(_dropped(drawing.path, floor))
+    shadow = view.flatten(_project_on_floor(drawing.path, floor))
     axes.plot(shadow[:, 0], shadow[:, 1], color="#B0B0B0", lw=1.0, zorder=1)
     for mark in drawing.marks:
-        foot = _dropped(mark.position, floor)
+        foot = _project_on_floor(mark.position, floor)
         _line(axes, view, tuple(mark.position), tuple(foot), "#C4C4C4", dashed=True)
     return written
 
 
-def _dropped(points: Points, floor: float) -> Points:
-    """Give the points straight below on the floor."""
+def _project_on_floor(points: Points, floor: float) -> Points:
+    """Return the points straight below on the floor."""
     return points * (1.0, 1.0, 0.0) + (0.0, 0.0, floor)
 
 
 def _step(span: float, scale: float, *, small: bool = False) -> float:
-    """Choose the distance of ticks, m, on an axis of that many metres, so many inches each."""
-    metres = shown("length").size
-    fine = _STEPS if span < _FEW * _STEPS[1] * metres else _STEPS[1:]
-    if small and span < _FEW * _STEPS[0] * metres:
-        fine = (*_SMALL, *fine)
+    """Return the distance of ticks, m, on an axis of a span (m) and a scale (inches per metre)."""
+    metres = display_unit("length").size
+    fine = _TICK_STEPS if span < _MIN_TICKS * _TICK_STEPS[1] * metres else _TICK_STEPS[1:]
+    if small and span < _MIN_TICKS * _TICK_STEPS[0] * metres:
+        fine = (*_SMALL_TICK_STEPS, *fine)
     coarse = [float(f"{digit}e{k}") for k in range(1, 308) for digit in (2, 5, 10)]
     steps: list[float] = [*fine, *coarse]
     return next(step * metres for step in steps if step * metres * scale >= _TICK_ROOM)
@@ -271,7 +279,7 @@ def _line(
 def _name_edge(
     axes: Axes, panel: Panel, room: Room, axis: int, name: str, edge: Place, ticks: list[float]
 ) -> list[Points]:
-    """Write the ticks of an edge of the room, and the axis' name, on its outer side.
+    """Label an edge of the room with ticks and the axis' name, on its outer side.
 
     Returns points under them, in the picture's metres.
     """
@@ -282,7 +290,7 @@ def _name_edge(
     flat = view.flatten(along)
     across = np.array([flat[1], -flat[0]]) / np.hypot(*flat)
     outward = across * np.sign(across @ away)
-    unit = shown("length")
+    unit = display_unit("length")
     notes = [(view.flatten(edge + tick * along), number(tick / unit.size)) for tick in ticks]
     offset = (12.0 if axis == 2 else 9.0) * outward
     for at, text in notes:

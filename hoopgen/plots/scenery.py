@@ -1,4 +1,4 @@
-"""What stands around the ball in a picture: the hoop as it is, or the bodies of any other scene.
+"""Surroundings of the ball in a picture: the hoop, or the bodies of any other scene.
 
 Bodies are drawn in flat colours, lighter where they face the light. Of what is touched from one
 side only, planes and the insides of bowls, that side is drawn: the other one would hide the ball.
@@ -7,7 +7,7 @@ side only, planes and the insides of bowls, that side is drawn: the other one wo
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any, Protocol
 
@@ -16,173 +16,152 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from numpy.typing import NDArray
 
-from hoopgen.colours import colours, faces
-from hoopgen.engines import Engine
-from hoopgen.plots.outlines import (
+from hoopgen.core.colours import body_colours, face_colours
+from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.results.shots import SURFACES
+from hoopgen.scene.geometry import Body, SceneGeometry, upright
+from hoopgen.scene.meshes import Mesh, chains, clip
+
+from .hoop import draw_hoop, drawing_order, scene_corners, scene_points
+from .outlines import (
     EDGE_ON,
-    RIMS,
+    RIM_ORDER,
     draw_edge_on,
     draw_lines,
     edge_on,
-    mixed,
-    patch,
+    merge_triangles,
+    mix_with_white,
     spans,
 )
-from hoopgen.plots.scene import draw_hoop, order_of, scene_corners, scene_points
-from hoopgen.plots.style import COLOURS
-from hoopgen.plots.views import FRONT, SIDE, TOP, Points, View
-from hoopgen.results import SURFACES
-from hoopgen.scene.meshes import Mesh, chains, clip
-from hoopgen.scene.seen import Body, Seen, upright
+from .style import COLOURS
+from .views import FRONT, SIDE, TOP, Points, View
 
-__all__ = ["Hoop", "Scenery", "scenery_of"]
+__all__ = ["Scenery", "scenery_of"]
 
-_LIGHT = (-0.35, 0.5, 0.79)
-"""Where the light comes from: to the right, up and towards the eye."""
+_LIGHT_DIRECTION = (-0.35, 0.5, 0.79)
+"""Direction towards the light: to the right, up and towards the eye."""
 
+# The least share of the light, and the share of white in a colour from there on.
 _TONES = ((-2.0, 0.0), (0.1, 0.12), (0.4, 0.26), (0.65, 0.4), (0.85, 0.54))
-"""Least share of the light, and how far a colour then is on the way to white."""
 
-_PALE = 0.34
-"""How much further what is seen from inside is, so that paths stand out before it."""
-
-_FAINT = 0.13  # opacity of a plane
-_PLANES, _INSIDES, _ENDS = 3.0, 3.5, 5.0  # drawing order, below paths
-_FLAT = 1e-6
-"""How far off a plane a path in it may be: m at a hoop, else of the path's size."""
-_SPREAD = 4.0  # of the drawing order, over the depth of a room
-_OBSTACLES = 600
+_INSIDE_LIGHTENING = 0.34  # more white in insides, so that paths stand out before them
+_PLANE_OPACITY = 0.13  # opacity of a plane
+_PLANE_ORDER, _INSIDE_ORDER, _END_ORDER = 3.0, 3.5, 5.0  # drawing order, below paths
+_FLATNESS = 1e-6  # distance of a planar path from its plane: m at a hoop, else of its size
+_ORDER_RANGE = 4.0  # of the drawing order, over the depth of a room
+_MAX_OBSTACLES = 600
 
 
 class Scenery(Protocol):
-    """What of a scene is drawn, in metres, with gravity down."""
+    """The bodies of a scene in a picture, in metres, with gravity down.
 
-    @property
-    def ball_radius(self) -> float:
-        """Of the ball, m."""
+    Attributes
+    ----------
+    ball_radius
+        The ball's radius, m.
+    names, colours
+        The bodies, in the order of results, and their colours by name.
+    axes
+        The labels of the axes, with a minus if one is reversed.
+    ball
+        The name of the ball's colour in `COLOURS`; at a hoop it is a basketball's.
+    said_of_ends
+        The legend's entry for the lines at which shots end, "" if there are none.
+    small
+        True if it may be much smaller than a hoop and needs closer ticks.
+    """
 
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Of what can be touched, in the order of results."""
-
-    @property
-    def colours(self) -> Mapping[str, str]:
-        """Of what can be touched, by name."""
-
-    @property
-    def axes(self) -> tuple[str, str, str]:
-        """What the axes are called, with a minus where one is turned round."""
+    ball_radius: float
+    names: tuple[str, ...]
+    colours: Mapping[str, str]
+    axes: tuple[str, str, str]
+    ball: str
+    said_of_ends: str
+    small: bool
 
     def upright(self, points: Points) -> Points:
         """Return points (..., 3) turned so that gravity points down."""
-
-    @property
-    def ball(self) -> str:
-        """The colour of the ball, by its name in `COLOURS`: at a hoop it is a basketball."""
-
-    @property
-    def said_of_ends(self) -> str:
-        """Return the entry of the key for the lines where shots end; empty where there are none."""
+        return points
 
     def views(self, path: Points) -> tuple[View, ...]:
-        """Return the flat views that show a path, upright, (n, 3): the one that shows most first.
+        """Return the flat views of an upright path (n, 3), the one that shows most first.
 
         Their axes are named as `axes` says. There is one alone where any other would show lines.
         """
-
-    def is_in_plane(self, path: Points) -> bool:
-        """Return whether a path, upright, (n, 3), is in one plane, which a flat view shows."""
-
-    @property
-    def small(self) -> bool:
-        """Whether it may be much smaller than a hoop, so that ticks lie closer."""
-
-    def look(self, view: View) -> View:
-        """Return a view that orders what is drawn as this needs."""
-
-    def corners(self) -> Points:
-        """Return points that span it."""
-
-    def points(self) -> Points:
-        """Return points all along it, which labels leave visible."""
-
-    def draw(self, axes: Axes, view: View, scale: float) -> None:
-        """Draw it; `scale` is inches of the picture per metre."""
-
-    def draw_ends(self, axes: Axes, view: View) -> None:
-        """Draw where shots end, in a flat view."""
-
-
-@dataclass(frozen=True)
-class Hoop:
-    """Ring, backboard and bridge."""
-
-    parameters: Mapping[str, float]
-    names: tuple[str, ...] = SURFACES
-    axes: tuple[str, str, str] = ("x", "y", "z")
-
-    @property
-    def ball_radius(self) -> float:
-        """Of the ball, m."""
-        return self.parameters["ball_radius"]
-
-    @property
-    def colours(self) -> Mapping[str, str]:
-        """Of what it is made of."""
-        return COLOURS
-
-    @property
-    def ball(self) -> str:
-        """That of a basketball."""
-        return "ball"
-
-    @property
-    def said_of_ends(self) -> str:
-        """There is one plane."""
-        return "end plane"
-
-    def views(self, path: Points) -> tuple[View, ...]:
-        """Return the views from the side and from above: the board is on the left."""
         return SIDE, TOP
 
     def is_in_plane(self, path: Points) -> bool:
-        """Return whether a path is in the hoop's own plane of symmetry."""
-        return bool(np.abs(path[:, 1]).max() <= _FLAT)
-
-    @property
-    def small(self) -> bool:
-        """A hoop is as large as it is."""
-        return False
-
-    def upright(self, points: Points) -> Points:
-        """Return the points: the hoop's gravity points down."""
-        return points
+        """Return whether an upright path (n, 3) lies in one plane, which a flat view shows."""
+        return bool(np.abs(path[:, 1]).max() <= _FLATNESS)
 
     def look(self, view: View) -> View:
-        """Return the view."""
+        """Return a view with the drawing order that this scene needs."""
         return view
 
     def corners(self) -> Points:
         """Return points that span it."""
+        ...
+
+    def points(self) -> Points:
+        """Return points along it, which labels leave visible."""
+        ...
+
+    def draw(self, axes: Axes, view: View, scale: float) -> None:
+        """Draw the bodies.
+
+        Parameters
+        ----------
+        axes
+            The axes.
+        view
+            The view.
+        scale
+            Inches of the picture per metre.
+        """
+
+    def draw_ends(self, axes: Axes, view: View) -> None:
+        """Draw the ends of shots in a flat view.
+
+        Parameters
+        ----------
+        axes
+            The axes.
+        view
+            The view.
+        """
+
+
+@dataclass(frozen=True)
+class _Hoop(Scenery):
+    """Ring, backboard and bridge: the board is on the left."""
+
+    parameters: Mapping[str, float]
+    ball_radius: float
+    names: tuple[str, ...] = SURFACES
+    colours: Mapping[str, str] = field(default_factory=lambda: COLOURS)
+    axes: tuple[str, str, str] = ("x", "y", "z")
+    ball: str = "ball"
+    said_of_ends: str = "end plane"
+    small: bool = False
+
+    def corners(self) -> Points:
         return scene_corners(self.parameters)
 
     def points(self) -> Points:
-        """Return points all along it."""
         return scene_points(self.parameters)
 
     def draw(self, axes: Axes, view: View, scale: float) -> None:
-        """Draw it."""
         draw_hoop(axes, view, self.parameters, scale)
 
     def draw_ends(self, axes: Axes, view: View) -> None:
-        """Draw the end plane where it is seen edge on."""
+        """Draw the end plane if it appears as a line."""
         if view.up[2] == 1.0:
             depth = -self.parameters["end_depth"]
-            axes.axhline(depth, color=COLOURS["end"], lw=0.7, ls=(0, (5, 3)), zorder=_ENDS)
+            axes.axhline(depth, color=COLOURS["end"], lw=0.7, ls=(0, (5, 3)), zorder=_END_ORDER)
 
 
-def scenery_of(scene: Engine, parameters: Mapping[str, Any], paths: Points) -> Scenery:
-    """Return what is drawn around paths.
+def scenery_of(scene: CompiledScene, parameters: Mapping[str, Any], paths: Points) -> Scenery:
+    """Return the surroundings of paths.
 
     Parameters
     ----------
@@ -194,19 +173,22 @@ def scenery_of(scene: Engine, parameters: Mapping[str, Any], paths: Points) -> S
         Points of all of them, (n, 3).
     """
     if scene.is_hoop:
-        return Hoop(parameters)
-    seen = Seen.of(scene, parameters)
+        return _Hoop(parameters, parameters["ball_radius"])
+    seen = SceneGeometry.of(scene, parameters)
     turn, names = upright(seen.scene.read.down)
     room = seen.room(paths.min(axis=0), paths.max(axis=0))
-    bodies = tuple(_turned(body, turn) for body in seen.bodies(room))
-    ends = tuple(_turned(body, turn) for body in seen.ends(room))
+    bodies = tuple(_turn_body(body, turn) for body in seen.bodies(room))
+    ends = tuple(_turn_body(body, turn) for body in seen.ends(room))
     span = np.sort(np.stack(room) @ turn.T, axis=0)
-    own = colours(seen.names)
-    drawn = bodies, ends, span
-    return _Bodies(seen.ball_radius, seen.names, own, names, turn, *drawn, scene.has_hoop, seen)
+    own = body_colours(seen.names)
+    return _Bodies(
+        *(seen.ball_radius, seen.names, own, names, turn, bodies, ends, span, scene.has_hoop, seen),
+        ball="ball" if scene.has_hoop else "plain-ball",
+        said_of_ends="where shots end" if ends else "",
+    )
 
 
-def _turned(body: Body, turn: NDArray[np.int64]) -> Body:
+def _turn_body(body: Body, turn: NDArray[np.int64]) -> Body:
     mesh = body.mesh
     points = np.stack([mesh.corners[..., :3], mesh.corners[..., 3:]], -2) @ turn.T
     corners = points.reshape(*points.shape[:2], 6)
@@ -216,7 +198,7 @@ def _turned(body: Body, turn: NDArray[np.int64]) -> Body:
 
 
 @dataclass(frozen=True)
-class _Bodies:
+class _Bodies(Scenery):
     """Bodies of a scene.
 
     Attributes
@@ -238,26 +220,17 @@ class _Bodies:
     ends: tuple[Body, ...]
     room: Points
     has_hoop: bool
-    seen: Seen
-
-    @property
-    def ball(self) -> str:
-        return "ball" if self.has_hoop else "plain-ball"
-
-    @property
-    def small(self) -> bool:
-        return True
-
-    @property
-    def said_of_ends(self) -> str:
-        return "where shots end" if self.ends else ""
+    seen: SceneGeometry
+    ball: str
+    said_of_ends: str
+    small: bool = True
 
     def views(self, path: Points) -> tuple[View, ...]:
         if self.has_hoop:
-            return SIDE, TOP
+            return super().views(path)
         size = np.ptp(path, axis=0)
         along = (FRONT, SIDE, TOP)  # by the axis that they look along
-        flat, side = size <= _FLAT * size.max(), self.seen.side(size)
+        flat, side = size <= _FLATNESS * size.max(), self.seen.side(size)
         axis = self.seen.axis
         if self.seen.planar and axis is not None:
             views = (along[axis],) if flat[axis] else (along[axis], along[side if axis == 2 else 2])
@@ -275,9 +248,9 @@ class _Bodies:
 
     def is_in_plane(self, path: Points) -> bool:
         if self.has_hoop:
-            return bool(np.abs(path[:, 1]).max() <= _FLAT)
+            return super().is_in_plane(path)
         size = np.ptp(path, axis=0)
-        return bool(size.min() <= _FLAT * size.max())
+        return bool(size.min() <= _FLATNESS * size.max())
 
     def upright(self, points: Points) -> Points:
         return np.asarray(points @ self.turn.T)
@@ -285,7 +258,7 @@ class _Bodies:
     def look(self, view: View) -> View:
         middle = float(view.depth(self.room.mean(axis=0)))
         size = float(np.linalg.norm(self.room[1] - self.room[0]))
-        return replace(view, middle=middle, near=_SPREAD / size)
+        return replace(view, middle=middle, near=_ORDER_RANGE / size)
 
     def corners(self) -> Points:
         grid = np.stack(np.meshgrid(*self.room.T, indexing="ij"), axis=-1)
@@ -295,11 +268,11 @@ class _Bodies:
         solid = [body.mesh.corners[:, 0, :3] for body in self.bodies if not body.behind]
         lines = [part.reshape(-1, 3) for b in self.bodies for part in (b.mesh.rims, b.lines)]
         found = np.concatenate([np.empty((0, 3)), *solid, *lines])
-        return found[:: max(1, len(found) // _OBSTACLES)]
+        return found[:: max(1, len(found) // _MAX_OBSTACLES)]
 
     def draw(self, axes: Axes, view: View, scale: float) -> None:
-        light = np.array(_LIGHT) @ np.array([view.right, view.up, view.towards])
-        drawn = faces(self.names)
+        light = np.array(_LIGHT_DIRECTION) @ np.array([view.right, view.up, view.towards])
+        drawn = face_colours(self.names)
         for body in self.bodies:
             colour = drawn[body.name]
             if body.behind:
@@ -319,7 +292,7 @@ class _Bodies:
                 colors=COLOURS["end"],
                 linewidths=0.7,
                 linestyles=[(0, (5, 3))],
-                zorder=_ENDS,
+                zorder=_END_ORDER,
             )
             axes.add_collection(lines)
 
@@ -333,7 +306,9 @@ class _Bodies:
         corners = body.mesh.corners
         if edge_on(body.mesh, view):
             lines = spans(view.flatten(corners[..., :3]))
-            axes.add_collection(LineCollection(lines, colors=[colour], linewidths=1.1, zorder=RIMS))
+            axes.add_collection(
+                LineCollection(lines, colors=[colour], linewidths=1.1, zorder=RIM_ORDER)
+            )
             return
         facing = self._normals(corners) @ view.towards
         corners = clip(corners, -facing)[0]
@@ -341,9 +316,13 @@ class _Bodies:
             draw_edge_on(axes, view, body.mesh.corners, facing, colour)
             return
         if np.ptp(self._normals(corners).reshape(-1, 3), axis=0).max() < EDGE_ON:
-            axes.add_patch(patch(corners, view, fc=colour, alpha=_FAINT, lw=0.0, zorder=_PLANES))
+            axes.add_patch(
+                merge_triangles(
+                    corners, view, fc=colour, alpha=_PLANE_OPACITY, lw=0.0, zorder=_PLANE_ORDER
+                )
+            )
             return
-        self._draw_toned(axes, view, corners, light, colour, _INSIDES, _PALE)
+        self._draw_toned(axes, view, corners, light, colour, _INSIDE_ORDER, _INSIDE_LIGHTENING)
 
     def _draw_solid(self, axes: Axes, view: View, body: Body, light: Points, colour: str) -> None:
         facing = self._normals(body.mesh.corners) @ view.towards
@@ -357,7 +336,7 @@ class _Bodies:
         parts = np.round(total / np.maximum(count, 1))[body.mesh.parts[rows]]
         for part in np.unique(parts):
             own = corners[parts == part]
-            order = order_of(view, own[..., :3].reshape(-1, 3).mean(axis=0))
+            order = drawing_order(view, own[..., :3].reshape(-1, 3).mean(axis=0))
             self._draw_toned(axes, view, own, light, colour, order, 0.0)
 
     def _draw_toned(
@@ -374,5 +353,5 @@ class _Bodies:
             left = clip(corners, least - self._normals(corners) @ light)[0]
             left = clip(left, self._normals(left) @ light - most)[0]
             if len(left):
-                tone = mixed(colour, white + pale * (1.0 - white))
-                axes.add_patch(patch(left, view, fc=tone, ec=tone, lw=0.3, zorder=order))
+                tone = mix_with_white(colour, white + pale * (1.0 - white))
+                axes.add_patch(merge_triangles(left, view, fc=tone, ec=tone, lw=0.3, zorder=order))

@@ -1,4 +1,4 @@
-"""Colours, type and files: what every picture of hoopgen has in common."""
+"""The style of all pictures: colours, type and files."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from typing import Any
 import matplotlib
 from matplotlib.figure import Figure
 
-from hoopgen.colours import COLOURS, NEITHER
-from hoopgen.outputs import PICTURES, check_output, written
+from hoopgen.core.colours import COLOURS, OTHER_OUTCOME_COLOURS
+from hoopgen.core.files import PICTURES, atomic_file, check_output
 
 __all__ = [
     "COLOURS",
@@ -28,12 +28,12 @@ __all__ = [
     "LINES",
     "MADE",
     "MISSED",
-    "NARROW",
-    "NEITHER",
+    "NARROW_PAGE",
+    "OTHER_OUTCOME_COLOURS",
     "PAGE",
     "POINTS_PER_INCH",
-    "SHADES",
-    "SMALL",
+    "SHARE_COLOURS",
+    "NOTE_SIZE",
     "letter",
     "save",
     "style",
@@ -43,21 +43,21 @@ __all__ = [
 COLUMN, PAGE = 3.5, 7.1
 """Widths of a journal's column and of its page, inches."""
 
-NARROW = 5.0
+NARROW_PAGE = 5.0
 """Inches: on a page less wide, panels stand one above the other."""
 
 POINTS_PER_INCH = 72.0
 
-SMALL = 7.5
+NOTE_SIZE = 7.5
 """Points: of what is said beside a picture."""
 
 INK, DARK, FRAME, EDGES, GRID = "#333333", "#222222", "#444444", "#777777", "#ECECEC"
-"""Of text, of lines over colours, of axes, around areas, and behind everything."""
+"""Colours of text, lines over colours, axes, edges of areas, and of the grid behind everything."""
 
 # The same hues, each kind of shot at a lightness of its own: made ones dark, missed ones light. No
 # two colours of areas, and no two of lines, are nearer than 10 (CIEDE2000) to readers of any colour
 # vision; lines, which have no edge, have a contrast of 3 with paper at least (WCAG 2.2, 1.4.11).
-# Found by a search, and measured by tests/test_colours.py.
+# Found by a search, and measured by tests/core/test_colours.py.
 MADE: Mapping[str, str] = MappingProxyType(
     {
         "swish": "#115789",
@@ -67,7 +67,7 @@ MADE: Mapping[str, str] = MappingProxyType(
         "rim_board": "#D08E20",
     }
 )
-"""Of a made shot, by kind."""
+"""Colours of made shots, by kind."""
 
 MISSED: Mapping[str, str] = MappingProxyType(
     {
@@ -78,7 +78,7 @@ MISSED: Mapping[str, str] = MappingProxyType(
         "airball": "#C9E2FF",
     }
 )
-"""Of a missed shot, by kind; an airball is the pale blue of a swish: neither touched anything."""
+"""Colours of missed shots, by kind; an airball is pale blue as a swish is: both touch nothing."""
 
 LINES: Mapping[str, Mapping[str, str]] = MappingProxyType(
     {
@@ -102,12 +102,12 @@ LINES: Mapping[str, Mapping[str, str]] = MappingProxyType(
         ),
     }
 )
-"""Of paths, by outcome and kind."""
+"""Colours of paths, by outcome and kind."""
 
-SHADES = "YlGnBu"
+SHARE_COLOURS = "YlGnBu"
 """Matplotlib's colours of a share: lightness falls evenly, in grey and with any colour vision."""
 
-_FEWEST = 20  # letters of a line
+_MIN_LETTERS = 20  # letters of a line
 _NUMBER_AND_UNIT = re.compile(r"(?<=[\d$]) (?=(?:m|cm|mm|m/s|ft|in|ft/s|mph|s|Hz|rad/s)\b)")
 
 FORMATS = tuple(suffix.removeprefix(".") for suffix in PICTURES)
@@ -148,18 +148,27 @@ def letter(size: float) -> float:
 
 
 def wrap(text: str, width: float, size: float) -> list[str]:
-    """Break a text into lines of a width, inches, in letters of a size, points.
+    """Wrap a text into lines of a width, inches, in letters of a size, points.
 
     A number stays with its unit.
+
+    Parameters
+    ----------
+    text
+        The text.
+    width
+        The width of a line, inches.
+    size
+        The size of the letters, points.
     """
     kept = _NUMBER_AND_UNIT.sub("\N{NO-BREAK SPACE}", text)
-    lines = textwrap.wrap(kept, max(_FEWEST, int(width / letter(size))))
+    lines = textwrap.wrap(kept, max(_MIN_LETTERS, int(width / letter(size))))
     return [line.replace("\N{NO-BREAK SPACE}", " ") for line in lines]
 
 
 @contextmanager
 def style() -> Iterator[None]:
-    """Draw in hoopgen's style, and leave matplotlib's settings as they were."""
+    """Use hoopgen's style within a context; matplotlib's settings are restored."""
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(_SETTINGS)
@@ -192,6 +201,6 @@ def save(figure: Figure, path: str | Path, *, dpi: int = 300) -> Path:
     """
     target = check_output(path, PICTURES)
     suffix = target.suffix.lower().lstrip(".")
-    with style(), written(target) as file:
+    with style(), atomic_file(target) as file:
         figure.savefig(file, format=suffix, dpi=dpi, metadata=_METADATA[suffix])
     return target

@@ -1,4 +1,4 @@
-"""Axes of lengths: the drawing is in metres, numbers and names are in the unit shown."""
+"""Axes of lengths: drawings are in metres, ticks and labels in display units."""
 
 from __future__ import annotations
 
@@ -7,14 +7,22 @@ from typing import Literal
 from matplotlib.axes import Axes
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-from hoopgen.units import shown
+from hoopgen.core.units import display_unit
 
 __all__ = ["few_ticks", "label_lengths", "number"]
 
 
 def label_lengths(axes: Axes, labels: tuple[str, str]) -> None:
-    """Name axes whose data are metres, with the unit shown, and set their ticks in it."""
-    unit = shown("length")
+    """Label axes whose data are metres in the display unit, and set their ticks.
+
+    Parameters
+    ----------
+    axes
+        The axes.
+    labels
+        The names of both axes.
+    """
+    unit = display_unit("length")
     axes.set_xlabel(f"{labels[0]} ({unit.symbol})")
     axes.set_ylabel(f"{labels[1]} ({unit.symbol})")
     if unit.size != 1.0:
@@ -24,18 +32,18 @@ def label_lengths(axes: Axes, labels: tuple[str, str]) -> None:
 
 
 def few_ticks(axes: Axes) -> None:
-    """Leave room between the numbers of small axes whose data are metres."""
+    """Reduce the ticks of small axes whose data are metres."""
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(_Steps(shown("length").size, 5))
+        axis.set_major_locator(_Steps(display_unit("length").size, 5))
 
 
 def number(value: float) -> str:
-    """Write the number of a tick; never -0."""
+    """Format the number of a tick; never -0."""
     return f"{round(value, 6) + 0.0:g}".replace("-", "\N{MINUS SIGN}")
 
 
 class _Steps(MaxNLocator):
-    """Ticks at round numbers of a unit, on an axis in metres."""
+    """A locator of ticks at round numbers of a unit, on an axis in metres."""
 
     def __init__(self, size: float, most: int | Literal["auto"] = "auto") -> None:
         super().__init__(nbins=most, steps=[1, 2, 5, 10])

@@ -1,4 +1,4 @@
-"""One shot's path in side, top and 3D view, with the ball drawn to scale at its contacts."""
+"""Pictures of one shot: side, top and 3D view, with the ball to scale at its contacts."""
 
 from __future__ import annotations
 
@@ -6,103 +6,58 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from itertools import pairwise
-from typing import Any, Protocol, TypedDict, Unpack, overload
+from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.text import Text
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from hoopgen.engines import Engine
-from hoopgen.hoop.releases import RING_HEIGHT
-from hoopgen.phrases import MINUS
-from hoopgen.plots.marks import KEY_ROW, Mark, collect_marks, draw_key, key_rows
-from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, draw_view, some
-from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_view
-from hoopgen.plots.scenery import Scenery, scenery_of
-from hoopgen.plots.style import INK, PAGE, SMALL, style, wrap
-from hoopgen.plots.views import Limits, Points, View, oblique
-from hoopgen.printable import printable
-from hoopgen.told import say_of
-from hoopgen.units import shown, shown_system
+from .contact_marks import LEGEND_ROW, Mark, collect_marks, draw_mark_legend, mark_legend_rows
+from .figure import Picture, add_key, add_title, draw_picture, fit_view
+from .page import stack_views
+from .panels import Drawing, Room, draw_panel, draw_view, thin_rows
+from .scenery import Scenery, scenery_of
+from .shot_text import LEFT, LINE, Path, describe_shot, dot_times, draw_title, wrap_lines
+from .style import PAGE
+from .views import Limits, Panel, Points, View, oblique
+
+if TYPE_CHECKING:
+    from hoopgen.results.drawing import Drawn
 
 __all__ = [
-    "beats_of",
-    "broken",
-    "collect",
-    "draw_title",
+    "build_drawing",
     "flat_limits",
     "plot_trajectory",
-    "times_of",
-    "told_of",
+    "path_times",
 ]
 
 
-class Path(Protocol):
-    """What of `Trajectory` is drawn."""
-
-    @property
-    def events(self) -> NDArray[Any]: ...
-    @property
-    def duration(self) -> float: ...
-    @property
-    def scene(self) -> Engine: ...
-    def at(self, t: ArrayLike) -> NDArray[np.float64]: ...
-
-
-BEAT = 0.1
-"""Seconds between the dots on the path; of a longer shot more, so that there are not too many."""
-
-_BEATS = 100
-
-_RATE = 160  # points of the path a second of flight
-_FLIGHT = 480
+_POINT_RATE = 160  # points of the path a second of flight
+_MAX_FLIGHT_POINTS = 480
 """Points of one flight, at most: a parabola cut into n is off by 1/n² of its height at most, here
 less than a hundredth of a pixel."""
 
-_PATH = 20_000
+_MAX_PATH_POINTS = 20_000
 """Points of all flights, at most, and twice the contacts that are drawn: more than a page has."""
 
 # Inches around and between the panels, for their labels.
-_LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE = 0.62, 0.15, 0.72, 0.5, 0.8
-_LINES, _LINE = 2, 0.14  # of what is said below the title, and one of them
-_TALLEST, _TALLEST_OVER = 5.6, 4.6  # of side and top views together; over a 3D view
-_SLIMMEST = 0.5  # of the flat views: so many times as wide as the longest side of the path
-_NARROWEST = 5.3  # of a page, for the title and the key
-_WIDEST_BESIDE = 3.2  # of the side and top views, to have the 3D view beside them
-_BOX_BELOW = 3.5
+_RIGHT, _GAP, _BELOW, _ABOVE = 0.15, 0.72, 0.5, 0.8
+_LINES = 2  # lines below the title for which there is always room
+_MAX_HEIGHT, _MAX_HEIGHT_OVER_3D = 5.6, 4.6  # of side and top views together; over a 3D view
+_MIN_WIDTH_SHARE = 0.5  # of the flat views: so many times as wide as the longest side of the path
+_MIN_WIDTH = 5.3  # of a page, for the title and the key
+_MAX_WIDTH_BESIDE_3D = 3.2  # of the side and top views, to have the 3D view beside them
+_BELOW_3D_HEIGHT = 3.5
 _LABELS = 0.48  # around a 3D view
 _PAD = 0.06  # m
-_ROUND = 0.25  # m: the room's sides
+_ROOM_STEP = 0.25  # m: the room's sides
 _ELEVATION = np.radians(25.0)
-_ALONG, _ACROSS = np.radians(62.0), np.radians(36.0)  # azimuth, for a long and for a wide room
+_AZIMUTH_LONG, _AZIMUTH_WIDE = np.radians(62.0), np.radians(36.0)  # of a long and a wide room
 
 
-_SHADOW = "Grey in the 3D view: the path straight below on its floor, and lines down to it."
-
-
-class _Options(TypedDict, total=False):
-    outcome: IntEnum | None
-    title: str
-    three_d: bool | None
-
-
-@overload
-def plot_trajectory(
-    trajectory: Path,
-    parameters: Mapping[str, float],
-    *,
-    ax: None = None,
-    **options: Unpack[_Options],
-) -> Figure: ...
-
-
-@overload
-def plot_trajectory(
-    trajectory: Path, parameters: Mapping[str, float], *, ax: Axes, **options: Unpack[_Options]
-) -> Axes: ...
+_SHADOW_NOTE = "Grey in the 3D view: the path straight below on its floor, and lines down to it."
 
 
 def plot_trajectory(
@@ -112,8 +67,8 @@ def plot_trajectory(
     outcome: IntEnum | None = None,
     title: str = "",
     three_d: bool | None = None,
-    ax: Axes | None = None,
-) -> Figure | Axes:
+    ax: Drawn | None = None,
+) -> Drawn:
     """Draw a shot to scale: from the side, from above and, out of plane, in space.
 
     In a scene of one's own the side view looks across the plane in which the ball moves; where all
@@ -148,42 +103,40 @@ def plot_trajectory(
     ValueError
         If a 3D view is asked for on `ax`, or the path leads further than 1e290 m.
     """
-    drawing = collect(trajectory, parameters, outcome)
-    if ax is not None:
-        if three_d:
-            raise ValueError("three_d: on ax there is the side view alone; leave out")
-        with style():
-            return _draw_on(check_axes(ax), drawing, title, *told_of(trajectory, parameters))
-    if three_d is None:
-        three_d = not drawing.scenery.is_in_plane(drawing.path)
-    with style():
-        page = _arrange(drawing, three_d)
-        shadow = [_SHADOW] if three_d else []
-        told = broken([*told_of(trajectory, parameters), *shadow], page.width)
-        room = max(0, len(told) - _LINES) * _LINE
-        figure = Picture(figsize=(page.width, page.height + room))
-        for panel in page.panels:
-            draw_panel(figure, panel, drawing)
-        draw_title(figure, title, told)
-        draw_key(figure, drawing.marks, page.panels[0].left, 0.12)
+    drawing = build_drawing(trajectory, parameters, outcome)
+    if ax is not None and three_d:
+        raise ValueError("three_d: on ax there is the side view alone; leave out")
+    in_space = not drawing.scenery.is_in_plane(drawing.path) if three_d is None else three_d
+    description = describe_shot(trajectory, parameters)
+    return draw_picture(
+        ax,
+        lambda: _draw(drawing, in_space, title, description),
+        lambda axes: _draw_on(axes, drawing, title, *description),
+    )
+
+
+def _draw(drawing: Drawing, three_d: bool, title: str, description: Sequence[str]) -> Figure:
+    """Draw all views on a page."""
+    page = _arrange(drawing, three_d)
+    lines = wrap_lines([*description, *([_SHADOW_NOTE] if three_d else [])], page.width)
+    room = max(0, len(lines) - _LINES) * LINE
+    figure = Picture(figsize=(page.width, page.height + room))
+    for panel in page.panels:
+        draw_panel(figure, panel, drawing)
+    draw_title(figure, title, lines)
+    draw_mark_legend(figure, drawing.marks, page.panels[0].left, 0.12)
     return figure
 
 
-def broken(told: Sequence[str], width: float) -> list[str]:
-    """Break what is said below a title into lines that fit on a page, inches wide."""
-    return [line for text in told for line in wrap(text, width - _LEFT, SMALL)]
-
-
-def _draw_on(axes: Axes, drawing: Drawing, title: str, *told: str) -> Axes:
-    """Draw the side view on axes that there are."""
+def _draw_on(axes: Axes, drawing: Drawing, title: str, *description: str) -> None:
+    """Draw the side view on given axes."""
     view = drawing.views[0]
     draw_view(axes, fit_view(axes, view, flat_limits(drawing, view)), drawing)
-    add_title(axes, title, *told, formulas=True)
-    add_key(axes, [_key_of(mark) for mark in drawing.marks if mark.text])
-    return axes
+    add_title(axes, title, *description, formulas=True)
+    add_key(axes, [_legend_text(mark) for mark in drawing.marks if mark.text])
 
 
-def _key_of(mark: Mark) -> Line2D:
+def _legend_text(mark: Mark) -> Line2D:
     text = f"{mark.label}  {mark.text}".strip()
     if mark.kind == "line":
         return Line2D([], [], color=mark.colour, label=text, lw=0.9, ls=(0, (5, 3)))
@@ -192,16 +145,28 @@ def _key_of(mark: Mark) -> Line2D:
     )
 
 
-def collect(trajectory: Path, parameters: Mapping[str, float], outcome: IntEnum | None) -> Drawing:
-    """Gather what all views of a shot share; arguments as of `plot_trajectory`."""
+def build_drawing(
+    trajectory: Path, parameters: Mapping[str, float], outcome: IntEnum | None
+) -> Drawing:
+    """Return the content that all views of a shot share; arguments as for `plot_trajectory`.
+
+    Parameters
+    ----------
+    trajectory
+        The path.
+    parameters
+        The scene's parameters.
+    outcome
+        The outcome; None if it is not known.
+    """
     events, duration = trajectory.events, trajectory.duration
-    path = trajectory.at(times_of(events["time"], duration))[:, :3]
+    path = trajectory.at(path_times(events["time"], duration))[:, :3]
     scenery = scenery_of(trajectory.scene, parameters, path)
     path = scenery.upright(path)
-    beats = scenery.upright(trajectory.at(beats_of(duration))[:, :3])
+    beats = scenery.upright(trajectory.at(dot_times(duration))[:, :3])
     events = events.copy()
     events["before"][:, :3] = scenery.upright(events["before"][:, :3])
-    dots = some(events["before"], _PATH // 2)[:, :3]
+    dots = thin_rows(events["before"], _MAX_PATH_POINTS // 2)[:, :3]
     hoop = trajectory.scene.is_hoop
     bodies = None if hoop else {name: scenery.colours[name] for name in scenery.names}
     line = scenery.said_of_ends
@@ -209,26 +174,26 @@ def collect(trajectory: Path, parameters: Mapping[str, float], outcome: IntEnum 
     return Drawing(path, beats, dots, marks, scenery, _room(path, scenery), scenery.views(path))
 
 
-def beats_of(duration: float) -> NDArray[np.float64]:
-    """Return the times of the dots on the path, s."""
-    beat = _beat(duration)
-    times = beat * np.arange(1.0, duration / beat + 1.0)
-    return times[times < duration]
+def path_times(contacts: NDArray[np.float64], duration: float) -> NDArray[np.float64]:
+    """Return times that show each flight as a smooth curve, with its ends.
 
-
-def _beat(duration: float) -> float:
-    """Return the time between dots: 0.1 s, or 0.2, 0.5, 1 ... where that would be too many."""
-    longer = (float(f"{digit}e{power}") for power in range(-1, 308) for digit in (2, 5, 10))
-    return next(beat for beat in (BEAT, *longer) if duration <= _BEATS * beat)
-
-
-def times_of(contacts: NDArray[np.float64], duration: float) -> NDArray[np.float64]:
-    """Choose times that show each flight as a smooth curve, its ends among them."""
-    corners = some(np.unique(np.concatenate([[0.0], contacts, [duration]])), _PATH // 2)
-    most = min(_FLIGHT, _PATH // len(corners))
+    Parameters
+    ----------
+    contacts
+        Times of the contacts, s.
+    duration
+        The duration of the path, s.
+    """
+    corners = thin_rows(
+        np.unique(np.concatenate([[0.0], contacts, [duration]])), _MAX_PATH_POINTS // 2
+    )
+    most = min(_MAX_FLIGHT_POINTS, _MAX_PATH_POINTS // len(corners))
     flights = [
         np.linspace(
-            start, stop, max(2, int(_RATE * min(most / _RATE, stop - start))), endpoint=False
+            start,
+            stop,
+            max(2, int(_POINT_RATE * min(most / _POINT_RATE, stop - start))),
+            endpoint=False,
         )
         for start, stop in pairwise(corners)
     ]
@@ -239,9 +204,9 @@ def _room(path: Points, scenery: Scenery) -> Room:
     radius = scenery.ball_radius
     points = np.vstack([path - radius, path + radius, scenery.corners()])
     low, high = points.min(axis=0), points.max(axis=0)
-    coarse = _ROUND
+    coarse = _ROOM_STEP
     if scenery.small:
-        coarse = min(_ROUND, 10.0 ** np.floor(np.log10((high - low).max())) / 4.0)
+        coarse = min(_ROOM_STEP, 10.0 ** np.floor(np.log10((high - low).max())) / 4.0)
     low, high = np.floor(low / coarse) * coarse, np.ceil(high / coarse) * coarse
     return Room((low[0], low[1], low[2]), (high[0], high[1], high[2]))
 
@@ -258,41 +223,45 @@ def _arrange(drawing: Drawing, three_d: bool) -> _Page:
     flat = [(view, flat_limits(drawing, view)) for view in drawing.views]
     across = max(right - left for _, (left, right, _, _) in flat)
     up = sum(top - bottom for _, (_, _, bottom, top) in flat)
-    widest = PAGE - _LEFT - _RIGHT
-    beside = three_d and across * _TALLEST / up < _WIDEST_BESIDE
-    tallest = _TALLEST_OVER if three_d and not beside else _TALLEST
+    widest = PAGE - LEFT - _RIGHT
+    beside = three_d and across * _MAX_HEIGHT / up < _MAX_WIDTH_BESIDE_3D
+    tallest = _MAX_HEIGHT_OVER_3D if three_d and not beside else _MAX_HEIGHT
     scale = min(widest / across, tallest / up)
     column = across * scale
-    width = PAGE if three_d else max(_LEFT + column + _RIGHT, _NARROWEST)
-    left = _LEFT if beside else _LEFT + (width - _LEFT - column - _RIGHT) / 2.0
-    key = 0.15 + KEY_ROW * key_rows(drawing.marks, width - _LEFT)
-    bottom = key + _BELOW + (_BOX_BELOW if three_d and not beside else 0.0)
-    panels: list[Panel] = []
-    for view, limits in reversed(flat):
-        panels.insert(0, Panel(view, limits, scale, left, bottom))
-        bottom += panels[0].height + _BETWEEN
-    height = bottom - _BETWEEN + _ABOVE
+    width = PAGE if three_d else max(LEFT + column + _RIGHT, _MIN_WIDTH)
+    left = LEFT if beside else LEFT + (width - LEFT - column - _RIGHT) / 2.0
+    key = 0.15 + LEGEND_ROW * mark_legend_rows(drawing.marks, width - LEFT)
+    bottom = key + _BELOW + (_BELOW_3D_HEIGHT if three_d and not beside else 0.0)
+    panels = stack_views(flat, scale, left, bottom, _GAP)
+    height = panels[0].top + _ABOVE
     if not three_d:
         return _Page(width, height, tuple(panels))
     edge = left + column + 0.1
     box = (edge, key, width - edge, height - key - _ABOVE)
     space = _space_panel(
-        drawing, box if beside else (_LEFT, key, width - _LEFT - _RIGHT, _BOX_BELOW - 0.3)
+        drawing, box if beside else (LEFT, key, width - LEFT - _RIGHT, _BELOW_3D_HEIGHT - 0.3)
     )
     return _Page(width, height, (*panels, space))
 
 
 def flat_limits(drawing: Drawing, view: View) -> Limits:
-    """Bound what a side or top view shows: the scene and the ball all along its path.
+    """Return the limits of a side or top view: the scene and the ball along its path.
 
     A path straight up, or along the board, has air on both sides, and titles their room.
+
+    Parameters
+    ----------
+    drawing
+        The content.
+    view
+        The view.
     """
     radius = drawing.scenery.ball_radius
     path = view.flatten(drawing.path)
     scene = view.flatten(drawing.scenery.corners())
     points = np.vstack([path - radius, path + radius, scene])
     low, high = points.min(axis=0) - _PAD, points.max(axis=0) + _PAD
-    missing = _SLIMMEST * float(np.ptp(drawing.path, axis=0).max()) - (high[0] - low[0])
+    missing = _MIN_WIDTH_SHARE * float(np.ptp(drawing.path, axis=0).max()) - (high[0] - low[0])
     air = np.array([max(0.0, float(missing)) / 2.0, 0.0])
     low, high = low - air, high + air
     return float(low[0]), float(high[0]), float(low[1]), float(high[1])
@@ -301,7 +270,7 @@ def flat_limits(drawing: Drawing, view: View) -> Limits:
 def _space_panel(drawing: Drawing, box: tuple[float, float, float, float]) -> Panel:
     """Fit the 3D view into a box of the page (left, bottom, width, height in inches)."""
     length, breadth, _ = np.subtract(drawing.room.high, drawing.room.low)
-    azimuth = _ALONG if length > 1.5 * breadth else _ACROSS
+    azimuth = _AZIMUTH_LONG if length > 1.5 * breadth else _AZIMUTH_WIDE
     from_left = drawing.path[:, 1].mean() < 0.0
     view = oblique(-azimuth if from_left else azimuth, _ELEVATION)
     corners = view.flatten(_in_space(drawing, view))
@@ -315,7 +284,7 @@ def _space_panel(drawing: Drawing, box: tuple[float, float, float, float]) -> Pa
 
 
 def _in_space(drawing: Drawing, view: View) -> Points:
-    """Give points that bound a 3D view: the room, or if all of it is never filled what is in it."""
+    """Return points that bound a 3D view: the room, or only its content if that is smaller."""
     corners = drawing.room.corners()
     if not drawing.scenery.small:
         return corners
@@ -325,56 +294,3 @@ def _in_space(drawing: Drawing, view: View) -> Points:
     edge = [left[0], left[1], drawing.room.high[2]]
     points = [floor, [edge], drawing.path - radius, drawing.path + radius]
     return np.vstack([*points, drawing.scenery.points()])
-
-
-def told_of(trajectory: Path, parameters: Mapping[str, float]) -> tuple[str, str]:
-    """Say how the ball is released, and in which scene."""
-    x, y, z, vx, vy, vz, *spin = (float(value) for value in trajectory.at(np.zeros(1))[0])
-    speed = np.hypot(np.hypot(vx, vy), vz)
-    angle = np.degrees(np.arctan2(vz, np.hypot(vx, vy)))
-    unit, spins, length = shown("speed"), shown("spin"), shown("length")
-    # The article's figures say angular velocities, coaches turns a second.
-    us = shown_system() == "us"
-    sign, symbol, size = ("/2\\pi", spins.symbol, spins.size) if us else ("", "rad/s", 1.0)
-    up = f"{angle:.1f}\N{DEGREE SIGN} up{_aside(x, y, vx, vy)}"
-    said = f"Released at {speed / unit.size:.2f} {unit.symbol}, {up}"
-    turning = [  # no blanks in formulas: lines are broken there
-        f"$\\omega_{axis}{sign}={w / size:.4g}$ {symbol}"
-        for axis, w in zip("xyz", spin, strict=True)
-        if w
-    ]
-    scene = say_of(trajectory.scene, parameters)
-    dots = f"Scene: {scene}. Dots on the path every {_beat(trajectory.duration):g} s."
-    turns = ", ".join(turning) or "no spin"
-    if not trajectory.scene.is_hoop:
-        at = ", ".join(f"{one / length.size:.3f}".replace("-", MINUS) for one in (x, y, z))
-        fast = f"{speed / unit.size:.2f} {unit.symbol}"
-        return f"Released at {fast}, {turns}; from ({at}) {length.symbol}.", dots
-    away, high = (
-        f"{one / length.size:.3f} {length.symbol}" for one in (np.hypot(x, y), RING_HEIGHT + z)
-    )
-    place = f"{away} from the ring's centre, {high} high"
-    return f"{said}, {turns}; {place}.", dots
-
-
-def _aside(x: float, y: float, vx: float, vy: float) -> str:
-    """Say how far to a side the ball flies: the azimuth, nothing where it is none."""
-    if not ((x or y) and (vx or vy)):
-        return ""
-    azimuth = np.degrees(np.arctan2(y * vx - x * vy, -x * vx - y * vy))
-    if round(abs(azimuth), 1) == 0.0:
-        return ""
-    return f" and {abs(azimuth):.1f}\N{DEGREE SIGN} to the {'left' if azimuth > 0.0 else 'right'}"
-
-
-def draw_title(figure: Figure, title: str, told: Sequence[str]) -> Text:
-    """Write the title of a page, which is returned, and lines below it."""
-    width, height = figure.get_size_inches()
-    x = _LEFT / width
-    head = printable(title)
-    top = 1.0 - 0.16 / height
-    written = figure.text(x, top, head, fontsize=10, fontweight="bold", va="center")
-    for number, line in enumerate(told):
-        y = 1.0 - (0.34 + _LINE * number) / height
-        figure.text(x, y, line, fontsize=SMALL, color=INK, va="center", parse_math=True)
-    return written

@@ -1,4 +1,4 @@
-"""Where we look from. Views are orthographic: two axes of the picture and a depth."""
+"""Orthographic views: two axes of the picture and a depth."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["FRONT", "SIDE", "TOP", "Limits", "Points", "View", "oblique"]
+__all__ = ["FRONT", "SIDE", "TOP", "Limits", "Panel", "Points", "View", "limits_around", "oblique"]
 
 Vector = tuple[float, float, float]
 Points = NDArray[np.float64]
 
 Limits = tuple[float, float, float, float]
-"""Of what is seen: left, right, bottom, top; m."""
+"""Limits of a view: left, right, bottom, top; m."""
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,62 @@ class View:
         return np.asarray(np.asarray(points) @ np.array([self.right, self.up]).T)
 
     def depth(self, points: ArrayLike) -> NDArray[np.float64]:
-        """How near to the eye points are; the larger, the nearer."""
+        """Return how near to the eye points are; larger is nearer."""
         return np.asarray((np.asarray(points) @ self.towards - self.middle) * self.near)
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A view and its place on the page.
+
+    Attributes
+    ----------
+    view
+        From where.
+    limits
+        Left, right, bottom, top of the picture, m.
+    scale
+        Inches of the page per metre.
+    left, bottom
+        Of the axes, inches.
+    """
+
+    view: View
+    limits: Limits
+    scale: float
+    left: float
+    bottom: float
+
+    @property
+    def width(self) -> float:
+        """The width of the axes, inches."""
+        return (self.limits[1] - self.limits[0]) * self.scale
+
+    @property
+    def height(self) -> float:
+        """The height of the axes, inches."""
+        return (self.limits[3] - self.limits[2]) * self.scale
+
+    @property
+    def top(self) -> float:
+        """The upper edge of the axes, inches."""
+        return self.bottom + self.height
+
+    @classmethod
+    def fitted(
+        cls, view: View, limits: Limits, left: float, bottom: float, width: float, tallest: float
+    ) -> Panel:
+        """Return the largest panel that is no wider and no taller than so many inches.
+
+        Parameters
+        ----------
+        view, limits, left, bottom
+            Of the panel.
+        width, tallest
+            The room there is, inches.
+        """
+        across, up = limits[1] - limits[0], limits[3] - limits[2]
+        return cls(view, limits, min(width / across, tallest / up), left, bottom)
 
 
 SIDE = View("side view", (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), ("x", "z"))
@@ -59,7 +113,7 @@ TOP = View("top view", (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), ("x", "y"))
 
 
 def oblique(azimuth: float, elevation: float) -> View:
-    """Look at the hoop from a direction.
+    """Return the view of the hoop from a direction.
 
     Parameters
     ----------
@@ -81,6 +135,21 @@ def oblique(azimuth: float, elevation: float) -> View:
     )
     up = np.cross(eye, right)
     return View("3D view", _vector(right), _vector(up))
+
+
+def limits_around(points: Points, margin: float) -> Limits:
+    """Return the limits of a picture that shows points, with a margin on all four sides.
+
+    Parameters
+    ----------
+    points
+        Points of the picture, (n, 2), m.
+    margin
+        The width of the margin, m.
+    """
+    left, bottom = points.min(axis=0) - margin
+    right, top = points.max(axis=0) + margin
+    return float(left), float(right), float(bottom), float(top)
 
 
 def _vector(values: ArrayLike) -> Vector:

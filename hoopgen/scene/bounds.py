@@ -1,4 +1,4 @@
-"""Bounds (Eq. 2) and surfaces of one's own as polynomials of the ball's centre.
+"""Bounds (Eq. 2) and users' surfaces as polynomials of the ball's centre.
 
 A user's bound is a polynomial in the coordinates of a point of the body; it counts where that is at
 most 0. The search asks it of the ball's centre, which is a linear map away.
@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from hoopgen.brief import brief
+from hoopgen.text.shorten import brief
 
 from .formulas import ONE, POSITION, ZERO, Formula, FormulaError
 from .inputs import Inputs
@@ -25,13 +25,13 @@ Terms = tuple[tuple[Powers, Formula], ...]
 
 @dataclass(frozen=True)
 class Map:
-    """From the ball's centre p to the point that it touches: q_k = scale_k p_k + shift_k."""
+    """The map from the ball's centre p to the point of contact: q_k = scale_k p_k + shift_k."""
 
     scale: tuple[Formula, Formula, Formula] = (ONE, ONE, ONE)
     shift: tuple[Formula, Formula, Formula] = (ZERO, ZERO, ZERO)
 
     def put(self, terms: Polynomial) -> Polynomial:
-        """Return a polynomial in q as one in p, or, if it is flat, as one of the same sign."""
+        """Return a polynomial in q as one in p; a linear one may be scaled by a positive factor."""
         steep = {self.scale[k] for powers in terms for k in range(3) if powers[k]}
         if max(map(sum, terms)) == 1 and len(steep) == 1:
             # Divided by the scale, which is positive: what it is multiplied by stays as it was.
@@ -86,7 +86,20 @@ def bounds(
 def terms(
     inputs: Inputs, owner: str, argument: str, given: object, there: Map | None = None
 ) -> Terms:
-    """Return a polynomial of the ball's centre, from one of where it touches.
+    """Return a polynomial of the ball's centre, from one of the point of contact.
+
+    Parameters
+    ----------
+    inputs
+        The inputs of the scene, to which coefficients are added.
+    owner
+        The body or end, for error messages.
+    argument
+        The argument, for error messages.
+    given
+        The polynomial as the author wrote it.
+    there
+        The map from the ball's centre to the point of contact; None for the centre itself.
 
     Raises
     ------
@@ -105,13 +118,13 @@ def terms(
     named = []
     for powers, factor in sorted(found.items(), reverse=True):
         unit = "m" if flat and not any(powers) else "1"
-        said = f"{argument} {_said(powers)}".strip()
+        said = f"{argument} {_format_powers(powers)}".strip()
         named.append((powers, _factor(inputs, owner, said, factor, unit)))
     return tuple(named)
 
 
 def _factor(inputs: Inputs, owner: str, argument: str, factor: Formula, unit: str) -> Formula:
-    """Return a whole number as it is, anything else as an input."""
+    """Return a whole number unchanged, any other factor as an input."""
     number = factor.number
     if number is not None and number.denominator == 1 and abs(number) <= 16:
         return factor
@@ -123,5 +136,5 @@ def _axis(axis: int) -> Powers:
     return powers[0], powers[1], powers[2]
 
 
-def _said(powers: Iterable[int]) -> str:
+def _format_powers(powers: Iterable[int]) -> str:
     return "".join(axis * power for axis, power in zip(POSITION, powers, strict=True))

@@ -1,11 +1,11 @@
-"""Compiled scenes on disk: a folder of the user's own, in which nothing is trusted by its name.
+"""The cache of compiled scenes: a folder of the user's own, with checked contents.
 
 Each scene has a folder, named by a digest of all that it is made from. It is written elsewhere and
 moved to its place, so it is there wholly or not at all. What is in it is read once, and used only
 if each file has the digest on record, and the record its own. Who builds holds a lock of the
 operating system, which ends with the process. No other user can change the folder or those above
-it (`hoopgen.core.private`), and hoopgen removes from it only what it has put there
-(`hoopgen.core.store`).
+it (`hoopgen.core.private_folders`), and hoopgen removes from it only what it has put there
+(`hoopgen.core.owned_folders`).
 """
 
 from __future__ import annotations
@@ -26,18 +26,18 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from hoopgen.core.lock import read_file
-from hoopgen.core.private import private_folder
-from hoopgen.core.store import MARKER, Store, find_store, mark, open_store
-from hoopgen.engine.trust import user_cache
+from hoopgen.core.owned_folders import MARKER, Store, find_store, mark, open_store
+from hoopgen.core.private_folders import private_folder
+from hoopgen.engine.verification import user_cache
 
-__all__ = ["Cache", "Entry", "Kept", "cleared", "digest", "own", "private"]
+__all__ = ["Cache", "Entry", "SceneStore", "clear_store", "digest", "user_store", "process_store"]
 
 RECORD, MODULE, SOURCES = "record.json", "module", "sources.gz"
 LIBRARIES = ("engine.so", "engine.dll")
 """Files of a scene: what was said of it, its module of NumPy, all that was printed, and C."""
 
-MOST_POINTERS = 1000
-"""After so many, those there are are forgotten: of what changed, they point nowhere any more."""
+MAX_POINTERS = 1000
+"""Largest number of pointers; with more, all are removed, since many are out of date."""
 
 _LOCK, _BUILD, _POINTERS = ".lock", ".build-", "pointers"
 
@@ -47,18 +47,18 @@ _FILES = (
     f"{_POINTERS}/[0-9a-f]*",
     *(f"[0-9a-f]*/{name}" for name in (RECORD, MODULE, SOURCES, *LIBRARIES)),
 )
-_OURS = re.compile(
+_OWN_NAMES = re.compile(
     rf"\.?(?:build-)?(?P<key>[0-9a-f]{{64}})(?:{re.escape(_LOCK)}|-\w+)?|{_POINTERS}|"
     rf"{re.escape(MARKER)}|\.hoopgen-\w+\.tmp"
 )
 """Names in the folder that hoopgen gives: by them one that has no marker is known."""
 
 _THREADS = threading.Lock()
-"""Of this process, whose locks of files exclude other processes alone."""
+"""Lock between the threads of this process; locks of files exclude only other processes."""
 
 
-def _renew() -> None:
-    """Give a forked process a lock that no thread of its parent holds."""
+def _replace_lock() -> None:
+    """Replace the lock in a forked process, since a thread of its parent may hold it."""
     global _THREADS
     _THREADS = threading.Lock()
 
@@ -74,7 +74,7 @@ if sys.platform == "win32":
 else:
     import fcntl
 
-    os.register_at_fork(after_in_child=_renew)
+    os.register_at_fork(after_in_child=_replace_lock)
 
     # Of a process, not of an open file: no forked process keeps it.
     def _lock(descriptor: int) -> None:
@@ -100,17 +100,25 @@ class Entry:
     files: Mapping[str, bytes]
 
 
-class Kept(Protocol):
-    """Where compiled scenes are kept."""
+class SceneStore(Protocol):
+    """The interface of a store of compiled scenes."""
 
     def path(self, key: str, name: str) -> Path | None:
-        """Return where a file of a scene lies; None if nowhere."""
+        """Return the path of a scene's file; None if it has none.
+
+        Parameters
+        ----------
+        key
+            The key of the scene.
+        name
+            The name of the file.
+        """
 
     def entry(self, key: str) -> Entry | None:
-        """Return what is kept under a key; None if there is nothing, or nothing that holds good."""
+        """Return the entry of a key; None if there is no valid one."""
 
     def built(self, key: str, build: Callable[[Path | str], Entry]) -> Entry:
-        """Return what is kept under a key, built first if it is not there.
+        """Return the entry of a key; build it first if there is none.
 
         Parameters
         ----------
@@ -125,40 +133,48 @@ class Kept(Protocol):
         """
 
     def pointed(self, name: str) -> Entry | None:
-        """Return what was kept under the key that a name points to."""
+        """Return the entry of the key that a name points to."""
 
     def point(self, name: str, key: str) -> None:
-        """Let a name point to a key; of no matter if it cannot."""
+        """Let a name point to a key; failures are ignored.
+
+        Parameters
+        ----------
+        name
+            The name of the pointer.
+        key
+            The key of the scene.
+        """
 
 
 def digest(content: bytes) -> str:
-    """Return what tells a content from others."""
+    """Return the digest of a content."""
     return hashlib.sha256(content).hexdigest()
 
 
-def _recorded(record: Mapping[str, Any], files: Mapping[str, str]) -> bytes:
-    """Return what the record's file holds; the last of it is the digest of the rest."""
+def _check_record(record: Mapping[str, Any], files: Mapping[str, str]) -> bytes:
+    """Return the content of a record's file, which ends in the digest of the rest."""
     said = json.dumps({**record, "files": dict(files)}, indent=1)
     return f"{said}\n{digest(said.encode())}\n".encode()
 
 
 @dataclass(frozen=True)
 class Cache:
-    """A folder of compiled scenes."""
+    """A store of compiled scenes in a folder."""
 
     folder: Path
 
     @property
     def store(self) -> Store:
-        """What of it is hoopgen's."""
+        """The files of the folder that hoopgen owns."""
         return Store(self.folder, _PURPOSE, frozenset(_FILES))
 
     def path(self, key: str, name: str) -> Path:
-        """Return where a file of a scene lies."""
+        """Return the path of a scene's file."""
         return self.folder / key / name
 
     def entry(self, key: str) -> Entry | None:
-        """Return what is kept under a key; None if there is nothing, or nothing that holds good."""
+        """Return the entry of a key; None if there is no valid one."""
         folder = self.folder / key
         if not folder.is_dir():
             return None
@@ -168,15 +184,15 @@ class Cache:
             names = record.pop("files")
             files = {name: read_file(folder / name) for name in names}
             found = {name: digest(inside) for name, inside in files.items()}
-            if _recorded(record, found) == content and record.get("key") == key:
+            if _check_record(record, found) == content and record.get("key") == key:
                 return Entry(record, files)
         except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
             pass
-        _say_once(f"{folder} does not hold what was built; it is not used, and built anew.")
+        _warn_once(f"{folder} does not hold what was built; it is not used, and built anew.")
         return None
 
     def built(self, key: str, build: Callable[[Path | str], Entry]) -> Entry:
-        """Return what is kept under a key, built first if it is not there; as `Kept` says."""
+        """Return the entry of a key; build it first if there is none."""
         with self.held(key):
             found = self.entry(key)
             if found is not None:
@@ -189,7 +205,7 @@ class Cache:
                     for name, content in made.files.items():
                         (folder / name).write_bytes(content)
                     digests = {name: digest(content) for name, content in made.files.items()}
-                    (folder / RECORD).write_bytes(_recorded(made.record, digests))
+                    (folder / RECORD).write_bytes(_check_record(made.record, digests))
                     self._remove_files(key)
                     folder.rename(self.folder / key)
             finally:
@@ -197,19 +213,19 @@ class Cache:
             return made
 
     def pointed(self, name: str) -> Entry | None:
-        """Return what was kept under the key that a name points to."""
+        """Return the entry of the key that a name points to."""
         try:
             key = read_file(self.folder / _POINTERS / name).decode("ascii")
         except (OSError, ValueError):
             return None
-        return self.entry(key) if _OURS.fullmatch(key) and key.isalnum() else None
+        return self.entry(key) if _OWN_NAMES.fullmatch(key) and key.isalnum() else None
 
     def point(self, name: str, key: str) -> None:
-        """Let a name point to a key; of no matter if it cannot."""
+        """Let a name point to a key; failures are ignored."""
         with contextlib.suppress(OSError):
             folder = self.folder / _POINTERS
             folder.mkdir(mode=0o700, exist_ok=True)
-            if sum(1 for _ in folder.iterdir()) >= MOST_POINTERS:
+            if sum(1 for _ in folder.iterdir()) >= MAX_POINTERS:
                 self.remove_pointers()
                 folder.mkdir(mode=0o700, exist_ok=True)
             part = folder / f"{name}.{os.getpid()}-{threading.get_ident()}"
@@ -217,14 +233,14 @@ class Cache:
             part.replace(folder / name)
 
     def entries(self) -> Iterator[Entry]:
-        """Give what is kept."""
+        """Yield the valid entries."""
         for key in self.keys():
             found = self.entry(key)
             if found is not None:
                 yield found
 
     def keys(self) -> list[str]:
-        """Return the keys of what is kept, whether or not it holds good, sorted."""
+        """Return the keys of all entries, valid or not, sorted."""
         names = (path.name for path in self.folder.iterdir() if path.is_dir())
         return sorted(name for name in names if name.isalnum() and _key(name))
 
@@ -233,7 +249,7 @@ class Cache:
         self._remove_files(_POINTERS)
 
     def remove(self, key: str) -> None:
-        """Remove what is kept under a key, what is left of its builds, and its lock."""
+        """Remove an entry, the remains of its builds, and its lock."""
         with self.held(key):
             self._remove_files(key)
             self._remove_builds(key)
@@ -245,7 +261,7 @@ class Cache:
                 shutil.rmtree(left, ignore_errors=True)
 
     def _remove_files(self, name: str) -> None:
-        """Remove the files of a folder in this one, and the folder if nothing else is in it."""
+        """Remove hoopgen's files in a subfolder, and the subfolder if it is then empty."""
         folder = self.folder / name
         with contextlib.suppress(OSError):
             self.store.remove(f"{name}/{file.name}" for file in folder.iterdir())
@@ -253,7 +269,7 @@ class Cache:
 
     @contextlib.contextmanager
     def held(self, key: str) -> Iterator[None]:
-        """Hold the lock of a key; waits while another holds it."""
+        """Hold the lock of a key; wait while another process holds it."""
         with _THREADS, (self.folder / f".{key}{_LOCK}").open("ab") as file:
             _lock(file.fileno())
             try:
@@ -264,21 +280,21 @@ class Cache:
 
 @dataclass(frozen=True)
 class Memory:
-    """Scenes that are compiled for this process alone."""
+    """A store of compiled scenes in the memory of this process."""
 
     _entries: dict[str, Entry] = field(default_factory=dict)
     _keys: dict[str, str] = field(default_factory=dict)
 
     def path(self, key: str, name: str) -> Path | None:
-        """Return None: its files lie nowhere."""
+        """Return None: there are no files."""
         return None
 
     def entry(self, key: str) -> Entry | None:
-        """Return what is kept under a key."""
+        """Return the entry of a key."""
         return self._entries.get(key)
 
     def built(self, key: str, build: Callable[[Path | str], Entry]) -> Entry:
-        """Return what is kept under a key, built first if it is not there; as `Kept` says."""
+        """Return the entry of a key; build it first if there is none."""
         with _THREADS:
             if key not in self._entries:
                 with tempfile.TemporaryDirectory(prefix="hoopgen-") as folder:
@@ -289,7 +305,7 @@ class Memory:
             return self._entries[key]
 
     def pointed(self, name: str) -> Entry | None:
-        """Return what was kept under the key that a name points to."""
+        """Return the entry of the key that a name points to."""
         return self._entries.get(self._keys.get(name, ""))
 
     def point(self, name: str, key: str) -> None:
@@ -298,13 +314,13 @@ class Memory:
 
 
 def _key(name: str) -> str:
-    """Return the key of the scene that a file or folder of the cache belongs to, "" of others."""
-    found = _OURS.fullmatch(name)
+    """Return the key of the scene to which a name in the cache belongs, "" if to none."""
+    found = _OWN_NAMES.fullmatch(name)
     return (found and found["key"]) or ""
 
 
-def cleared(there: Cache) -> int:
-    """Remove all that is kept and that nobody is building; return how many scenes that were.
+def clear_store(there: Cache) -> int:
+    """Remove all entries that no process is building; return their number.
 
     Other files in the folder stay as they are.
     """
@@ -315,8 +331,8 @@ def cleared(there: Cache) -> int:
     return len(scenes)
 
 
-def own() -> Cache | str:
-    """Return the user's own folder of compiled scenes, or why it cannot be used."""
+def user_store() -> Cache | str:
+    """Return the user's folder of compiled scenes, or why it cannot be used."""
     try:
         folder = private_folder(user_cache() / "scenes")
         if os.name != "nt" and folder.stat().st_mode & 0o077:
@@ -327,7 +343,7 @@ def own() -> Cache | str:
             if find_store(folder, _PURPOSE) is None:
                 open_store(folder, _PURPOSE, _FILES)
         except ValueError:
-            if not all(_OURS.fullmatch(path.name) for path in folder.iterdir()):
+            if not all(_OWN_NAMES.fullmatch(path.name) for path in folder.iterdir()):
                 raise
             mark(folder, _PURPOSE, _FILES)  # of hoopgen 0.2.0, which had no marker; or damaged
     except OSError as error:
@@ -338,12 +354,12 @@ def own() -> Cache | str:
 
 
 @cache
-def private(why: str) -> Memory:
-    """Return a place for what this process compiles, and say why, once."""
-    _say_once(f"{why}; scenes are compiled for this process alone.")
+def process_store(why: str) -> Memory:
+    """Return a store for this process alone, and print once why."""
+    _warn_once(f"{why}; scenes are compiled for this process alone.")
     return Memory()
 
 
 @cache
-def _say_once(line: str) -> None:
+def _warn_once(line: str) -> None:
     print(f"hoopgen: {line}", file=sys.stderr)

@@ -1,4 +1,4 @@
-"""The C compiler that is here, and how it is called: the flags are those of hoopgen's own build."""
+"""The C compiler of this machine, with the flags of hoopgen's own build."""
 
 from __future__ import annotations
 
@@ -16,32 +16,38 @@ from pathlib import Path
 
 import numpy as np
 
-from hoopgen.brief import brief
-from hoopgen.engine import sources
+from hoopgen.engine import c_build
+from hoopgen.text.shorten import brief
 
-FLAGS = ["-O1", *(flag for flag in sources.FLAGS if not flag.startswith("-O"))]
-"""As the hoop's, but for how long the compiler tries: its results are two in a hundred faster, and
+FLAGS = ["-O1", *(flag for flag in c_build.FLAGS if not flag.startswith("-O"))]
+"""The hoop's flags with less optimisation: the hoop's give code that is 2% faster, and
 take two to four times as long to make."""
 
 __all__ = ["Compiler", "compiler", "library_name", "processor_width"]
 
-_NEEDS = {16: ("AVX512F", "AVX512DQ", "AVX512VL"), 8: ("AVX2",)}
-"""What a processor has that runs so many lanes."""
+_REQUIRED_FEATURES = {16: ("AVX512F", "AVX512DQ", "AVX512VL"), 8: ("AVX2",)}
+"""Processor features that so many lanes need."""
 
-_PASSING = ("Killed", "No space left", "annot allocate memory", "out of memory", "Terminated")
-"""In the words of a compiler that did not fail by itself."""
+_TRANSIENT_ERRORS = (
+    "Killed",
+    "No space left",
+    "annot allocate memory",
+    "out of memory",
+    "Terminated",
+)
+"""Words in the output of a compiler that was stopped from outside."""
 
 
 def processor_width() -> int:
-    """Return how many lanes this processor runs at most."""
+    """Return the widest vector, in lanes, of this processor."""
     core = "numpy._core" if hasattr(np, "_core") else "numpy.core"  # before NumPy 2
     features = import_module(f"{core}._multiarray_umath").__cpu_features__
-    widths = (width for width, needs in _NEEDS.items() if all(map(features.get, needs)))
+    widths = (width for width, needs in _REQUIRED_FEATURES.items() if all(map(features.get, needs)))
     return next(widths, 4)
 
 
 def library_name() -> str:
-    """Return the name of a compiled scene."""
+    """Return the file name of a compiled scene."""
     return "engine.dll" if sys.platform == "win32" else "engine.so"
 
 
@@ -62,12 +68,12 @@ class Compiler:
 
     @property
     def name(self) -> str:
-        """What it is called."""
+        """The compiler's name."""
         return "ziglang" if "ziglang" in self.command else Path(self.command[0]).name
 
     @property
     def identity(self) -> str:
-        """Its file, when and how large that was: known without running it."""
+        """The file with its time and size, known without running it."""
         try:
             status = self.file.stat()
         except OSError:
@@ -75,7 +81,7 @@ class Compiler:
         return f"{self.command} {self.file} {status.st_size} {status.st_mtime_ns}"
 
     def version(self) -> str:
-        """Return what it says of itself, "" if it does not run."""
+        """Return the compiler's own version text, "" if it does not run."""
         asked = [*self.command, "--version"]
         try:
             told = subprocess.run(
@@ -86,7 +92,15 @@ class Compiler:
         return told.stdout.strip() if told.returncode == 0 else ""
 
     def arguments(self, scene: str, width: int) -> list[str]:
-        """Return what it is called with, in the folder of the sources."""
+        """Return the arguments of a call in the folder of the sources.
+
+        Parameters
+        ----------
+        scene
+            The name of the scene.
+        width
+            The vector width.
+        """
         by_place = [] if sys.platform == "win32" else ["-fPIC"]
         mathematics = [] if sys.platform == "win32" else ["-lm"]
         only = f"-D{scene.upper()}_ONLY={width}"
@@ -94,7 +108,16 @@ class Compiler:
         return [*self.command, *FLAGS, "-w", *by_place, only, "-shared", *files, *mathematics]
 
     def run(self, folder: Path, scene: str, width: int) -> tuple[str, bool]:
-        """Compile a scene whose sources are in a folder, where the library then is.
+        """Compile the sources in a folder; the library lies beside them.
+
+        Parameters
+        ----------
+        folder
+            The folder of the sources.
+        scene
+            The name of the scene.
+        width
+            The vector width.
 
         Returns
         -------
@@ -119,11 +142,11 @@ class Compiler:
         if told.returncode == 0 and (folder / library_name()).is_file():
             return "", False
         words = (told.stderr + told.stdout).strip() or f"it ended with {told.returncode}"
-        return words, told.returncode < 0 or any(sign in words for sign in _PASSING)
+        return words, told.returncode < 0 or any(sign in words for sign in _TRANSIENT_ERRORS)
 
 
 def compiler() -> Compiler | None:
-    """Return the compiler that is here: that of ``CC``, where it is set; None if there is none.
+    """Return the compiler of this machine, that of ``CC`` if it is set; None without one.
 
     Raises
     ------

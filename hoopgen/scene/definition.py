@@ -1,23 +1,23 @@
-"""What a scene says of itself, whichever way it was given: needs SymPy, and no engine."""
+"""Definitions of scenes for derivation and the judge; SymPy is needed, an engine is not."""
 
 from __future__ import annotations
 
 import math
-from typing import Any
 
-from hoopgen.brief import brief
+from hoopgen.core.parameters import Table
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
-from hoopgen.engines import Engine
-from hoopgen.parameters import Table
+from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.text.shorten import brief
 
 from . import scene as pieces
+from .lookup import SceneLike
 
-__all__ = ["definition", "table_of", "usual_contacts", "usual_limit"]
+__all__ = ["definition", "table_of", "default_max_contacts", "default_time_limit"]
 
 
-def definition(scene: Any) -> Scene:
-    """Return the scene as derive/ has it; of None, the hoop.
+def definition(scene: SceneLike) -> Scene:
+    """Return the scene for derive/; the hoop for None.
 
     Raises
     ------
@@ -26,7 +26,7 @@ def definition(scene: Any) -> Scene:
     """
     if scene is None:
         return HOOP
-    if isinstance(scene, Engine):
+    if isinstance(scene, CompiledScene):
         return scene.scene
     derive = getattr(scene, "derive", None)
     derived = derive() if callable(derive) and not isinstance(scene, type) else scene
@@ -37,7 +37,7 @@ def definition(scene: Any) -> Scene:
     return derived
 
 
-def table_of(scene: Any, derived: Scene) -> Table:
+def table_of(scene: SceneLike, derived: Scene) -> Table:
     """Return the parameters of a scene.
 
     Parameters
@@ -45,7 +45,7 @@ def table_of(scene: Any, derived: Scene) -> Table:
     scene, derived
         As it was given, and what `definition` makes of it.
     """
-    if isinstance(scene, Engine):
+    if isinstance(scene, CompiledScene):
         return scene.table
     limits = {
         p.name: (float(p.least), float(p.upper)) for p in derived.parameters if p.upper is not None
@@ -54,11 +54,11 @@ def table_of(scene: Any, derived: Scene) -> Table:
     return Table.made(taken, limits, scene if isinstance(scene, pieces.Scene) else None)
 
 
-def usual_contacts(scene: Scene) -> int:
-    """Return the contacts with which a shot ends as capped, where nothing else is asked for."""
+def default_max_contacts(scene: Scene) -> int:
+    """Return the default number of contacts at which a shot is capped."""
     return 40 if scene == HOOP else 1000
 
 
-def usual_limit(scene: Scene) -> float:
-    """Return the time at which a shot ends, where nothing else is asked for, s."""
+def default_time_limit(scene: Scene) -> float:
+    """Return the default time limit of a shot, s."""
     return math.inf if scene == HOOP else 60.0

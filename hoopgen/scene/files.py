@@ -1,4 +1,4 @@
-"""Scene files: TOML that says what a `Scene` says. Nothing in one is run, and it names no path."""
+"""Scene files: TOML with the arguments of `Scene`. Nothing in one is run or names a path."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
-from hoopgen.brief import brief, listed
-from hoopgen.files import FileSizeError, read_regular
-from hoopgen.printable import printable
+from hoopgen.core.regular_files import FileSizeError, read_regular
+from hoopgen.text.escape import printable
+from hoopgen.text.shorten import brief, join_names
 
 from . import pieces
 from .inputs import SceneError, wrong
-from .limits import Limits, check_limits, current, raised
+from .limits import Limits, check_limits, current, use_limits
 from .scene import Scene
 
-__all__ = ["load_scene", "scene_of"]
+__all__ = ["load_scene", "parse_scene"]
 
 KINDS = {
     kind.__name__.lower(): kind
@@ -37,7 +37,7 @@ KINDS = {
 def load_scene(
     file: str | PathLike[str], *, limits: Limits | Mapping[str, int] | None = None
 ) -> Scene:
-    """Return the scene that a TOML file says.
+    """Return the scene of a TOML file.
 
     Its tables are ``[parameters]``, ``[bodies.<name>]``, each with its ``kind``, and
     ``[ends.<name>]``; their keys are the arguments of the pieces in `hoopgen.scene`. A formula is
@@ -58,9 +58,9 @@ def load_scene(
         If it is not TOML, or not a scene; names the file, the body and the argument.
     """
     path = Path(file)
-    with raised(check_limits(limits)):
+    with use_limits(check_limits(limits)):
         try:
-            return scene_of(read_regular(path, current().file_size))
+            return parse_scene(read_regular(path, current().file_size))
         except FileSizeError as error:
             said = current().excess("file_size", error.size)
             raise SceneError(printable(f"{path}: {said}")) from None
@@ -68,8 +68,8 @@ def load_scene(
             raise SceneError(printable(f"{path}: {error}")) from None
 
 
-def scene_of(content: bytes) -> Scene:
-    """Return the scene that the bytes of a file say.
+def parse_scene(content: bytes) -> Scene:
+    """Return the scene of the bytes of a file.
 
     Raises
     ------
@@ -91,17 +91,17 @@ def scene_of(content: bytes) -> Scene:
     own = brief(document.get("name", ""))
     given: dict[str, Any] = dict(document)
     given["parameters"] = [
-        _made(own, pieces.Parameter, f"parameter {name}", table, name)
+        _build_piece(own, pieces.Parameter, f"parameter {name}", table, name)
         for name, table in _table(own, "parameters", document).items()
     ]
     given["bodies"] = [
         _body(own, name, table) for name, table in _table(own, "bodies", document).items()
     ]
     given["ends"] = {
-        name: _made(own, pieces.End, f"end {name}", table)
+        name: _build_piece(own, pieces.End, f"end {name}", table)
         for name, table in _table(own, "ends", document).items()
     }
-    made: Scene = _made(own, Scene, "", given)
+    made: Scene = _build_piece(own, Scene, "", given)
     return made
 
 
@@ -118,14 +118,14 @@ def _body(scene: str, name: str, table: object) -> pieces.Body:
         raise wrong(scene, owner, "", f"expected a table, got {brief(table)}")
     kind = table.get("kind")
     if not isinstance(kind, str) or kind not in KINDS:
-        raise wrong(scene, owner, "kind", f"expected one of {listed(KINDS)}; got {brief(kind)}")
+        raise wrong(scene, owner, "kind", f"expected one of {join_names(KINDS)}; got {brief(kind)}")
     rest = {argument: value for argument, value in table.items() if argument != "kind"}
-    made: pieces.Body = _made(scene, KINDS[kind], owner, rest, name)
+    made: pieces.Body = _build_piece(scene, KINDS[kind], owner, rest, name)
     return made
 
 
-def _made(scene: str, kind: type, owner: str, table: object, name: str | None = None) -> Any:
-    """Return a piece from the keys of a table; a parameter may be its default alone."""
+def _build_piece(scene: str, kind: type, owner: str, table: object, name: str | None = None) -> Any:
+    """Return a piece from the keys of a table; a number alone is a parameter's default."""
     if kind is pieces.Parameter and not isinstance(table, Mapping):
         table = {"default": table}
     if not isinstance(table, Mapping):
@@ -138,7 +138,7 @@ def _made(scene: str, kind: type, owner: str, table: object, name: str | None = 
     allowed = [f.name for f in fields(kind) if f.init and f.name not in hidden]
     strange = [argument for argument in arguments if argument not in allowed]
     if strange:
-        said = f"unknown {listed(strange)}. There are {listed(allowed)}"
+        said = f"unknown {join_names(strange)}. There are {join_names(allowed)}"
         raise wrong(scene, owner, "", said)
     if name is not None:
         arguments["name"] = name

@@ -1,4 +1,4 @@
-"""Formulas of sizes and bounds, as trees: put together, evaluated and written."""
+"""Formulas of sizes and bounds as trees: construction, evaluation and printing."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ __all__ = [
 ]
 
 POSITION = ("x", "y", "z")
-"""Where the ball's centre is, in bounds and free surfaces."""
+"""Names of the coordinates of the ball's centre, in bounds and implicit surfaces."""
 
 
 class FormulaError(ValueError):
-    """What is wrong with a formula; whoever knows whose it is says so before it."""
+    """An error in a formula; who knows whose formula it is names the owner before it."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class Formula:
 
     @property
     def degree(self) -> int:
-        """Factors in its longest product."""
+        """The number of factors in its longest product."""
         degrees = [part.degree for part in self.parts]
         if self.kind in ("*", "/"):
             return sum(degrees)
@@ -85,7 +85,7 @@ class Formula:
 
     @property
     def _split(self) -> tuple[Fraction, Formula]:
-        """A number and what it multiplies."""
+        """A numerical factor and the rest of the product."""
         if self.number is not None:
             return self.number, ONE
         if self.kind == "*" and self.parts[0].number is not None:
@@ -135,7 +135,7 @@ class Formula:
         return Formula("sqrt", (self,))
 
     def evaluate(self, values: Mapping[str, Any]) -> Any:
-        """Return its value in doubles; what is not finite is not refused here.
+        """Return its value in doubles, finite or not.
 
         Parameters
         ----------
@@ -148,7 +148,17 @@ class Formula:
     def fold(
         self, values: Mapping[str, Any], number: Callable[[Fraction], Any], root: Callable[..., Any]
     ) -> Any:
-        """Return its value in whatever numbers those are."""
+        """Return its value in the type of the given numbers.
+
+        Parameters
+        ----------
+        values
+            Values by name.
+        number
+            Converts a fraction to the type of the values.
+        root
+            The square root of that type.
+        """
         if self.kind == "number":
             return number(Fraction(self.value))
         if self.kind == "name":
@@ -192,7 +202,7 @@ class Formula:
         return f"{factor}{self.kind}{right._within('**')}"
 
     def _within(self, *kinds: str) -> str:
-        """Return it as an operand: in brackets but for those kinds, names and roots."""
+        """Return its text as an operand, in brackets except for these kinds, names and roots."""
         plain = self.kind in ("name", "sqrt", *kinds)
         positive = self.number is not None and self.number >= 0
         return str(self) if plain or positive else f"({self})"

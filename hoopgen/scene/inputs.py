@@ -1,4 +1,4 @@
-"""The sizes of a scene as data: what its kernels get for each shot, from its own parameters.
+"""The inputs of a scene's kernels for each shot, computed from its parameters.
 
 Every size that is a parameter's name is that parameter; every other one, a number or a formula, is
 an input of its own, computed in doubles from the parameters before a shot. So no number is compiled
@@ -14,26 +14,26 @@ from fractions import Fraction
 
 import numpy as np
 
-from hoopgen.brief import brief, listed
+from hoopgen.text.shorten import brief, join_names
 
+from .formula_parser import read
 from .formulas import Formula, FormulaError, name
 from .limits import current
-from .reading import read
 
 __all__ = ["Input", "Inputs", "SceneError"]
 
 
-OF_CONTACTS = ("restitution", "friction", "tangential")
+NONNEGATIVE_ARGUMENTS = ("restitution", "friction", "tangential")
 """Arguments of bodies that zero is one of."""
 
 
 class SceneError(ValueError):
-    """What is wrong with a scene: names the scene, the body and the argument."""
+    """An error in a scene; it names the scene, the body and the argument."""
 
 
 @dataclass(frozen=True)
 class Input:
-    """A number that the kernels of a scene get.
+    """A number that the kernels of a scene take.
 
     Attributes
     ----------
@@ -65,11 +65,11 @@ class Input:
 
     @property
     def own(self) -> bool:
-        """Whether it is one of the scene's parameters."""
+        """True if it is one of the scene's parameters."""
         return self.formula == name(self.name)
 
     def allows(self, value: float) -> bool:
-        """Return whether a number is one of those allowed."""
+        """Return whether a number is allowed."""
         least = {"positive": value > 0, "nonnegative": value >= 0}.get(self.sign, True)
         finite = bool(np.isfinite(value)) or (self.infinite and value == math.inf)
         low, high = self.lower, self.upper
@@ -79,8 +79,10 @@ class Input:
 
     @property
     def allowed(self) -> str:
-        """Which numbers are allowed, in words."""
+        """The allowed numbers in words."""
         words = {"positive": "above 0", "nonnegative": "of at least 0"}.get(self.sign, "")
+        if self.lower is not None and self.lower > 0:
+            words = ""
         least = "" if self.lower is None else f"of at least {self.lower:g}"
         most = "" if self.upper is None else f"at most {self.upper:g}"
         said = " and ".join(filter(None, (words, least, most)))
@@ -88,7 +90,7 @@ class Input:
 
 
 class Inputs:
-    """Gathers the inputs of a scene, in order: its parameters, then what its bodies add.
+    """The inputs of a scene in order: its parameters, then those that bodies add.
 
     Parameters
     ----------
@@ -109,7 +111,7 @@ class Inputs:
 
     @property
     def all(self) -> tuple[Input, ...]:
-        """Those gathered so far."""
+        """The inputs gathered so far."""
         return tuple(self._inputs.values())
 
     @property
@@ -118,11 +120,32 @@ class Inputs:
         return {given: self._inputs[given].default for given in self.declared}
 
     def wrong(self, owner: str, argument: str, said: object) -> SceneError:
-        """Return the error that says what is wrong with an argument."""
+        """Return the error about an argument.
+
+        Parameters
+        ----------
+        owner
+            The body or end, empty for the scene itself.
+        argument
+            The argument.
+        said
+            The rest of the message.
+        """
         return wrong(self._scene, owner, argument, said)
 
     def read(self, owner: str, argument: str, value: object, also: tuple[str, ...] = ()) -> Formula:
         """Return an argument as a formula of the parameters, and of the names in `also`.
+
+        Parameters
+        ----------
+        owner
+            The body or end, for error messages.
+        argument
+            The argument, for error messages.
+        value
+            The argument as the author wrote it.
+        also
+            Names that the formula may contain besides the parameters.
 
         Raises
         ------
@@ -135,7 +158,19 @@ class Inputs:
             raise self.wrong(owner, argument, error) from None
 
     def number(self, owner: str, argument: str, formula: Formula, infinite: bool = False) -> float:
-        """Return what a formula of the parameters is at their defaults, finite if it must be."""
+        """Return the value of a formula at the parameters' defaults, checked to be finite.
+
+        Parameters
+        ----------
+        owner
+            The body or end, for error messages.
+        argument
+            The argument, for error messages.
+        formula
+            The formula.
+        infinite
+            True if the value may be infinite.
+        """
         if self.as_written:
             exact = {given: _fraction(value) for given, value in self.defaults.items()}
             value = float(formula.fold(exact, lambda number: number, _root))
@@ -157,9 +192,26 @@ class Inputs:
         lower: float | None = None,
         infinite: bool = False,
     ) -> Formula:
-        """Return the name of an input for a formula of the parameters; of zero, zero.
+        """Return the name of an input for a formula of the parameters; zero for zero.
 
         A parameter that is one itself is held to what is allowed here, too.
+
+        Parameters
+        ----------
+        owner
+            The body or end, for error messages.
+        argument
+            The argument, for error messages.
+        formula
+            The formula of the input.
+        sign
+            "positive", "nonnegative" or "any".
+        upper, lower
+            Limits of the value; None for none.
+        unit
+            The unit.
+        infinite
+            True if the value may be infinite.
 
         Raises
         ------
@@ -202,16 +254,28 @@ class Inputs:
 
 
 def wrong(scene: str, owner: str, argument: str, said: object) -> SceneError:
-    """Return the error that says what is wrong with an argument of a scene."""
+    """Return the error about an argument of a scene.
+
+    Parameters
+    ----------
+    scene
+        The scene's name.
+    owner
+        The body or end, empty for the scene itself.
+    argument
+        The argument.
+    said
+        The rest of the message.
+    """
     where = ": ".join(filter(None, (f"scene {brief(scene)}", owner, argument)))
     return SceneError(f"{where}: {said}")
 
 
 def _stricter(own: Input, asked: Input) -> Input:
-    """Return a parameter with what it allows narrowed to what a body allows."""
+    """Return a parameter restricted to what a body allows."""
     order = ("any", "nonnegative", "positive")
     sign = max(own.sign, asked.sign, key=order.index)
-    if own.sign == "positive" and asked.argument in OF_CONTACTS:
+    if own.sign == "positive" and asked.argument in NONNEGATIVE_ARGUMENTS:
         # Zero is a restitution, whatever a parameter allows that says nothing.
         sign = asked.sign
     uppers = [upper for upper in (own.upper, asked.upper) if upper is not None]
@@ -226,7 +290,7 @@ def _stricter(own: Input, asked: Input) -> Input:
 
 
 def _fraction(value: float) -> Fraction | float:
-    """Return the decimal that a double is written as; infinity as it is."""
+    """Return the shortest decimal of a double as a fraction; infinity unchanged."""
     return Fraction(repr(value)) if math.isfinite(value) else value
 
 
@@ -241,5 +305,13 @@ def _free(wanted: str, taken: Mapping[str, Input]) -> str:
 
 
 def unknown(names: list[str], there: tuple[str, ...]) -> str:
-    """Say which names are not there, and which are."""
-    return f"unknown {listed(names)}. The names are {listed(there)}"
+    """Describe which names are unknown, and which are known.
+
+    Parameters
+    ----------
+    names
+        The unknown names.
+    there
+        The known names.
+    """
+    return f"unknown {join_names(names)}. The names are {join_names(there)}"

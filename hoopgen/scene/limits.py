@@ -1,4 +1,4 @@
-"""Limits on the size of a scene: what a file says in a few lines may take hours to derive."""
+"""Limits on the size of a scene, since a few lines of a file may take hours to derive."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ from contextvars import ContextVar
 from dataclasses import dataclass, fields
 from typing import Any
 
-from hoopgen.brief import brief, listed
-from hoopgen.inputs import check_count
+from hoopgen.core.validation import check_count
+from hoopgen.text.shorten import brief, join_names
 
-__all__ = ["Limits", "check_limits", "current", "raised"]
+__all__ = ["Limits", "check_limits", "current", "use_limits"]
 
 
 @dataclass(frozen=True)
 class Limits:
-    """The largest scene that is read; within the defaults compiling takes minutes at most.
+    """The largest scene that is read; within the defaults compiling takes at most minutes.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ class Limits:
             check_count(f"limits.{each.name}", getattr(self, each.name))
 
     def excess(self, name: str, count: int, *, exact: bool = True) -> str:
-        """Return why a scene is refused that has too much of something, "" where it has not.
+        """Return why a count exceeds its limit, "" if it does not.
 
         Parameters
         ----------
@@ -94,21 +94,23 @@ _NOUNS = {
 } | {name: name for name in ("parameters", "bodies", "ends")}
 
 NAMES = tuple(each.name for each in fields(Limits))
-"""What is limited."""
+"""The limited quantity."""
 
-USUAL = Limits()
+DEFAULT_LIMITS = Limits()
 
-_CURRENT: ContextVar[Limits] = ContextVar("limits of the scene that is read", default=USUAL)
+_CURRENT: ContextVar[Limits] = ContextVar(
+    "limits of the scene that is read", default=DEFAULT_LIMITS
+)
 
 
 def current() -> Limits:
-    """Return the limits that hold here."""
+    """Return the current limits."""
     return _CURRENT.get()
 
 
 @contextmanager
-def raised(limits: Limits) -> Iterator[None]:
-    """Read scenes within these limits as long as the context lasts."""
+def use_limits(limits: Limits) -> Iterator[None]:
+    """Use these limits within a context."""
     token = _CURRENT.set(limits)
     try:
         yield
@@ -117,7 +119,7 @@ def raised(limits: Limits) -> Iterator[None]:
 
 
 def check_limits(given: Any) -> Limits:
-    """Return limits: those given, defaults with some changed, or, of None, those that hold here.
+    """Return limits: the given ones, defaults with changes, or the current ones for None.
 
     Parameters
     ----------
@@ -139,5 +141,5 @@ def check_limits(given: Any) -> Limits:
         raise TypeError(f"limits: expected Limits or a mapping, got {brief(given)}")
     strange = [name for name in given if name not in NAMES]
     if strange:
-        raise ValueError(f"limits: unknown {listed(strange)}. There are {listed(NAMES)}")
+        raise ValueError(f"limits: unknown {join_names(strange)}. There are {join_names(NAMES)}")
     return Limits(**given)

@@ -1,4 +1,4 @@
-"""Surfaces as triangles, cut along bounds, for pictures and pages.
+"""Triangle meshes of surfaces, cut along bounds, for pictures and pages.
 
 A corner of a triangle is a row of six: the point of the surface, and where the ball's centre is as
 it touches there. So the normal is on the way from the one to the other, and bounds are asked of the
@@ -20,34 +20,34 @@ __all__ = [
     "Mesh",
     "chains",
     "clip",
-    "cut_all",
+    "cut",
     "flat",
-    "joined",
-    "level",
+    "join",
+    "level_set",
     "loops",
-    "turned",
+    "contact_mesh",
     "walls",
 ]
 
 Floats = NDArray[np.float64]
 
 Bound = Callable[[Floats], Floats]
-"""Of points (..., 3), at most 0 where the surface is there."""
+"""Function of points (..., 3) whose value is at most 0 where the surface exists."""
 
 Box = tuple[Floats, Floats]
 """The lowest and the highest coordinates."""
 
-_CELLS = 16
-"""Of a flat patch, along a side; cut ones are halved `_FINER` times more."""
+_PATCH_CELLS = 16
+"""Cells along a side of a flat patch; those that are cut are halved `_MAX_HALVINGS` times."""
 
-_FINER = 4
-_STEPS = 40
+_MAX_HALVINGS = 4
+_ROOM_CELLS = 40
 """Cells along the longest side of the room, in which a condition's surface is looked for."""
 
 
 @dataclass(frozen=True)
 class Mesh:
-    """Triangles.
+    """A mesh of triangles.
 
     Attributes
     ----------
@@ -65,7 +65,15 @@ class Mesh:
 
     @classmethod
     def of(cls, corners: Floats, parts: NDArray[np.int64] | None = None) -> Mesh:
-        """Return a mesh that nothing has cut yet."""
+        """Return an uncut mesh.
+
+        Parameters
+        ----------
+        corners
+            The triangles, (n, 3, c).
+        parts
+            The part to which each triangle belongs, (n,); None for one part.
+        """
         own = np.zeros(len(corners), np.int64) if parts is None else parts
         return cls(corners, np.empty((0, 2, 3)), own)
 
@@ -115,21 +123,31 @@ def _cut(inner: Floats, outer: Floats, low: Floats, high: Floats) -> Floats:
     return np.where(share == 1.0, outer, inner + share * (outer - inner))
 
 
-def cut_all(mesh: Mesh, bounds: Sequence[Bound], room: Sequence[Bound] = ()) -> Mesh:
-    """Return what of a mesh is within bounds, and within a room, whose walls leave no rims."""
+def cut(mesh: Mesh, bounds: Sequence[Bound], room: Sequence[Bound] = ()) -> Mesh:
+    """Return the part of a mesh within bounds and within a room, whose walls leave no rims.
+
+    Parameters
+    ----------
+    mesh
+        The mesh.
+    bounds
+        Functions of points (..., 3), at most 0 on the surface.
+    room
+        The same for the walls of the room.
+    """
     corners, rims, parts = mesh.corners, mesh.rims, mesh.parts
     for bound, real in [*((b, True) for b in bounds), *((b, False) for b in room)]:
         place = slice(3, 6) if real else slice(0, 3)
         corners, cuts, rows = clip(corners, bound(corners[..., place]))
         parts = parts[rows]
-        rims = _shortened(rims, bound) if len(rims) and not real else rims
+        rims = _drop_outside(rims, bound) if len(rims) and not real else rims
         if real:
             rims = np.concatenate([rims, cuts[..., :3]])
     return Mesh(corners, rims, parts)
 
 
-def joined(first: Mesh, *others: Mesh) -> Mesh:
-    """Return meshes as one; parts of the others are new ones."""
+def join(first: Mesh, *others: Mesh) -> Mesh:
+    """Return meshes joined as one, with distinct parts."""
     meshes, parts, free = [first, *others], [first.parts], int(first.parts.max(initial=-1)) + 1
     for other in others:
         parts.append(other.parts + free)
@@ -150,13 +168,21 @@ def walls(room: Box) -> list[Bound]:
     return [wall(axis, way) for axis in range(3) for way in (-1, 1)]
 
 
-def _shortened(segments: Floats, bound: Bound) -> Floats:
-    """Return the segments of which both ends are within a bound."""
+def _drop_outside(segments: Floats, bound: Bound) -> Floats:
+    """Return the segments whose two ends are within a bound."""
     return segments[(bound(segments) <= 0.0).all(axis=1)]
 
 
 def grid(points: Floats, around: tuple[bool, bool]) -> Floats:
-    """Return the triangles of a grid of rows (n, m, c), closed around along either index."""
+    """Return the triangles of a grid of rows (n, m, c), closed along either index.
+
+    Parameters
+    ----------
+    points
+        Points in rows, (n, m, c).
+    around
+        Along which of the two indices the grid is closed.
+    """
     n, m = points.shape[:2]
     rows = np.arange(n if around[0] else n - 1)
     columns = np.arange(m if around[1] else m - 1)
@@ -169,14 +195,30 @@ def grid(points: Floats, around: tuple[bool, bool]) -> Floats:
 
 
 def flat(axis: int, way: int, at: float, room: Box, ball: float, bounds: Sequence[Bound]) -> Mesh:
-    """Return a plane in a room, finer where bounds cut it, and of two triangles without any."""
+    """Return a plane in a room, finer at cuts of bounds; two triangles without bounds.
+
+    Parameters
+    ----------
+    axis
+        The axis of the normal, 0 to 2.
+    way
+        1 or -1: the direction of the normal along it.
+    at
+        The plane's coordinate along the axis, m.
+    room
+        The lowest and the highest corner.
+    ball
+        The ball's radius, m.
+    bounds
+        Functions of the ball's centre (..., 3), at most 0 on the surface.
+    """
     across = [k for k in range(3) if k != axis]
     low, high = room[0][across], room[1][across]
-    count = _CELLS if bounds else 1
+    count = _PATCH_CELLS if bounds else 1
     size = (high - low) / count
     k = np.stack(np.meshgrid(*[np.arange(count)] * 2, indexing="ij"), -1).reshape(-1, 2)
     cells, found = low + k * size, []
-    for finer in range(_FINER + 1):
+    for finer in range(_MAX_HALVINGS + 1):
         quad = _quad(cells, size, axis, way, at, ball)
         if not bounds:
             found.append(quad)
@@ -188,7 +230,7 @@ def flat(axis: int, way: int, at: float, room: Box, ball: float, bounds: Sequenc
         whole = (values <= 0.0).all(axis=(0, 2))
         found.append(quad[whole])
         rest = ~out & ~whole
-        if finer == _FINER:
+        if finer == _MAX_HALVINGS:
             found.append(quad[rest])
             break
         size = size / 2.0
@@ -197,11 +239,11 @@ def flat(axis: int, way: int, at: float, room: Box, ball: float, bounds: Sequenc
     quads = np.concatenate(found)
     a, b, c, d = np.moveaxis(quads, 1, 0)
     corners = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
-    return cut_all(Mesh.of(corners), bounds)
+    return cut(Mesh.of(corners), bounds)
 
 
 def _samples(quads: Floats) -> Floats:
-    """Return points all over quads, (n, k, 3), of the ball's centre."""
+    """Return sample points of quads, (n, k, 3), as places of the ball's centre."""
     steps = np.linspace(0.0, 1.0, 9)
     u, v = (side.ravel() for side in np.meshgrid(steps, steps))
     a, b, _, d = np.moveaxis(quads[..., 3:], 1, 0)
@@ -218,19 +260,40 @@ def _quad(cells: Floats, size: Floats, axis: int, way: int, at: float, ball: flo
     return np.concatenate([points, centres], -1)
 
 
-def turned(points: Floats, normals: Floats, ball: float) -> Floats:
-    """Return points of a surface with the centres of a ball that touches there."""
+def contact_mesh(points: Floats, normals: Floats, ball: float) -> Floats:
+    """Return points of a surface with the centres of the ball that touches there.
+
+    Parameters
+    ----------
+    points
+        Points of the surface, (..., 3).
+    normals
+        Normals there, (..., 3).
+    ball
+        The ball's radius, m.
+    """
     return np.concatenate([points, points + ball * normals], -1)
 
 
-def level(condition: Bound, gradient: Bound, room: Box, ball: float) -> Mesh:
-    """Return the surface that a ball touches whose centre is where a condition is zero.
+def level_set(condition: Bound, gradient: Bound, room: Box, ball: float) -> Mesh:
+    """Return the surface that a ball touches whose centre is at the zero of a condition.
 
     The room is cut into cells, and these into tetrahedra, on each of which the condition is as if
     it were flat.
+
+    Parameters
+    ----------
+    condition
+        The function of the ball's centre that is zero at contact.
+    gradient
+        Its gradient.
+    room
+        The lowest and the highest corner.
+    ball
+        The ball's radius, m.
     """
     low, high = room[0] - ball, room[1] + ball
-    step = float((high - low).max()) / _STEPS
+    step = float((high - low).max()) / _ROOM_CELLS
     counts = np.ceil((high - low) / step).astype(int) + 1
     axes = [low[k] + step * np.arange(counts[k]) for k in range(3)]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), -1)
@@ -256,22 +319,22 @@ def level(condition: Bound, gradient: Bound, room: Box, ball: float) -> Mesh:
     return Mesh.of(touched, blocks @ (1, 64, 4096))
 
 
-_EDGES = {
+_CUT_EDGES = {
     1: ((0, 1), (0, 2), (0, 3)),
     2: ((0, 2), (0, 3), (1, 3), (1, 2)),
     3: ((0, 3), (1, 3), (2, 3)),
 }
-"""Of a tetrahedron, from the corners inside to those outside, by how many are inside."""
+"""Edges of a tetrahedron from corners inside to corners outside, by the number of those inside."""
 
 
 def _slices(corners: Floats, values: Floats) -> Floats:
-    """Return the triangles (k, 3, 3) on which tetrahedra are cut by the zero of their values."""
+    """Return the triangles (k, 3, 3) in which the zero of values cuts tetrahedra."""
     order = np.argsort(values > 0.0, axis=1, kind="stable")
     corners = np.take_along_axis(corners, order[..., None], 1)
     values = np.take_along_axis(values, order, 1)
     count = (values <= 0.0).sum(axis=1)
     found = []
-    for many, edges in _EDGES.items():
+    for many, edges in _CUT_EDGES.items():
         own, value = corners[count == many], values[count == many]
         cuts = [_cut(own[:, i], own[:, o], value[:, i], value[:, o]) for i, o in edges]
         found.append(np.stack(cuts[:3], 1))
@@ -281,7 +344,7 @@ def _slices(corners: Floats, values: Floats) -> Floats:
 
 
 def chains(segments: Floats) -> list[Floats]:
-    """Return segments (k, 2, c) as lines (n, c), each as long as can be."""
+    """Return segments (k, 2, c) chained to lines (n, c) as long as possible."""
     rows, index = np.unique(segments.reshape(-1, segments.shape[2]), axis=0, return_inverse=True)
     near: dict[int, set[int]] = {}
     for a, b in index.reshape(-1, 2).tolist():
@@ -303,7 +366,7 @@ def chains(segments: Floats) -> list[Floats]:
 
 
 def loops(corners: Floats) -> list[Floats]:
-    """Return the lines around triangles, closed, (k, c) each; triangles share bits of corners."""
+    """Return the closed borders of triangles, (k, c) each; shared corners have equal bits."""
     if not len(corners):
         return []
     rows, index = np.unique(corners.reshape(-1, corners.shape[2]), axis=0, return_inverse=True)

@@ -1,4 +1,4 @@
-"""Names of a scene and of its parameters, bodies and ends: which are refused when it is made.
+"""Checks of the names of a scene and of its parameters, bodies and ends.
 
 Words of C, Python and JavaScript are names like any other: generated code puts something before
 them, and formulas are not read by Python. Refused is what derivation, results or questions use.
@@ -10,9 +10,10 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Mapping
 
-from hoopgen.brief import brief
-from hoopgen.units import column_name
-from hoopgen.variables import STATE
+from hoopgen.core.units import column_name
+from hoopgen.core.variables import STATE
+from hoopgen.generated.numpy import hoop
+from hoopgen.text.shorten import brief
 
 from .formulas import POSITION
 from .inputs import wrong
@@ -20,19 +21,38 @@ from .inputs import wrong
 __all__ = ["MAX_NAME_LENGTH", "PUBLIC", "RESERVED", "check_apart", "check_name", "check_names"]
 
 PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)
-"""What names match: derive/ demands the same of them, but would import SymPy to say so."""
+"""Pattern of public names; derive/ demands the same, but importing it would import SymPy."""
 
 MAX_NAME_LENGTH = 100
-"""Letters of a name: files are called like the scene, and file systems allow 255 in all."""
+"""Longest name, in letters: files are called like the scene, and file systems allow 255 in all."""
+
+_EVERY_RESULT = (*hoop.RESULTS, *hoop.ABSENT_RESULTS)
 
 _RESULTS = (
-    *("outcome", "contacts", "counts", "first", "time", "state", "rolls", "slip_left", "uncertain"),
-    *("time_error", "state_error", "grip_lost", "shot", "surface", "component", "part", "unit"),
+    *(result.name for result in _EVERY_RESULT),
+    "shot",
+    *(name for one in _EVERY_RESULT for name in (one.dimension, one.unit_coordinate) if name),
 )
 """Names of results and of their dimensions, beside which a table has the parameters."""
 
 RESERVED: Mapping[str, Mapping[str, str]] = {
-    "": dict.fromkeys(("p", "float", "math", "stddef", "stdint", "string"), "names a C header"),
+    "": dict.fromkeys(
+        (
+            "p",
+            "environment",
+            "exact",
+            "fenv",
+            "float",
+            "lanes",
+            "math",
+            "stdatomic",
+            "stddef",
+            "stdint",
+            "string",
+            "xmmintrin",
+        ),
+        "names a C header",
+    ),
     "parameter": {
         **dict.fromkeys(_RESULTS, "names a result"),
         **dict.fromkeys(STATE, "names a component of a shot's state"),
@@ -53,11 +73,11 @@ RESERVED: Mapping[str, Mapping[str, str]] = {
         "any": "says in questions that every end counts",
     },
 }
-"""By what is named, "" for the scene: names that are taken, and by what."""
+"""Reserved names and their owners, by the kind of thing that is named; "" stands for the scene."""
 
 
 def check_name(scene: object, kind: str, given: object) -> None:
-    """Refuse a name that is none, is too long, or is taken.
+    """Raise an error if a name is malformed, too long or taken.
 
     Parameters
     ----------
@@ -87,7 +107,16 @@ def check_name(scene: object, kind: str, given: object) -> None:
 
 
 def check_names(scene: str, kind: str, names: Iterable[str]) -> None:
-    """Refuse names as `check_name` does, and a name that two things of one kind have.
+    """Raise an error as `check_name` does, or if two things of one kind share a name.
+
+    Parameters
+    ----------
+    scene
+        The scene's name.
+    kind
+        The kind of thing that has the names.
+    names
+        The names.
 
     Raises
     ------
@@ -103,7 +132,7 @@ def check_names(scene: str, kind: str, names: Iterable[str]) -> None:
 def check_apart(
     scene: str, parameters: Mapping[str, str], bodies: Iterable[str], ends: Iterable[str]
 ) -> None:
-    """Refuse two names of which one begins or ends like what is made of the other.
+    """Raise an error if names could collide with names that are derived from others.
 
     Parameters
     ----------

@@ -1,14 +1,15 @@
-"""What a scene is made of, as its author writes it: parameters, bodies, ends.
+"""The pieces of a scene as its author writes it: parameters, bodies, ends.
 
-Plain data. A size is a number, the name of a parameter, or a small formula of them (`reading.py`),
-and it is the body's own: the ball's radius is added where the scene is derived.
+Plain data. A size is a number, the name of a parameter, or a small formula of them
+(`formula_parser`). Sizes are those of the body itself: the derivation adds the ball's radius.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import KW_ONLY, dataclass
-from typing import Any
+from typing import Protocol
 
 __all__ = [
     "Body",
@@ -22,7 +23,20 @@ __all__ = [
     "Torus",
 ]
 
-Size = float | str | Any
+
+class Expression(Protocol):
+    """An expression of SymPy, which need not be installed."""
+
+    @property
+    def args(self) -> tuple[object, ...]:
+        """Its parts."""
+
+    @property
+    def free_symbols(self) -> AbstractSet[object]:
+        """The symbols in it."""
+
+
+Size = float | str | Expression
 """A number, a formula as text, or an expression of SymPy."""
 
 Point = tuple[Size, Size, Size]
@@ -30,7 +44,7 @@ Point = tuple[Size, Size, Size]
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number of the scene that each shot may have another value of.
+    """A number of the scene; each shot may have its own value.
 
     Attributes
     ----------
@@ -65,7 +79,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Body:
-    """What the ball can touch, with one column of results.
+    """A body that the ball can touch; it has one column of results.
 
     Attributes
     ----------
@@ -96,7 +110,7 @@ class Body:
 
 @dataclass(frozen=True)
 class Plane(Body):
-    """A flat body, touched from the side that its axis points to.
+    """A flat body, touched from the side to which its axis points.
 
     Attributes
     ----------
@@ -179,7 +193,7 @@ class Box(Body):
 
 @dataclass(frozen=True)
 class Surface(Body):
-    """A surface of one's own, where a polynomial is zero.
+    """A surface at the zero of a polynomial.
 
     Attributes
     ----------

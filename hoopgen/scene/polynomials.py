@@ -60,6 +60,11 @@ def total(polynomials: Iterable[Polynomial]) -> Polynomial:
 def product(left: Polynomial, right: Polynomial) -> Polynomial:
     """Return the product of two polynomials.
 
+    Parameters
+    ----------
+    left, right
+        The factors.
+
     Raises
     ------
     FormulaError
@@ -81,7 +86,15 @@ Numbers = list[tuple[tuple[int, int, int], float]]
 
 
 def evaluate(terms: Numbers, points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the values of a polynomial at points (..., 3)."""
+    """Return the values of a polynomial at points (..., 3).
+
+    Parameters
+    ----------
+    terms
+        The polynomial.
+    points
+        Points, (..., 3).
+    """
     total = np.zeros(points.shape[:-1])
     for (i, j, k), factor in terms:
         total += factor * points[..., 0] ** i * points[..., 1] ** j * points[..., 2] ** k
@@ -89,7 +102,15 @@ def evaluate(terms: Numbers, points: NDArray[np.float64]) -> NDArray[np.float64]
 
 
 def derivative(terms: Numbers, axis: int) -> Numbers:
-    """Return the derivative of a polynomial along an axis."""
+    """Return the derivative of a polynomial along an axis.
+
+    Parameters
+    ----------
+    terms
+        The polynomial.
+    axis
+        The axis, 0 to 2.
+    """
     found: Numbers = []
     for powers, factor in terms:
         if powers[axis]:

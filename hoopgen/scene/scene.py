@@ -1,4 +1,4 @@
-"""A scene of one's own: a ball among bodies, refused when it is made if something is wrong with it.
+"""`Scene`: a ball among bodies, checked when it is made.
 
 Nothing is derived, and SymPy is not imported, before `Scene.derive`.
 """
@@ -8,17 +8,18 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hoopgen.brief import brief
+from hoopgen.core.parameters import ParameterValues, Value
+from hoopgen.text.shorten import brief
 
-from .contacts import CONTACTS
+from .contact_laws import CONTACT_ARGUMENTS
 from .inputs import Input, unknown, wrong
-from .limits import Limits, check_limits, raised
+from .limits import Limits, check_limits, use_limits
 from .pieces import Body, End, Parameter, Size
-from .shapes import Read, read_scene
+from .scene_reader import ParsedScene, read_scene
 
 if TYPE_CHECKING:
     from hoopgen.derive.scenes.scene import Scene as Derived
@@ -43,6 +44,9 @@ class Scene:
         may be empty: a time ends such shots.
     ball_radius, gravity
         Sizes, too.
+    inertia
+        A size, too: the ball's moment of inertia over m R_B², 2/3 of a thin shell, 2/5 of a solid
+        ball; 1/64 to 1.
     down
         Where gravity points, "-z" or along another axis.
     restitution
@@ -72,6 +76,7 @@ class Scene:
     ends: Mapping[str, End] = field(default_factory=dict)
     ball_radius: Size
     gravity: Size
+    inertia: Size = "2/3"
     down: str = "-z"
     restitution: Size | None = None
     friction: Size | None = None
@@ -91,13 +96,13 @@ class Scene:
             raise wrong(self.name, "", "", said) from None
 
     @cached_property
-    def read(self) -> Read:
-        """All of it, as formulas."""
+    def read(self) -> ParsedScene:
+        """The whole scene, as formulas."""
         return self._read()
 
-    def _read(self, as_written: bool = False) -> Read:
-        """Return all of it as formulas; for readers, every size by itself and as it is given."""
-        with raised(check_limits(self.limits)):
+    def _read(self, as_written: bool = False) -> ParsedScene:
+        """Return the whole scene as formulas; for readers, with every size as it was given."""
+        with use_limits(check_limits(self.limits)):
             return read_scene(
                 self.name,
                 parameters=self.parameters,
@@ -105,9 +110,10 @@ class Scene:
                 ends=self.ends,
                 ball_radius=self.ball_radius,
                 gravity=self.gravity,
+                inertia=self.inertia,
                 down=self.down,
                 rolls=self.rolls,
-                contacts={name: getattr(self, name) for name in CONTACTS},
+                contacts={name: getattr(self, name) for name in CONTACT_ARGUMENTS},
                 as_written=as_written,
             )
 
@@ -116,12 +122,12 @@ class Scene:
 
     @cached_property
     def key(self) -> str:
-        """All that decides what is derived, as text, the same in any process."""
+        """The identity of what is derived, as text, the same in any process."""
         return repr((self.read, self.axes, self.remarks))
 
     @property
     def inputs(self) -> tuple[Input, ...]:
-        """The parameters, then the sizes computed from them, as kernels get them for each shot."""
+        """The parameters, then the sizes computed from them, as kernels take them."""
         return self.read.inputs
 
     @property
@@ -129,7 +135,7 @@ class Scene:
         """The parameters' names and defaults."""
         return {i.name: i.default for i in self.inputs if i.own}
 
-    def values(self, parameters: Mapping[str, Any] | None = None) -> list[Any]:
+    def values(self, parameters: ParameterValues | None = None) -> list[Value]:
         """Return the inputs in order, each a number or (n,), from the scene's parameters.
 
         Parameters
@@ -157,9 +163,9 @@ class Scene:
 
     def derive(self) -> Derived:
         """Return the scene for derivation, in SymPy."""
-        from .derived import derived
+        from .derivation import derivation_scene
 
-        return derived(self.read, self.axes, self.remarks)
+        return derivation_scene(self.read, self.axes, self.remarks)
 
     def explain(self) -> str:
         """Return the derivation's page for the scene, in Markdown with LaTeX.
@@ -172,9 +178,9 @@ class Scene:
         try:
             from hoopgen.codegen.render import explanation
 
-            from .derived import derived
+            from .derivation import derivation_scene
         except ImportError as error:
-            from hoopgen.installed import explained
+            from hoopgen.core.extras import explain_import_error
 
-            raise explained(error, "Scene.explain") from None
-        return explanation(derived(self._read(as_written=True), self.axes, self.remarks))
+            raise explain_import_error(error, "Scene.explain") from None
+        return explanation(derivation_scene(self._read(as_written=True), self.axes, self.remarks))

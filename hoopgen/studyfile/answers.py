@@ -1,70 +1,45 @@
-"""Which function checks and answers each kind of question."""
+"""The functions that ask each kind of question, and tell its answer."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from types import MappingProxyType
 from typing import Any
 
-from .asked import Answer, Asked, Work
-from .schema import Aim, Bank, Batch, Compare, Estimate, Map, Optimum, Question, Solve
-from .thrown import (
-    answer_batch,
-    answer_compare,
-    answer_estimate,
-    answer_solve,
-    check_batch,
-    check_solve,
-    check_throws,
-)
-from .varied import (
-    answer_aim,
-    answer_bank,
-    answer_map,
-    answer_optimum,
-    check_aim,
-    check_bank,
-    check_map,
-    check_optimum,
-)
+from hoopgen.study.jobs.chunks import preparing
 
-__all__ = ["answer", "check"]
+from . import monte_carlo_questions as sampled
+from . import sweeps
+from .context import Answer, Context, Workplace
+
+_KINDS: Mapping[str, tuple[Callable[..., Any], Callable[..., Answer]]] = {
+    "estimate": (sampled.ask_estimate, sampled.tell_estimate),
+    "compare": (sampled.ask_compare, sampled.tell_compare),
+    "solve": (sampled.ask_solve, sampled.tell_solve),
+    "map": (sweeps.ask_map, sweeps.tell_map),
+    "optimum": (sweeps.ask_optimum, sweeps.tell_optimum),
+    "bank": (sweeps.ask_bank, sweeps.tell_bank),
+    "aim": (sweeps.ask_aim, sweeps.tell_aim),
+    "batch": (sampled.ask_batch, sampled.tell_batch),
+}
+"""By kind: a function of the context, the question and keywords that say who works and where its
+chunks lie, which returns a result; and one of that and the place of work, which returns its
+answer."""
 
 
-@dataclass(frozen=True)
-class _Kind:
-    """How questions of a kind are checked, before any work, and answered."""
-
-    check: Callable[[Asked, Any], None]
-    answer: Callable[[Asked, Any, Work], Answer]
-
-
-_KINDS: Mapping[type[Question], _Kind] = MappingProxyType(
-    {
-        Estimate: _Kind(check_throws, answer_estimate),
-        Compare: _Kind(check_throws, answer_compare),
-        Solve: _Kind(check_solve, answer_solve),
-        Map: _Kind(check_map, answer_map),
-        Optimum: _Kind(check_optimum, answer_optimum),
-        Bank: _Kind(check_bank, answer_bank),
-        Aim: _Kind(check_aim, answer_aim),
-        Batch: _Kind(check_batch, answer_batch),
-    }
-)
+def check(context: Context) -> None:
+    """Check a question before any work."""
+    ask, _ = _KINDS[context.question.kind]
+    with preparing():
+        ask(context, context.question)
 
 
-def check(asked: Asked) -> None:
-    """Look for what can be seen to be wrong before any work.
-
-    Raises
-    ------
-    TypeError, ValueError, OSError
-        If something is.
-    """
-    _KINDS[type(asked.question)].check(asked, asked.question)
-
-
-def answer(asked: Asked, work: Work) -> Answer:
+def answer(context: Context, work: Workplace) -> Answer:
     """Answer a question, its tables and figures written into the folder of the work."""
-    return _KINDS[type(asked.question)].answer(asked, asked.question, work)
+    ask, tell = _KINDS[context.question.kind]
+    place = (
+        {"out": work.file("results.parquet")}
+        if ask is sampled.ask_batch
+        else {"folder": work.chunks}
+    )
+    found = ask(context, context.question, **place, **work.workers)
+    return tell(context, context.question, found, work)

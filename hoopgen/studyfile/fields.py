@@ -1,7 +1,4 @@
-"""What a key of a study file may be given beside one value: lists of them, tables of variables.
-
-Each says in `words` what is allowed, for errors and for the reference.
-"""
+"""Kinds of values that a study file writes in a way of its own: tables, and variables in them."""
 
 from __future__ import annotations
 
@@ -19,18 +16,31 @@ from pydantic import (
     create_model,
     model_validator,
 )
-from pydantic_core import CoreSchema, core_schema
+from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
-from hoopgen.sizes import evenly
-from hoopgen.units import Kind
+from hoopgen.core.memory import even_values
+from hoopgen.core.units import Kind
+from hoopgen.study.questions.values import (
+    EXAMPLES,
+    Listed,
+    Quantity,
+    Value,
+    Whole,
+    show,
+    suggestion,
+)
 
-from .single import EXAMPLES, Quantity, Single, Whole, Word, meant, show, wrong
+from .lines import Path
 
-__all__ = ["Each", "Ends", "Listed", "Named", "OneOf", "Table", "Values"]
+
+def error_at(said: str, where: Path) -> InitErrorDetails:
+    """Return an error of a key below the table at hand."""
+    error = PydanticCustomError("said", "{said}", {"said": said})
+    return {"type": error, "loc": where, "input": None}
 
 
 @dataclass(frozen=True)
-class OneOf:
+class OneOf(Value):
     """A list, or else a table."""
 
     listed: Listed
@@ -38,7 +48,7 @@ class OneOf:
 
     @property
     def words(self) -> str:
-        """What may be given."""
+        """The allowed values."""
         return f"{self.listed.words}, or {self.named.words}"
 
     def __get_pydantic_core_schema__(self, _: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
@@ -53,87 +63,15 @@ class OneOf:
 
 
 @dataclass(frozen=True)
-class Listed:
-    """A list of values.
+class Values(Value):
+    """Values of a variable: one, a list, or from one to another."""
 
-    Attributes
-    ----------
-    of
-        What each is.
-    least
-        How many there must be.
-    """
-
-    of: Single
-    least: int = 0
+    kind: Kind  # what is measured
+    infinite: bool = False  # whether one of a list may be infinite
 
     @property
     def words(self) -> str:
-        """What may be given."""
-        if isinstance(self.of, Word):
-            return f"a list of {self.of.words.replace(' or ', ', ')}"
-        return f"a list of {self.of.words}s".replace("a list of a ", "a list of ")
-
-    def __get_pydantic_core_schema__(self, _: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        return core_schema.no_info_wrap_validator_function(
-            self._read, core_schema.list_schema(handler.generate_schema(Annotated[Any, self.of]))
-        )
-
-    def _read(self, given: Any, handler: Callable[[Any], Any]) -> list[Any]:
-        if not isinstance(given, list) or len(given) < self.least:
-            raise ValueError(f"expected {self.words}; got {show(given)}")
-        read: list[Any] = handler(given)
-        return read
-
-
-@dataclass(frozen=True)
-class Each:
-    """A table whose values are alike, whatever their keys.
-
-    Attributes
-    ----------
-    of
-        What each is.
-    """
-
-    of: Single
-
-    @property
-    def words(self) -> str:
-        """What may be given."""
-        return f"a table, {self.of.words} each"
-
-    def __get_pydantic_core_schema__(self, _: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        value = handler.generate_schema(Annotated[Any, self.of])
-        return core_schema.no_info_wrap_validator_function(
-            self._read, core_schema.dict_schema(core_schema.str_schema(), value)
-        )
-
-    def _read(self, given: Any, handler: Callable[[Any], Any]) -> dict[str, Any]:
-        if not isinstance(given, dict):
-            raise ValueError(f"expected {self.words}; got {show(given)}")
-        read: dict[str, Any] = handler(given)
-        return read
-
-
-@dataclass(frozen=True)
-class Values:
-    """Values of a variable: one, a list, or from one to another.
-
-    Attributes
-    ----------
-    kind
-        What is measured.
-    infinite
-        Whether one of a list may be infinite.
-    """
-
-    kind: Kind
-    infinite: bool = False
-
-    @property
-    def words(self) -> str:
-        """What may be given."""
+        """The allowed values."""
         first, last = EXAMPLES[self.kind]
         return f"a list of {self.kind}s, or {{ from = {first}, to = {last}, count = 11 }}"
 
@@ -159,20 +97,20 @@ class Values:
     def _listed(read: Any) -> list[float]:
         if isinstance(read, Table):
             ends: Any = read
-            values: list[float] = evenly("count", ends.start, ends.to, ends.count).tolist()
+            values: list[float] = even_values("count", ends.start, ends.to, ends.count).tolist()
             return values
         return read if isinstance(read, list) else [read]
 
 
 @dataclass(frozen=True)
-class Ends:
+class Ends(Value):
     """The ends of a variable's values; None for the usual ones."""
 
     kind: Kind
 
     @property
     def words(self) -> str:
-        """What may be given."""
+        """The allowed values."""
         low, high = EXAMPLES[self.kind]
         return f'two {self.kind}s, [{low}, {high}], or "usual"'
 
@@ -180,13 +118,13 @@ class Ends:
         one = handler.generate_schema(Annotated[Any, Quantity(self.kind)])
         return core_schema.no_info_wrap_validator_function(self._read, core_schema.list_schema(one))
 
-    def _read(self, given: Any, handler: Callable[[Any], Any]) -> list[float] | None:
+    def _read(self, given: Any, handler: Callable[[Any], Any]) -> tuple[float, float] | None:
         if given == "usual":
             return None
         ends = handler(given) if isinstance(given, list) else []
         if len(ends) != 2 or not ends[0] < ends[1]:
             raise ValueError(f"expected {self.words}, the lower one first; got {show(given)}")
-        return [float(end) for end in ends]
+        return float(ends[0]), float(ends[1])
 
 
 class Table(BaseModel):
@@ -204,7 +142,9 @@ class Table(BaseModel):
         unknown = [key for key in given if key not in known]
         if unknown:
             errors = [
-                wrong(f"unknown key{meant(key, known) or '.'} One of {', '.join(known)}", (key,))
+                error_at(
+                    f"unknown key{suggestion(key, known) or '.'} One of {', '.join(known)}", (key,)
+                )
                 for key in unknown
             ]
             raise ValidationError.from_exception_data(cls.__name__, errors)
@@ -220,29 +160,23 @@ def _range(kind: Kind) -> type[Table]:
 
 
 @dataclass(frozen=True)
-class Named:
+class Named(Value):
     """A table whose keys are names, in the file's order.
 
     Attributes
     ----------
     names
-        What the keys may be; or what says so when a file is read, as it hangs on the scene.
-    value
-        What each may be given.
-    none
-        Whether "none" may stand in place of the table.
-    least
-        Keys that there must be.
+        What the keys may be; or what says so when a file is read, as it depends on the scene.
     """
 
     names: tuple[str, ...] | Callable[[], tuple[str, ...]]
-    value: Callable[[str], Any]
-    none: bool = False
-    least: int = 0
+    value: Callable[[str], Any]  # what each may be given
+    none: bool = False  # whether "none" may stand in place of the table
+    least: int = 0  # keys that there must be
 
     @property
     def words(self) -> str:
-        """What may be given."""
+        """The allowed values."""
         return 'a table, or "none"' if self.none else "a table"
 
     def __get_pydantic_core_schema__(self, _: Any, handler: GetCoreSchemaHandler) -> CoreSchema:

@@ -1,4 +1,4 @@
-"""Where in a TOML file a key is: tomllib says what a file holds, not where.
+"""The line of a key in a TOML file: tomllib says what a file holds, not where.
 
 No grammar is repeated here. A statement, a key with its value or the head of a table, begins where
 the text before it is a document; and a key is in the first statement with which the text up to its
@@ -13,8 +13,6 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import Any
 
-__all__ = ["Path", "line_of"]
-
 Path = tuple[str | int, ...]
 """Keys of tables, and places in arrays from 0."""
 
@@ -25,7 +23,7 @@ _CLOSED = tuple(
     for depth in range(1, 4)
     for brackets in product("]}", repeat=depth)
 )
-"""What may end a statement that goes on: arrays and tables within one another."""
+"""Texts that may end a statement that goes on: arrays and tables within one another."""
 
 
 def line_of(text: str, path: Path) -> int:

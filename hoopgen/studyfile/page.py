@@ -10,32 +10,40 @@ import base64
 import hashlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from html import escape
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from hoopgen.installed import need, version
-from hoopgen.phrases import percent
-from hoopgen.printable import printable
-from hoopgen.study.measures import MEASURES
-from hoopgen.told import say_release, told_setting
+from hoopgen.core.extras import require, version
+from hoopgen.report.provenance import describe_release, describe_setting
+from hoopgen.study.measures.measures import MEASURES
+from hoopgen.study.questions.settings import settings
+from hoopgen.study.questions.specification import (
+    QUESTIONS,
+    AimQuestion,
+    BankQuestion,
+    BatchQuestion,
+    CompareQuestion,
+    MapQuestion,
+    OptimumQuestion,
+)
+from hoopgen.text.escape import printable
+from hoopgen.text.numbers import format_percent
 
-from .asked import Answer, Asked
-from .markdown import check_markdown, rendered
+from .context import Context
 from .question_folders import answer_files
-from .report import CAPTIONS, asked_of
-from .schema import Aim, Bank, Batch, Compare, Given, Map, Optimum, Question
-
-__all__ = ["check_page", "page"]
+from .report import CAPTIONS, Results, asked_of
+from .schema import Given, Question
 
 _TYPES: Mapping[str, str] = {".svg": "image/svg+xml", ".png": "image/png"}
-"""Of pictures that a page can show, the better one first."""
+"""Types of pictures that a page can show, the better one first."""
 
-_OF_ITSELF = {"kind", "name", "title", *Given.model_fields, "versus", "figures"}
+_OF_ITSELF = {"kind", "name", "title", *(name for name, *_ in settings(Given)), "versus", "figures"}
 """Keys of a question that are said elsewhere on the page."""
 
 _AIMED = ("height", "angle", "backspin", "sidespin")
-"""What a table of aim takes of the release."""
+"""Variables of the release that a table of aim takes."""
 
 
 @dataclass(frozen=True)
@@ -74,54 +82,35 @@ class _Section:
 
 
 def check_page() -> Any:
-    """Return what makes the page.
-
-    Raises
-    ------
-    ImportError
-        If Jinja2 or markdown-it-py is missing: what brings it.
-    """
+    """Return what makes the page."""
     check_markdown()
-    return need("jinja2", "a report page")
+    return require("jinja2", "a report page")
 
 
-def page(
-    content: bytes,
-    questions: Sequence[Asked],
-    document: Mapping[str, Any],
-    answers: Mapping[str, Answer],
-    errors: Mapping[str, Exception],
-    folder: Path,
-    made_with: Mapping[str, str],
-) -> str:
+def page(content: bytes, results: Results, made_with: Mapping[str, str]) -> str:
     """Return the page, HTML.
 
     Parameters
     ----------
     content
-        Of the study file.
-    questions, document, answers, errors, folder
-        As of `hoopgen.studyfile.report.report`.
+        The study file.
     made_with
-        Versions of what computed.
+        The versions of what computed, by name.
     """
     jinja = check_page()
     environment = jinja.Environment(
         autoescape=True, undefined=jinja.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
     template = environment.from_string((files(__package__) / "page.html.j2").read_text("utf-8"))
-    study = questions[0].study
+    study = results.questions[0].study
     text: str = template.render(
         title=_clean(study.name),
         description=rendered(study.description),
         version=version(),
         seed=study.seed,
-        confidence=percent(study.confidence, None),
+        confidence=format_percent(study.confidence, None),
         digest=hashlib.sha256(content).hexdigest(),
-        sections=[
-            _section(asked, written, answers, errors, folder)
-            for asked, written in zip(questions, document["question"], strict=True)
-        ],
+        sections=[_section(context, written, results) for context, written in results.written],
         made_with=dict(made_with),
         study_file=_clean(content.decode("utf-8", "replace")),
     )
@@ -133,25 +122,19 @@ def _clean(text: str) -> str:
     return "\n".join(map(printable, text.splitlines()))
 
 
-def _section(
-    asked: Asked,
-    written: Mapping[str, Any],
-    answers: Mapping[str, Answer],
-    errors: Mapping[str, Exception],
-    folder: Path,
-) -> _Section:
-    question = asked.question
-    answer = answers.get(question.name)
-    error = "" if answer else " ".join(str(errors[question.name]).split())
-    here = folder / question.name
+def _section(context: Context, written: Mapping[str, Any], results: Results) -> _Section:
+    question = context.question
+    answer = results.answers.get(question.name)
+    error = "" if answer else " ".join(str(results.errors[question.name]).split())
+    here = results.folder / question.name
     there = answer_files(here) if answer else []
     shown = _shown(there)
     drawn = {file.stem for file in there if file.suffix in (*_TYPES, ".pdf")}
     return _Section(
         question.name,
         _clean(question.title or question.name),
-        asked_of(asked),
-        {name: _clean(text) for name, text in _setting(asked).items()},
+        asked_of(context),
+        {name: _clean(text) for name, text in _setting(context).items()},
         list(_options(question, written)),
         _clean(answer.line) if answer else "",
         _clean(error),
@@ -165,22 +148,25 @@ def _section(
 # ------------------------------------------------------------------------------------ what is asked
 
 
-def _setting(asked: Asked) -> dict[str, str]:
+def _setting(context: Context) -> dict[str, str]:
     """Say what is thrown, by what it is: the scene, the release, its scatter."""
-    question = asked.question
-    if isinstance(question, Batch | Aim):
-        release = dict(asked.setting.release if isinstance(question, Aim) else question.release)
-        if isinstance(question, Aim):
-            release = {name: release[name] for name in _AIMED if name in release}
-        said = {"scene": asked.scene}
-        return said | ({"release": say_release(release, asked.engine)} if release else {})
-    over = list(question.over) if isinstance(question, Map | Optimum | Bank) else []
-    over += ["distance", "angle", "x", "y"] if isinstance(question, Bank) else []
-    identity = asked.setting.model(over).identity()
-    said = told_setting({**identity, "parameters": asked.setting.parameters}, asked.engine)
-    if not isinstance(question, Compare):
+    question = context.question
+    if isinstance(question, BatchQuestion | AimQuestion):
+        release = dict(question.release)
+        if isinstance(question, AimQuestion):
+            aimed = context.setting.release
+            release = {name: aimed[name] for name in _AIMED if name in aimed}
+        said = {"scene": context.scene}
+        return said | ({"release": describe_release(release, context.engine)} if release else {})
+    over = []
+    if isinstance(question, MapQuestion | OptimumQuestion | BankQuestion):
+        over = list(question.over)
+    over += ["distance", "angle", "x", "y"] if isinstance(question, BankQuestion) else []
+    identity = context.setting.model(over).identity()
+    said = describe_setting({**identity, "parameters": context.setting.parameters}, context.engine)
+    if not isinstance(question, CompareQuestion):
         return {name: text for name, text in said.items() if text}
-    changed = told_setting(asked.changed(question.versus).identity(), asked.engine)
+    changed = describe_setting(context.changed(question.versus).identity(), context.engine)
     both = {name: text for name, text in said.items() if changed.get(name) == text}
     first = {f"{name}, first": said.get(name, "none") for name in said if name not in both}
     second = {f"{name}, second": changed[name] for name in changed if name not in both}
@@ -193,10 +179,10 @@ def _options(question: Question, written: Mapping[str, Any]) -> Iterator[tuple[s
         if key in _OF_ITSELF:
             continue
         said = [MEASURES[name].label for name in value] if key == "measures" else value
-        about = type(question).model_fields[key].description or ""
-        # What says how to write a file, or leads to elsewhere in its reference, is none for here.
-        plain = "`" not in about and not about.startswith("As of")
-        yield key.replace("_", " "), _clean(_said(said)), about if plain else ""
+        about = next(
+            one.help for name, _, one, _ in settings(QUESTIONS[question.kind]) if name == key
+        )
+        yield key.replace("_", " "), _clean(_said(said)), about
 
 
 def _said(value: Any) -> str:
@@ -240,3 +226,36 @@ def _shown(there: Sequence[Path]) -> dict[str, Path]:
 def _embedded(file: Path) -> str:
     """Return a picture as an address that holds all of it."""
     return f"data:{_TYPES[file.suffix]};base64,{base64.b64encode(file.read_bytes()).decode()}"
+
+
+_BELOW = 2
+"""Levels: a page has one title, and its questions' titles are the next."""
+
+_DEEPEST = 6
+
+
+def check_markdown() -> Any:
+    """Return what reads Markdown."""
+    return require("markdown_it", "a report page")
+
+
+def rendered(text: str) -> str:
+    """Return Markdown (CommonMark, and tables) as HTML.
+
+    HTML in it is text, and of a picture, which a page that is one file has not, the words that
+    stand for it. Links lead nowhere but to addresses of the web and of mail, and to files.
+    """
+    markdown = check_markdown().MarkdownIt("commonmark", {"html": False}).enable("table")
+    markdown.add_render_rule("image", _in_words)
+    tokens = markdown.parse("\n".join(map(printable, text.splitlines())))
+    for token in tokens:
+        if token.type in ("heading_open", "heading_close"):
+            token.tag = f"h{min(int(token.tag[1:]) + _BELOW, _DEEPEST)}"
+    shown = markdown.renderer.render(tokens, markdown.options, {})
+    # What a number in it stood for, such as &#8238;, is there only now.
+    return "\n".join(map(printable, shown.splitlines()))
+
+
+def _in_words(renderer: Any, tokens: Sequence[Any], at: int, options: Any, env: Any) -> str:
+    words: str = renderer.renderInlineAsText(tokens[at].children, options, env)
+    return escape(words)

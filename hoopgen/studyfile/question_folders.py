@@ -1,6 +1,7 @@
 """The folder of a question: worked on as ``<name>.unfinished``, published when it is finished.
 
-Both are folders that hoopgen owns (`hoopgen.core.store`): other files in them stay as they are.
+Both are folders that hoopgen owns (`hoopgen.core.owned_folders`): other files in them stay as they
+are.
 """
 
 from __future__ import annotations
@@ -13,9 +14,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from hoopgen.core.store import Store, find_store, open_store
-from hoopgen.outputs import sync
-from hoopgen.study.folders import (
+from hoopgen.core.files import sync
+from hoopgen.core.owned_folders import Store, find_store, open_store
+from hoopgen.report.quantities import for_json
+from hoopgen.study.jobs.chunk_store import (
     count_chunks,
     differences,
     flat,
@@ -24,20 +26,10 @@ from hoopgen.study.folders import (
     remove_chunks,
     written,
 )
-from hoopgen.words import for_json
+from hoopgen.study.questions.specification import CompareQuestion, EstimateQuestion, MapQuestion
 
 from .answers import answer
-from .asked import Answer, Asked, Work
-from .schema import Compare, Estimate, Map
-
-__all__ = [
-    "answer_files",
-    "answer_question",
-    "as_json",
-    "check_questions",
-    "publish_finished",
-    "write_file",
-]
+from .context import Answer, Context, Workplace
 
 _ASKED, _ANSWER = "question.json", "answer.json"
 _KEPT = "kept.json"  # how many chunks the answer before has, while the question is asked anew
@@ -45,7 +37,7 @@ _CHUNKS = "chunks"
 _UNFINISHED = ".unfinished"
 
 _PURPOSE = "the answer to a question"
-_Countable = Estimate | Compare | Map
+_Countable = EstimateQuestion | CompareQuestion | MapQuestion
 """Questions that may be asked for other numbers of shots."""
 
 _DAMAGED = "cannot be read; move {} out of the study to have the question answered anew"
@@ -67,17 +59,11 @@ def _question_folders(folder: Path) -> Iterator[Store]:
 
 
 def check_questions(
-    folder: Path, identities: Mapping[str, Mapping[str, Any]], questions: Sequence[Asked]
+    folder: Path, identities: Mapping[str, Mapping[str, Any]], questions: Sequence[Context]
 ) -> None:
-    """Compare the questions in the folder with those that are asked.
-
-    Raises
-    ------
-    ValueError
-        If some differ in more than how much is asked for, or are not among those asked.
-    """
+    """Compare the questions in the folder with those of the study."""
     found = []
-    asked = {one.question.name: one for one in questions}
+    contexts = {one.question.name: one for one in questions}
     for store in _question_folders(folder):
         name, file = store.path.name.removesuffix(_UNFINISHED), store.path / _ASKED
         if not os.path.lexists(file):
@@ -87,7 +73,7 @@ def check_questions(
             continue
         there, here = _question(file), flat(identities[name])
         changed = differences(there, here)
-        if changed and not _may_go_on(asked[name], there, here):
+        if changed and not _may_go_on(contexts[name], there, here):
             found.append(f"question {name}: {in_short(changed)}")
     if found:
         raise ValueError(
@@ -105,17 +91,17 @@ def _question(file: Path) -> dict[str, str]:
 
 
 _HOW_MANY = {"shots", "precision", "units"}
-"""What of these questions may be another, as with a folder of theirs alone; units are of texts."""
+"""Keys that may differ, as with a folder of chunks alone; units are those of texts."""
 
 
-def _may_go_on(asked: Asked, there: Mapping[str, str], here: Mapping[str, str]) -> bool:
+def _may_go_on(context: Context, there: Mapping[str, str], here: Mapping[str, str]) -> bool:
     """Tell whether a question is one that was asked before, but for how many shots."""
     changed = {name for name in {*there, *here} if there.get(name) != here.get(name)}
-    return isinstance(asked.question, _Countable) and changed <= _HOW_MANY
+    return isinstance(context.question, _Countable) and changed <= _HOW_MANY
 
 
 def answer_question(
-    asked: Asked, identity: Mapping[str, Any], finished: Path, work: Callable[..., Work]
+    context: Context, identity: Mapping[str, Any], finished: Path, work: Callable[..., Workplace]
 ) -> Answer:
     """Return the answer that is in the folder, or find it and put it there.
 
@@ -126,7 +112,7 @@ def answer_question(
     finished
         The folder of the question when it is finished.
     work
-        Makes a `Work` of its arguments ``store``, ``chunks`` and ``kept``.
+        Makes a `Workplace` of its arguments ``store``, ``chunks`` and ``kept``.
 
     Raises
     ------
@@ -136,8 +122,8 @@ def answer_question(
         If a file cannot be written, or one that hoopgen did not make is in its place.
     """
     if os.path.lexists(finished) and not finished.is_dir():
-        said = "this is no folder; move it away, or give another folder"
-        raise FileExistsError(errno.EEXIST, said, str(finished))
+        words = "this is no folder; move it away, or give another folder"
+        raise FileExistsError(errno.EEXIST, words, str(finished))
     before = find_store(finished, _PURPOSE)
     unfinished = finished.with_name(f"{finished.name}{_UNFINISHED}")
     if before is not None and _question(finished / _ASKED) == flat(identity):
@@ -152,12 +138,12 @@ def answer_question(
             write_file(store, _KEPT, as_json({"chunks": count_chunks(chunks)}))
         kept = 0 if before is None else int(read_record(unfinished / _KEPT)["chunks"])
         write_file(store, _ASKED, as_json(identity))
-        found = answer(asked, work(store=store, chunks=chunks, kept=kept))
+        found = answer(context, work(store=store, chunks=chunks, kept=kept))
         store.remove([_KEPT])
-        _settle(store)
+        _sync_files(store)
         write_file(store, _ANSWER, as_json(vars(found)))
         _publish(store, finished)
-    if not isinstance(asked.question, _Countable):
+    if not isinstance(context.question, _Countable):
         with contextlib.suppress(ValueError):  # chunks is somebody else's
             remove_chunks(finished / _CHUNKS)
     return _answer(finished / _ANSWER)
@@ -206,7 +192,7 @@ def _answer(file: Path) -> Answer:
     return Answer(line, text, numbers)
 
 
-def _settle(store: Store) -> None:
+def _sync_files(store: Store) -> None:
     """Make files last before there is an answer, whatever happens to the power."""
     for name in store.present():
         with (store.path / name).open("rb+") as opened_file:

@@ -1,31 +1,32 @@
-"""Reading a study file: every complaint names the file, the line and the key."""
+"""Reading a study file and the files that it names; errors name the file, the line and the key."""
 
 from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
-from hoopgen.engines import HOOP, Engine
-from hoopgen.files import FileSizeError, read_regular
-from hoopgen.printable import printable
+from hoopgen.core.regular_files import FileSizeError, read_regular
 from hoopgen.scene.limits import current
-from hoopgen.scenes import engine_of, is_built_in, scene_from, variables_of
+from hoopgen.scene.lookup import variables_of
+from hoopgen.simulation.engine import Engine
+from hoopgen.simulation.hoop import HOOP
+from hoopgen.simulation.lookup import engine_of, is_built_in, scene_from
+from hoopgen.study.questions.specification import BatchQuestion, CompareQuestion
+from hoopgen.study.questions.values import show
+from hoopgen.text.escape import printable
 
 from . import lines
 from .scene import named_by, within
-from .schema import StudyFile
-from .single import show
-
-__all__ = ["StudyError", "complain", "parse", "read_study"]
+from .schema import Given, StudyFile, read_document
 
 
 class StudyError(ValueError):
-    """What is wrong with a study file.
+    """An error that lists all that is wrong with a study file.
 
     Attributes
     ----------
@@ -58,13 +59,6 @@ def read_study(file: Path) -> bytes:
 def parse(content: bytes, file: Path) -> tuple[StudyFile, dict[str, Any], str, Engine]:
     """Read a study file. Nothing in it is evaluated.
 
-    Parameters
-    ----------
-    content
-        Of the file.
-    file
-        Its name, for complaints.
-
     Returns
     -------
     StudyFile, dict, str, Engine
@@ -91,7 +85,7 @@ def parse(content: bytes, file: Path) -> tuple[StudyFile, dict[str, Any], str, E
     scene = _scene(document, text, file)
     try:
         with within(scene):
-            return StudyFile.model_validate(document), document, text, scene
+            return read_document(document), document, text, scene
     except ValidationError as error:
         found = [(_path(one["loc"]), _said(one)) for one in error.errors()]
         raise complain(file, text, found) from None
@@ -157,3 +151,33 @@ def _said(wrong: Mapping[str, Any]) -> str:
     if wrong["type"] in ("list_type", "too_short"):
         return f"expected a list that is not empty; got {show(wrong['input'])}"
     return f"{wrong['msg']}; got {show(wrong['input'])}"
+
+
+def scene_file(file: Path, document: Mapping[str, Any]) -> Path | None:
+    """Return the scene file that a study names, if it names one."""
+    named = named_by(document)
+    return None if named is None or is_built_in(named) else file.parent / named
+
+
+def data_files(study: StudyFile) -> Iterator[tuple[lines.Path, str]]:
+    """Yield the files that are read, and where the study file names them."""
+    given: list[tuple[lines.Path, Any]] = [((), study)]
+    for place, question in enumerate(study.question):
+        path: lines.Path = ("question", place)
+        given.append((path, question))
+        if isinstance(question, CompareQuestion):
+            given.append(((*path, "versus"), question.versus))
+        if isinstance(question, BatchQuestion):
+            yield (*path, "file"), question.file
+    for path, tables in given:
+        if tables.releases is not None:
+            yield (*path, "releases", "file"), tables.releases.file
+
+
+def read_files(file: Path, study: Given, document: Mapping[str, Any]) -> Iterator[Path]:
+    """Yield all files that a study reads."""
+    yield file
+    if isinstance(study, StudyFile):
+        yield from (file.parent / name for _, name in data_files(study))
+    if (scene := scene_file(file, document)) is not None:
+        yield scene

@@ -6,128 +6,119 @@ import html
 import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
-from hoopgen.installed import version
-from hoopgen.phrases import percent
-from hoopgen.printable import printable
+from hoopgen.core.extras import version
+from hoopgen.text.escape import printable
+from hoopgen.text.numbers import format_percent
 
-from .asked import Answer, Asked
+from .context import Answer, Context
 from .question_folders import answer_files
-
-__all__ = ["CAPTIONS", "asked_of", "report"]
 
 _SHOWN = (".svg", ".png")
 """Pictures that a page can show."""
 
-CAPTIONS: Mapping[str, str] = MappingProxyType(
-    {
-        "fan": "Paths of the first shots",
-        "landings": "Where misses reach the floor",
-        "rebounds": "Where misses come down to the catching height",
-        "map": "The map",
-        "aim_points": "Where bank shots touch the board, and from where",
-    }
-)
-"""What pictures show, by the names of their files."""
+CAPTIONS: Mapping[str, str] = {
+    "fan": "Paths of the first shots",
+    "landings": "Where misses reach the floor",
+    "rebounds": "Where misses come down to the catching height",
+    "map": "The map",
+    "aim_points": "Where bank shots touch the board, and from where",
+}
+"""Captions of pictures, by the names of their files."""
 
 _MARKS = re.compile(r"[\\`*_\[\]|~$#]")
 
 _HTML = re.compile(r"<(?!(?:https?://|mailto:)[^\s<>]*>)(?=[A-Za-z/!?])")
-"""Where HTML would begin in Markdown; addresses alone may stand in such brackets."""
+"""Beginning of HTML in Markdown; addresses alone may stand in such brackets."""
 
 _OF_ITSELF = ("kind", "name", "title")
 
 
-def report(
-    questions: Sequence[Asked],
-    document: Mapping[str, Any],
-    answers: Mapping[str, Answer],
-    errors: Mapping[str, Exception],
-    folder: Path,
-) -> str:
-    """Return the report.
+@dataclass(frozen=True)
+class Results:
+    """The questions of a study, and what became of them."""
 
-    Parameters
-    ----------
-    questions
-        All of them, in order.
-    document
-        The study file as it is written.
-    answers, errors
-        By the name of the question: one of them each.
-    folder
-        Where the answers' files are.
-    """
-    return "\n\n".join(_sections(questions, document, answers, errors, folder)) + "\n"
+    questions: Sequence[Context]
+    document: Mapping[str, Any]  # the study file as it is written
+    answers: Mapping[str, Answer]  # by the name of the question
+    errors: Mapping[str, Exception]  # of the questions without an answer
+    folder: Path  # of the answers
+
+    @property
+    def written(self) -> Iterator[tuple[Context, Mapping[str, Any]]]:
+        """The questions, and each as it is written."""
+        return zip(self.questions, self.document["question"], strict=True)
 
 
-def _sections(
-    questions: Sequence[Asked],
-    document: Mapping[str, Any],
-    answers: Mapping[str, Answer],
-    errors: Mapping[str, Exception],
-    folder: Path,
-) -> Iterator[str]:
-    study = questions[0].study
+def report(results: Results) -> str:
+    """Return the report."""
+    return "\n\n".join(_sections(results)) + "\n"
+
+
+def _sections(results: Results) -> Iterator[str]:
+    answers, errors = results.answers, results.errors
+    study = results.questions[0].study
     yield f"# {_text(study.name)}"
     if study.description.strip():
         yield _HTML.sub("&lt;", study.description.strip())
     yield (
         f"By hoopgen {version()} from [study.toml](study.toml), seed {study.seed}; "
-        f"intervals of {percent(study.confidence, None)} confidence, of the simulation alone "
+        f"intervals of {format_percent(study.confidence, None)} confidence, of the simulation "
+        "alone "
         "unless they are said to be of the sample. "
         "[versions.json](versions.json) says what computed."
     )
     rows = ["| question | answer |", "|---|---|"]
-    for asked in questions:
-        name = asked.question.name
-        said = answers[name].line if name in answers else f"not answered: {_text(errors[name])}"
-        rows.append(f"| [{_title(asked)}](#{name}) | {said} |")
+    for context in results.questions:
+        name = context.question.name
+        text = answers[name].line if name in answers else f"not answered: {_text(errors[name])}"
+        rows.append(f"| [{_title(context)}](#{name}) | {text} |")
     yield "\n".join(rows)
-    shared = {key: value for key, value in document.items() if key not in ("study", "question")}
+    apart = ("study", "question")
+    shared = {key: value for key, value in results.document.items() if key not in apart}
     if shared:
         yield f"All questions have in common:\n\n{_toml(shared)}"
-    for asked, written in zip(questions, document["question"], strict=True):
-        name = asked.question.name
-        yield f'<a id="{name}"></a>\n\n## {_title(asked)}'
+    for context, written in results.written:
+        name = context.question.name
+        yield f'<a id="{name}"></a>\n\n## {_title(context)}'
         options = {key: value for key, value in written.items() if key not in _OF_ITSELF}
-        kind = f"{asked.question.kind}. {asked_of(asked)}"
+        kind = f"{context.question.kind}. {asked_of(context)}"
         yield f"Asked: {kind}" + (f"\n\n{_toml(options)}" if options else "")
         if name in answers:
-            yield from _answer(asked, answers[name], folder)
+            yield from _answer(context, answers[name], results.folder)
         else:
             yield f"Not answered: {_text(errors[name])}"
 
 
-def _answer(asked: Asked, answer: Answer, folder: Path) -> Iterator[str]:
+def _answer(context: Context, answer: Answer, folder: Path) -> Iterator[str]:
     yield f"**{answer.line}**"
-    yield f"Scene: {asked.scene}."
+    yield f"Scene: {context.scene}."
     if answer.text:
         yield answer.text
-    files = [file.name for file in answer_files(folder / asked.question.name)]
+    files = [file.name for file in answer_files(folder / context.question.name)]
     shown: dict[str, str] = {}
     for file in files:
         stem, suffix = Path(file).stem, Path(file).suffix
         if suffix in _SHOWN:
             shown.setdefault(stem, file)
     yield from (
-        f"![{CAPTIONS.get(stem, stem)}]({asked.question.name}/{file})"
+        f"![{CAPTIONS.get(stem, stem)}]({context.question.name}/{file})"
         for stem, file in shown.items()
     )
-    yield f"Files: {', '.join(f'[{file}]({asked.question.name}/{file})' for file in files)}"
+    yield f"Files: {', '.join(f'[{file}]({context.question.name}/{file})' for file in files)}"
 
 
-def _title(asked: Asked) -> str:
-    return _text(asked.question.title or asked.question.name)
+def _title(context: Context) -> str:
+    return _text(context.question.title or context.question.name)
 
 
-def asked_of(asked: Asked) -> str:
-    """Say what is asked: the first line of the question's description."""
-    return (type(asked.question).__doc__ or "").partition("\n")[0]
+def asked_of(context: Context) -> str:
+    """Return the first line of the question's description."""
+    return (type(context.question).__doc__ or "").partition("\n")[0]
 
 
 def _toml(tables: Mapping[str, Any]) -> str:

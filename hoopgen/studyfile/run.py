@@ -5,8 +5,8 @@ gets its name when all of it is there, so what bears a name is finished. Of an e
 comparison or a map the chunks stay: asked for more shots, it goes on from them, and for fewer, it
 takes the first of them; the answer that is there stays until the new one is finished. Nothing in a
 folder but ``versions.json`` depends on the machine, the threads, or when and how often the work was
-interrupted. The folder and those of its questions are hoopgen's (`hoopgen.core.store`): other files
-in them stay as they are.
+interrupted. The folder and those of its questions are hoopgen's (`hoopgen.core.owned_folders`):
+other files in them stay as they are.
 """
 
 from __future__ import annotations
@@ -19,18 +19,18 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-from hoopgen.core.store import locked_store
-from hoopgen.files import read_regular
-from hoopgen.installed import version
-from hoopgen.outputs import PAGES, check_not_read, check_output, write
-from hoopgen.phrases import counted
-from hoopgen.scene.limits import Limits, check_limits, raised
-from hoopgen.study.chunks import check_workers, versions
+from hoopgen.core.extras import version
+from hoopgen.core.files import PAGES, check_not_read, check_output, write
+from hoopgen.core.owned_folders import locked_store
+from hoopgen.core.regular_files import read_regular
+from hoopgen.scene.limits import Limits, check_limits, use_limits
+from hoopgen.study.jobs.executors import check_workers, versions
+from hoopgen.study.questions.specification import CompareQuestion
+from hoopgen.text.numbers import format_count
 
 from . import lines
 from .answers import check
-from .asked import Answer, Asked, Work
-from .inputs import data_files, read_files, scene_file
+from .context import Answer, Context, Workplace
 from .page import check_page, page
 from .question_folders import (
     answer_question,
@@ -39,12 +39,11 @@ from .question_folders import (
     publish_finished,
     write_file,
 )
-from .reading import complain, parse, read_study
-from .report import report as in_markdown
+from .reading import complain, data_files, parse, read_files, read_study, scene_file
+from .report import Results
+from .report import report as report_of
 from .scene import FILE
-from .schema import Compare, StudyFile
-
-__all__ = ["check_study", "run_study"]
+from .schema import StudyFile
 
 Progress = Callable[[str, int, int | None], None]
 
@@ -56,7 +55,7 @@ _MADE_WITH = ("numpy", "scipy", "pyarrow", "xarray", "matplotlib", "pydantic")
 
 def check_study(
     path: str | os.PathLike[str], *, limits: Limits | Mapping[str, int] | None = None
-) -> list[Asked]:
+) -> list[Context]:
     """Read a study file and look for what is wrong, without any work.
 
     Parameters
@@ -68,7 +67,7 @@ def check_study(
 
     Returns
     -------
-    list of Asked
+    list of Context
         Its questions.
 
     Raises
@@ -79,7 +78,7 @@ def check_study(
     OSError
         If it cannot be read.
     """
-    with raised(check_limits(limits)):
+    with use_limits(check_limits(limits)):
         return _read(Path(path))[1]
 
 
@@ -144,13 +143,13 @@ def run_study(
     if target is not None:
         check_page()
     allowed = check_limits(limits)
-    with raised(allowed):
+    with use_limits(allowed):
         content, questions, document = _read(file)
     if target is not None:
         read = read_files(file, questions[0].given, document)
         check_not_read("report", target, "the study", read)
     folder = Path(out) if out is not None else file.with_name(f"{file.stem}-results")
-    identities = {asked.question.name: _identity(asked) for asked in questions}
+    identities = {context.question.name: _identity(context) for context in questions}
     with locked_store(folder, _PURPOSE) as store:
         publish_finished(folder)
         check_questions(folder, identities, questions)
@@ -160,22 +159,22 @@ def run_study(
             write_file(store, _SCENE, read_regular(scene, allowed.file_size))
         answers: dict[str, Answer] = {}
         errors: dict[str, Exception] = {}
-        for asked in questions:
-            name = asked.question.name
+        for context in questions:
+            name = context.question.name
             noted = _noted(progress, name)
-            work = partial(Work, threads=threads, scheduler=scheduler, progress=noted)
+            work = partial(Workplace, threads=threads, scheduler=scheduler, progress=noted)
             try:
-                answers[name] = answer_question(asked, identities[name], folder / name, work)
+                answers[name] = answer_question(context, identities[name], folder / name, work)
             except Exception as error:  # whatever it is, the other questions go on
                 error.add_note(f"question {name}")
                 errors[name] = error
-        found = questions, document, answers, errors, folder
-        write_file(store, _REPORT, in_markdown(*found).encode())
+        results = Results(questions, document, answers, errors, folder)
+        write_file(store, _REPORT, report_of(results).encode())
         if target is not None:
-            write(target, page(content, *found, _versions()))
+            write(target, page(content, results, _versions()))
     if errors:
         raise ExceptionGroup(
-            f"{len(errors)} of {counted(len(questions), 'question')} could not be answered; "
+            f"{len(errors)} of {format_count(len(questions), 'question')} could not be answered; "
             f"the others are in {folder}",
             list(errors.values()),
         )
@@ -185,7 +184,7 @@ def run_study(
 # -------------------------------------------------------------------------------------- the file
 
 
-def _read(file: Path) -> tuple[bytes, list[Asked], Mapping[str, Any]]:
+def _read(file: Path) -> tuple[bytes, list[Context], Mapping[str, Any]]:
     """Return the content of the file, its questions, checked, and all of it as it is written."""
     content = read_study(file)
     study, document, text, scene = parse(content, file)
@@ -202,11 +201,11 @@ def _read(file: Path) -> tuple[bytes, list[Asked], Mapping[str, Any]]:
     if found:
         raise complain(file, text, found)
     questions = [
-        Asked(study.study, study, question, file.parent, scene) for question in study.question
+        Context(study.study, study, question, file.parent, scene) for question in study.question
     ]
-    for place, asked in enumerate(questions):
+    for place, context in enumerate(questions):
         try:
-            check(asked)
+            check(context)
         except (TypeError, ValueError, OSError) as error:
             found.append((("question", place), str(error)))
     if found:
@@ -218,12 +217,12 @@ def _scenes(study: StudyFile) -> Iterator[tuple[lines.Path, Mapping[str, Any]]]:
     """Yield what questions say of the scene, and where."""
     for place, question in enumerate(study.question):
         yield ("question", place, "scene"), question.scene
-        if isinstance(question, Compare):
+        if isinstance(question, CompareQuestion):
             yield ("question", place, "versus", "scene"), question.versus.scene
 
 
-def _identity(asked: Asked) -> dict[str, Any]:
-    return {**versions(), **asked.identity()}
+def _identity(context: Context) -> dict[str, Any]:
+    return {**versions(), **context.identity()}
 
 
 # ------------------------------------------------------------------------------------- what is said

@@ -1,4 +1,4 @@
-"""The scene of a study file: a name or a scene file, and what it lets the other tables say."""
+"""The scene of a study file, and the kinds of values that depend on it."""
 
 from __future__ import annotations
 
@@ -12,30 +12,16 @@ from typing import Any
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
-from hoopgen.engines import HOOP
-from hoopgen.hoop.variables import ARGUMENTS
-from hoopgen.scenes import presets_of, variables_of
-from hoopgen.units import Kind
-from hoopgen.variables import STATE
+from hoopgen.core.units import Kind
+from hoopgen.core.variables import STATE
+from hoopgen.hoop.presets import PRESETS
+from hoopgen.hoop.variables import ARGUMENTS, VARIABLES
+from hoopgen.scene.lookup import variables_of
+from hoopgen.simulation.hoop import HOOP
+from hoopgen.study.questions import values as kinds
+from hoopgen.study.questions.values import Choice, Listed, Quantity, Text, Value, Way
 
-from .fields import Named
-from .single import Word
-
-__all__ = [
-    "FILE",
-    "InScene",
-    "Varying",
-    "Way",
-    "kind_of",
-    "limits_of",
-    "may_be_infinite",
-    "named_by",
-    "releasing",
-    "scattering",
-    "scene_keys",
-    "varying",
-    "within",
-]
+from .fields import Ends, Named, OneOf, Values
 
 FILE = "file"
 """The key of a table `scene` that says what the text alone says."""
@@ -64,7 +50,7 @@ def _own() -> tuple[str, ...]:
 
 
 def varying() -> tuple[str, ...]:
-    """Return what may be mapped and searched over."""
+    """Return the variables that may be mapped and searched over."""
     return tuple(variables_of(_SCENE.get()))
 
 
@@ -74,17 +60,17 @@ def releasing() -> tuple[str, ...]:
 
 
 def scattering() -> tuple[str, ...]:
-    """Return what may scatter."""
+    """Return the variables that may scatter."""
     return (*(ARGUMENTS if _SCENE.get().has_hoop else STATE), *_own())
 
 
 def scene_keys() -> tuple[str, ...]:
     """Return the keys of a table `scene`: preset or file, and parameters."""
-    return (*(("preset",) if presets_of(_SCENE.get()) else ()), FILE, *_own())
+    return (*(("preset",) if _SCENE.get().presets else ()), FILE, *_own())
 
 
 def kind_of(name: str) -> Kind:
-    """Return what a variable measures."""
+    """Return the kind of quantity of a variable."""
     return variables_of(_SCENE.get())[name].kind
 
 
@@ -99,34 +85,32 @@ def limits_of(name: str) -> tuple[float, float]:
     return limits
 
 
-@dataclass(frozen=True)
-class Varying(Word):
+class Varying(Choice):
     """The name of a variable of the scene."""
 
     def read(self, given: Any) -> str:
-        """Return it."""
-        return Word(varying()).read(given)
+        """Return the name."""
+        return Choice(varying()).read(given)
 
 
-@dataclass(frozen=True)
-class Way(Word):
-    """What counts: a way in or, where there is no hoop, an end; "any" is the first."""
+class WayOfScene(Way):
+    """A way in or, where there is no hoop, an end, of which "any" is the first."""
 
     def read(self, given: Any) -> str:
-        """Return it."""
+        """Return the way or the end."""
         scene = _SCENE.get()
-        return Word(self.allowed if scene.has_hoop else ("any", *scene.kernels.ENDS)).read(given)
+        return Choice(self.allowed if scene.has_hoop else ("any", *scene.kernels.ENDS)).read(given)
 
 
 @dataclass(frozen=True)
-class InScene:
+class InScene(Value):
     """A table `scene`; or a text, which stands for one with a file alone."""
 
     table: Named
 
     @property
     def words(self) -> str:
-        """What may be given."""
+        """The allowed values."""
         return f"{self.table.words}; or a scene's name, or that of its file"
 
     def __get_pydantic_core_schema__(self, _: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
@@ -134,3 +118,60 @@ class InScene:
         return core_schema.no_info_before_validator_function(
             lambda given: {FILE: given} if isinstance(given, str) else given, table
         )
+
+
+def quantity(name: str) -> Quantity:
+    """Return the kind of a variable's values, within its limits."""
+    return Quantity(kind_of(name), *limits_of(name), may_be_infinite(name))
+
+
+def deviation(name: str) -> Quantity:
+    """Return the kind of a variable's standard deviations."""
+    return Quantity(kind_of(name), 0.0)
+
+
+def correlations(_: str) -> Named:
+    """Return the kind of a variable's correlations, with others that scatter."""
+    return Named(scattering, lambda _: Quantity("number", -1.0, 1.0))
+
+
+def scene_or_size(name: str) -> Value:
+    """Return the kind of a scene's values: a scene, a preset, or a size."""
+    if name == FILE:
+        return Text(words="a scene's name, or that of a scene file")
+    return Choice(tuple(PRESETS)) if name == "preset" else quantity(name)
+
+
+def _values_of(name: str) -> Values:
+    return Values(kind_of(name), may_be_infinite(name))
+
+
+class _Search(OneOf):
+    """Variables to search over: their names alone are searched within their usual bounds."""
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        return core_schema.no_info_after_validator_function(
+            lambda read: dict.fromkeys(read) if isinstance(read, list) else read,
+            super().__get_pydantic_core_schema__(source, handler),
+        )
+
+
+_READ: Mapping[Value, Value] = {
+    kinds.AXES: Named(varying, _values_of, least=1),
+    kinds.BOUNDS: _Search(
+        Listed(Varying(tuple(VARIABLES)), 1),
+        Named(varying, lambda name: Ends(kind_of(name)), least=1),
+    ),
+    kinds.PLACES: Named(("distance", "angle", "x", "y"), _values_of, least=2),
+}
+
+
+def in_file(value: Any) -> Any:
+    """Return the kind of values as a study file writes them."""
+    if isinstance(value, kinds.Quantities):
+        return Values(value.kind)
+    if isinstance(value, kinds.Way):
+        return WayOfScene(value.allowed)
+    return _READ.get(value, value) if isinstance(value, kinds.Notation) else value

@@ -1,4 +1,4 @@
-"""Where the shots of a question come from: the file's tables, and its own in place of them."""
+"""The source of a question's shots: the file's tables, and its own in place of them."""
 
 from __future__ import annotations
 
@@ -11,61 +11,51 @@ from typing import Any
 
 import numpy as np
 
-from hoopgen.engines import Engine
+from hoopgen.core.variables import is_state
 from hoopgen.hoop.variables import change_variables
-from hoopgen.scenes import presets_of
-from hoopgen.study.columns import variable_of
-from hoopgen.study.origin import origin_of
-from hoopgen.study.resample import Resample
-from hoopgen.study.scatter import Scatter
-from hoopgen.study.tables import Source
-from hoopgen.variables import is_state
+from hoopgen.simulation.engine import Engine
+from hoopgen.study.models.resample import Resample
+from hoopgen.study.models.scatter import Scatter
+from hoopgen.study.questions.settings import MeasuredReleases
+from hoopgen.study.tables.columns import variable_of
+from hoopgen.study.tables.provenance import origin_of
+from hoopgen.study.tables.source import Source
 
 from .scene import FILE
-from .schema import Given, Releases
-
-__all__ = ["Setting", "given_without"]
+from .schema import Given, reading
 
 _PLACES = ({"x", "y"}, {"distance", "angle"})
 """Two ways to say a place."""
 
 
 @dataclass(frozen=True)
-class Setting:
-    """Where shots come from; SI.
+class ShotSource:
+    """The source of shots; SI.
 
     Attributes
     ----------
-    scene
-        The preset, and the parameters that differ from it.
     above, own
         Variables of the release aimed at: those that columns of `releases` take the place of, and
         those that take the place of columns.
     sd, correlation
         The scatter about it, as of `Scatter`.
-    releases
-        Measured releases; None without.
-    folder
-        That their file is relative to.
-    engine
-        The scene itself.
     """
 
-    scene: Mapping[str, Any]
+    scene: Mapping[str, Any]  # the preset, and the parameters that differ from it
     above: Mapping[str, float]
     own: Mapping[str, float]
     sd: Mapping[str, float]
     correlation: Mapping[tuple[str, str], float]
-    releases: Releases | None
-    folder: Path
-    engine: Engine
+    releases: MeasuredReleases | None  # measured releases; None without
+    folder: Path  # that their file is relative to
+    engine: Engine  # the scene itself
 
     @classmethod
-    def of(cls, given: Iterable[Given], folder: Path, engine: Engine) -> Setting:
+    def of(cls, given: Iterable[Given], folder: Path, engine: Engine) -> ShotSource:
         """Return what tables say, each key by key in place of those before."""
-        return reduce(Setting._changed, given, cls({}, {}, {}, {}, {}, None, folder, engine))
+        return reduce(ShotSource._changed, given, cls({}, {}, {}, {}, {}, None, folder, engine))
 
-    def _changed(self, given: Given) -> Setting:
+    def _changed(self, given: Given) -> ShotSource:
         correlation = {
             (one, other): value
             for one, others in given.correlation.items()
@@ -79,7 +69,7 @@ class Setting:
         above, own = self.above, _change(self.own, given.release)
         if given.releases is not None:
             above, own = self.release, dict(given.release)
-        return Setting(
+        return ShotSource(
             {**self.scene, **given.scene},
             above,
             own,
@@ -106,25 +96,17 @@ class Setting:
             name: value for name, value in self.scene.items() if name not in ("preset", FILE)
         }
         if "preset" in self.scene:
-            return {**presets_of(self.engine)[self.scene["preset"]], **changed}
+            return {**self.engine.presets[self.scene["preset"]], **changed}
         origin = None if source is None else origin_of(source, self.engine)
         return {**(self.engine.parameters if origin is None else origin.parameters), **changed}
 
     @property
     def scatters(self) -> bool:
-        """Whether a deviation is above 0."""
+        """True if a deviation is above 0."""
         return any(self.sd.values())
 
     def model(self, over: Iterable[str] = ()) -> Scatter | Resample:
-        """Return the release model, without numbers that some variables take the place of.
-
-        Raises
-        ------
-        ValueError
-            If there can be none: a variable is missing, or two say the same.
-        OSError
-            If the file of measured releases cannot be read.
-        """
+        """Return the release model, without numbers that some variables take the place of."""
         if self.releases is None:
             release = given_without(self.release, over)
             return (
@@ -141,7 +123,7 @@ class Setting:
         columns = {n: v for n, v in measured.items() if n not in alike or n in left}
         return Resample(columns, groups)
 
-    def _measured(self, releases: Releases) -> dict[str, Any]:
+    def _measured(self, releases: MeasuredReleases) -> dict[str, Any]:
         """Return the columns of measured releases, and what is the same for all."""
         source = self._source(releases)
         origin = origin_of(source, self.engine)
@@ -149,7 +131,7 @@ class Setting:
         names = source.schema().names
         own = {*releases.own, *(() if origin is None else origin.passed)}
         own |= set() if releases.group is None else {releases.group}
-        mapped = {**({} if origin is None else origin.columns), **releases.columns}
+        mapped = {**({} if origin is None else origin.columns), **(releases.columns or {})}
         spelled = {column: name for name, column in mapped.items()}
         said = {
             name: variable_of(spelled.get(name, name), self.engine)[0]
@@ -174,15 +156,15 @@ class Setting:
         )
         return {**source.values(source.whole(), columns), **given}
 
-    def _groups(self, releases: Releases) -> list[str | None] | None:
+    def _groups(self, releases: MeasuredReleases) -> list[str | None] | None:
         """Return the label of each measured release; None where no column says them."""
         if releases.group is None:
             return None
         source = self._source(releases)
         return source.labels(source.whole(), releases.group)
 
-    def _source(self, releases: Releases) -> Source:
-        return releases.reading.source(self.folder / releases.file)
+    def _source(self, releases: MeasuredReleases) -> Source:
+        return reading(releases).source(self.folder / releases.file)
 
     def identity(self) -> dict[str, Any]:
         """Return what tells this setting from others, in types that JSON knows."""

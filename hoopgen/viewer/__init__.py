@@ -3,8 +3,8 @@
 Drawn with three.js (MIT), which lies beside in ``three/`` and goes into every page.
 """
 
-from hoopgen.viewer.page import page
-from hoopgen.viewer.shown import Page
-from hoopgen.viewer.viewing import view
+from .page import page
+from .page_file import Page
+from .view_shots import view
 
 __all__ = ["Page", "page", "view"]

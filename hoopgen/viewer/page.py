@@ -1,4 +1,4 @@
-"""The page's file: shots as pieces of parabolas in JSON, beside the script that draws them."""
+"""HTML pages of shots: pieces of parabolas in JSON, and the scripts that draw them."""
 
 from __future__ import annotations
 
@@ -16,28 +16,29 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.brief import brief
-from hoopgen.colours import ended
-from hoopgen.events import Event, numbered
+from hoopgen.core.colours import outcome_colours
+from hoopgen.core.event_log import Event, number_contacts
+from hoopgen.core.extras import version
+from hoopgen.core.files import write
+from hoopgen.core.parameters import Value, resolve
+from hoopgen.core.units import DISPLAY_UNITS, display_system
 from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.hoop.releases import RING_HEIGHT
-from hoopgen.installed import version
-from hoopgen.outputs import write
-from hoopgen.parameters import Value, resolve
-from hoopgen.phrases import counted
-from hoopgen.printable import printable
-from hoopgen.results import Shots, Trajectory
-from hoopgen.told import say_of
-from hoopgen.units import SHOWN, shown_system
+from hoopgen.report.provenance import describe_scene
+from hoopgen.results.shots import Shots
+from hoopgen.results.trajectory import Trajectory
+from hoopgen.text.escape import printable
+from hoopgen.text.numbers import format_count
+from hoopgen.text.shorten import brief
 
-from .ghost import ghost
+from .net_and_court import net_and_court
+from .page_file import Page
 from .palette import palette
-from .scenery import PIECE, ball_radius, scenery, shown_parameters, turned
-from .shown import Page
+from .scenery import ROLL_PIECE_DURATION, ball_radius, flight_parameters, scenery, turn_vectors
 
-__all__ = ["MOST", "page", "written"]
+__all__ = ["MAX_SHOTS", "page", "write_page"]
 
-MOST = 2000
+MAX_SHOTS = 2000
 """Shots on a page; with more, browsers are slow and paths cannot be told apart."""
 
 _SCRIPTS = (
@@ -54,7 +55,7 @@ _SCRIPTS = (
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
 
 
-def written(
+def write_page(
     shots: Shots,
     parameters: Mapping[str, Any],
     target: Path | None,
@@ -63,7 +64,19 @@ def written(
     about: str = "",
     labels: Sequence[str] | None = None,
 ) -> Page:
-    """Return the page of shots, written to a file where one is given; see `hoopgen.view`."""
+    """Return the page of shots, written to a file if one is given; see `hoopgen.view`.
+
+    Parameters
+    ----------
+    shots
+        The recorded shots.
+    parameters
+        The scene's parameters.
+    target
+        The file; None for none.
+    title, about, labels
+        As for `hoopgen.view`.
+    """
     text = page(shots, parameters, title=title, about=about, labels=labels)
     if target is not None:
         write(target, text)
@@ -78,14 +91,24 @@ def page(
     about: str = "",
     labels: Sequence[str] | None = None,
 ) -> str:
-    """Return the HTML that `view` writes."""
+    """Return the HTML that `view` writes.
+
+    Parameters
+    ----------
+    shots
+        The recorded shots.
+    parameters
+        The scene's parameters.
+    title, about, labels
+        As for `hoopgen.view`.
+    """
     table, hoop = shots.scene.table, shots.scene.is_hoop
-    values = dict(zip(table.defaults, resolve(parameters, len(shots), table), strict=True))
+    values = resolve(parameters, len(shots), table)
     names = _labels(labels, len(shots))
     valid = np.flatnonzero(shots.outcome != shots.scene.outcomes["INVALID"])
-    if not 1 <= len(valid) <= MOST:
-        raise ValueError(f"shots: expected 1 to {MOST} valid ones, got {len(valid)}")
-    touched = _touched(shots, values)
+    if not 1 <= len(valid) <= MAX_SHOTS:
+        raise ValueError(f"shots: expected 1 to {MAX_SHOTS} valid ones, got {len(valid)}")
+    touched = _contact_points(shots, values)
     # One each, for all that is drawn of it: to follow a ball that rolls for long takes seconds.
     paths = {int(row): shots.trajectory(int(row)) for row in valid}
     words = ["none"] * len(shots)
@@ -98,10 +121,10 @@ def page(
         "ring_height": RING_HEIGHT,
         "units": {
             system: {kind: vars(unit) for kind, unit in shown.items()}
-            for system, shown in SHOWN.items()
+            for system, shown in DISPLAY_UNITS.items()
         },
-        "system": shown_system(),
-        "ghost": ghost(shots, values),
+        "system": display_system(),
+        "ghost": net_and_court(shots, values),
         "surfaces": shots.surfaces,
         "outcomes": [outcome.name.lower() for outcome in shots.scene.outcomes],
         "kinds": [kind.name.lower() for kind in Kind],
@@ -111,7 +134,7 @@ def page(
             for row, path in paths.items()
         ],
     }
-    colours = _inks(shots)
+    colours = _outcome_colours(shots)
     if not hoop:
         drawn, bodies = scenery(shots, values, paths.values())
         data |= {"kinds": [], "parameters": {}, "scenery": drawn}
@@ -119,20 +142,22 @@ def page(
     return _fill(data, palette(colours))
 
 
-def _inks(shots: Shots) -> dict[str, str]:
-    """Return the colours of outcomes: ink-0, ink-1, ..., as their names may be an author's."""
+def _outcome_colours(shots: Shots) -> dict[str, str]:
+    """Return the colours of outcomes as ink-0, ink-1, ..., since authors choose the names."""
     scene = shots.scene
-    found = ended(scene.outcomes.__members__, len(scene.kernels.ENDS))
+    found = outcome_colours(scene.outcomes.__members__, len(scene.kernels.ENDS))
     return {f"ink-{k}": colour for k, colour in enumerate(found.values())}
 
 
 def _about(about: str, shots: Shots, parameters: Mapping[str, Any]) -> str:
-    return f"{printable(about)}{'; s' if about else 'S'}cene {say_of(shots.scene, parameters)}"
+    return (
+        f"{printable(about)}{'; s' if about else 'S'}cene {describe_scene(shots.scene, parameters)}"
+    )
 
 
 def _title(shots: Shots, valid: NDArray[np.intp]) -> str:
     if len(valid) > 1:
-        return counted(len(valid), "shot")
+        return format_count(len(valid), "shot")
     return shots.scene.outcomes(int(shots.outcome[valid[0]])).name.capitalize()
 
 
@@ -155,16 +180,16 @@ def _shot(
     label: str,
     kind: str,
 ) -> dict[str, Any]:
-    """Collect a shot: flights (start, state there), rolls (first flight, end), and its events."""
+    """Return a shot's data: flights (start, state there), rolls (first flight, end), and events."""
     events = trajectory.events
     low = int(np.searchsorted(shots.events["shot"], row))
-    starts, states, rolling = trajectory.pieces(PIECE)
+    starts, states, rolling = trajectory.pieces(ROLL_PIECE_DURATION)
     surfaces = (*shots.surfaces, "end")
     own = {n: float(v[row]) for n, v in values.items() if not isinstance(v, float)}
     if not shots.scene.is_hoop:
         # No name of a scene's author is a class of the page's style.
         surfaces = (*(f"body-{k}" for k in range(len(shots.surfaces))), "end")
-        own = shown_parameters(shots, values, row)
+        own = flight_parameters(shots, values, row)
     fall = _fall(shots, row, trajectory)
     return {
         "label": label,
@@ -172,7 +197,7 @@ def _shot(
         "kind": kind,
         "uncertain": bool(shots.uncertain[row]),
         "parameters": own,
-        "flights": np.column_stack([starts, turned(shots, states)]).tolist(),
+        "flights": np.column_stack([starts, turn_vectors(shots, states)]).tolist(),
         "rolls": np.flatnonzero(np.diff(rolling, prepend=False)).reshape(-1, 2).tolist(),
         **({} if fall is None else {"floor_time": fall}),
         "events": [
@@ -184,14 +209,14 @@ def _shot(
                 "at": at.tolist(),
             }
             for (number, event), at in zip(
-                numbered(events), touched[low : low + len(events)], strict=True
+                number_contacts(events), touched[low : low + len(events)], strict=True
             )
         ],
     }
 
 
 def _fall(shots: Shots, row: int, trajectory: Trajectory) -> float | None:
-    """Return when the ball would be on the floor, s, if after the end it touched nothing else.
+    """Return the time of arrival on the floor, s, if the ball touched nothing after the end.
 
     None where there is no hoop, and so no floor, and of a shot that does not end in flight.
     """
@@ -205,8 +230,8 @@ def _fall(shots: Shots, row: int, trajectory: Trajectory) -> float | None:
     return trajectory.duration + float(time) if np.isfinite(time) else None
 
 
-def _touched(shots: Shots, values: Mapping[str, Value]) -> NDArray[np.float64]:
-    """Return where the ball touches at each event, (m, 3); at the end, the ball's centre."""
+def _contact_points(shots: Shots, values: Mapping[str, Value]) -> NDArray[np.float64]:
+    """Return the point of contact at each event, (m, 3); at the end, the ball's centre."""
     events, scene = shots.events, shots.scene
     centres = np.array(events["before"][:, :3])
     for index, name in enumerate(scene.surfaces):
@@ -224,7 +249,7 @@ def _touched(shots: Shots, values: Mapping[str, Value]) -> NDArray[np.float64]:
         ball = _ball(shots, values, shot)
         for axis, component in enumerate(normal):
             centres[rows, axis] -= ball * component
-    return turned(shots, centres)
+    return turn_vectors(shots, centres)
 
 
 def _ball(shots: Shots, values: Mapping[str, Value], rows: NDArray[np.intp]) -> Any:
@@ -237,9 +262,9 @@ def _ball(shots: Shots, values: Mapping[str, Value], rows: NDArray[np.intp]) -> 
 
 
 def _fill(data: Mapping[str, Any], colours: str) -> str:
-    """Put style, scripts and data into the page, and a policy that lets nothing else run."""
+    """Fill the page with style, scripts and data, and a policy that lets nothing else run."""
     style, three = colours + _read("page.css"), _read("three/three.js")
-    first, scripts = _read("theme.js"), [_generated(), *(_read(name) for name in _SCRIPTS)]
+    first, scripts = _read("theme.js"), [_kernel_source(), *(_read(name) for name in _SCRIPTS)]
     allowed = " ".join(_digest(text) for text in (first, three, *scripts))
     policy = f"default-src 'none'; img-src data:; script-src {allowed}; style-src {_digest(style)}"
     slots = {
@@ -257,7 +282,7 @@ def _fill(data: Mapping[str, Any], colours: str) -> str:
 
 
 def _json(data: Mapping[str, Any]) -> str:
-    """Write JSON that cannot end the element it stands in, nor open a comment."""
+    """Return JSON that can neither end its element nor open a comment."""
     text = json.dumps(data, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c")
 
@@ -267,7 +292,7 @@ def _digest(text: str) -> str:
     return f"'sha256-{base64.b64encode(digest).decode()}'"
 
 
-def _generated() -> str:
+def _kernel_source() -> str:
     return files("hoopgen.generated").joinpath("js/hoop.js").read_text(encoding="utf-8")
 
 

@@ -1,27 +1,27 @@
-"""The page's colours, by day and by night, as variables of its style."""
+"""The page's colours in its light and its dark style, as CSS variables."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-from hoopgen.colours import COLOURS
+from hoopgen.core.colours import COLOURS
 
-__all__ = ["NIGHT", "contrast", "on_night", "palette"]
+__all__ = ["DARK_PAPER", "contrast", "lighten", "palette"]
 
-NIGHT = "#15191D"
+DARK_PAPER = "#15191D"
 """The paper of a dark page."""
 
-_LEGIBLE = 4.5
+_MIN_CONTRAST = 4.5
 """The least contrast of words with what is behind them, WCAG 2.2, 1.4.3."""
 
 
 def palette(own: Mapping[str, str]) -> str:
-    """Return the style's variables: the colours of pictures, and others by name, twice over.
+    """Return the CSS variables of the light and the dark style: pictures' colours and others.
 
     By night each is lightened until it stands out from the paper as it does by day; hues stay.
     """
     day = {**COLOURS, **own}
-    night = {name: on_night(colour) for name, colour in day.items()} | {"paper": NIGHT}
+    night = {name: lighten(colour) for name, colour in day.items()} | {"paper": DARK_PAPER}
     return f":root {_rule(day)}:root[data-theme=dark] {_rule(night)}"
 
 
@@ -30,22 +30,28 @@ def _rule(colours: Mapping[str, str]) -> str:
     return f"{{\n{names}}}\n"
 
 
-def on_night(colour: str) -> str:
-    """Return a colour, "#RRGGBB", with as much white in it as a dark page wants.
+def lighten(colour: str) -> str:
+    """Return a colour, "#RRGGBB", lightened until it is legible on a dark page.
 
     It is legible, and stands out at least as it does by day: so what differs by day, differs.
     """
-    wanted = max(_LEGIBLE, contrast(colour, COLOURS["paper"]))
+    wanted = max(_MIN_CONTRAST, contrast(colour, COLOURS["paper"]))
     parts = _parts(colour)
     mixes = (
         "#" + "".join(f"{round(part + share * (255 - part) / 100):02X}" for part in parts)
         for share in range(101)
     )
-    return next((mix for mix in mixes if contrast(mix, NIGHT) >= wanted), "#FFFFFF")
+    return next((mix for mix in mixes if contrast(mix, DARK_PAPER) >= wanted), "#FFFFFF")
 
 
 def contrast(one: str, other: str) -> float:
-    """Return the contrast of two colours, 1 to 21, as WCAG 2.2 defines it."""
+    """Return the contrast of two colours, 1 to 21, as WCAG 2.2 defines it.
+
+    Parameters
+    ----------
+    one, other
+        Colours, "#RRGGBB".
+    """
     dark, light = sorted((_luminance(one), _luminance(other)))
     return (light + 0.05) / (dark + 0.05)
 

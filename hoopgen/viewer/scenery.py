@@ -1,4 +1,4 @@
-"""What a page shows of any scene but the hoop: its bodies as triangles, with gravity down."""
+"""Bodies of a scene other than the hoop as triangles for the page, with gravity down."""
 
 from __future__ import annotations
 
@@ -8,15 +8,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.colours import colours, faces
-from hoopgen.results import Shots, Trajectory
-from hoopgen.scene.drawn import drawn
+from hoopgen.core.colours import body_colours, face_colours
+from hoopgen.results.shots import Shots
+from hoopgen.results.trajectory import Trajectory
+from hoopgen.scene.engine_pieces import scene_pieces
+from hoopgen.scene.geometry import Body, SceneGeometry, upright
 from hoopgen.scene.meshes import chains, loops
-from hoopgen.scene.seen import Body, Seen, upright
 
-__all__ = ["PIECE", "ball_radius", "scenery", "shown_parameters", "turned"]
+__all__ = ["ROLL_PIECE_DURATION", "ball_radius", "scenery", "flight_parameters", "turn_vectors"]
 
-PIECE = 2.0**-7
+ROLL_PIECE_DURATION = 2.0**-7
 """s, of a roll: between its ends a cubic is off by less than 1e-6 m; longer where it lasts long."""
 
 _DIGITS = 6
@@ -32,12 +33,21 @@ def scenery(
 
     Of parameters that differ, the mean is drawn. No name of a scene's author is in a style: bodies
     are body-0, body-1, ... there, and themselves drawn in face-0, face-1, ...
+
+    Parameters
+    ----------
+    shots
+        The recorded shots.
+    parameters
+        The scene's parameters.
+    paths
+        The shots' trajectories.
     """
-    seen = Seen.of(shots.scene, parameters)
+    seen = SceneGeometry.of(shots.scene, parameters)
     turn, axes = upright(seen.scene.read.down)
-    low, high = _reach(paths)
+    low, high = _path_corners(paths)
     room = seen.room(low, high)
-    own, drawn_in = colours(seen.names), faces(seen.names)
+    own, drawn_in = body_colours(seen.names), face_colours(seen.names)
     corners = np.sort(np.stack(room) @ turn.T, axis=0)
     named = {f"body-{k}": own[name] for k, name in enumerate(seen.names)}
     named |= {f"face-{k}": drawn_in[name] for k, name in enumerate(seen.names)}
@@ -56,34 +66,60 @@ def scenery(
     return found, named
 
 
-def turned(shots: Shots, states: Floats) -> Floats:
-    """Return vectors, three columns each, turned so that the gravity of shots is down."""
+def turn_vectors(shots: Shots, states: Floats) -> Floats:
+    """Return vectors, three columns each, turned so that gravity points down.
+
+    Parameters
+    ----------
+    shots
+        The shots, whose scene says where gravity points.
+    states
+        Vectors, (..., 3 k).
+    """
     if shots.scene.is_hoop:
         return states
-    turn, _ = upright(drawn(shots.scene).read.down)
+    turn, _ = upright(scene_pieces(shots.scene).read.down)
     return np.asarray((states.reshape(-1, 3) @ turn.T).reshape(states.shape))
 
 
-def shown_parameters(shots: Shots, parameters: Mapping[str, Any], row: int) -> dict[str, float]:
-    """Return what flights and balls need, of one shot."""
+def flight_parameters(shots: Shots, parameters: Mapping[str, Any], row: int) -> dict[str, float]:
+    """Return the parameters of one shot that flights and the ball need.
+
+    Parameters
+    ----------
+    shots
+        The shots.
+    parameters
+        The scene's parameters, each a number or (n,).
+    row
+        The row of the shot.
+    """
     own = {name: np.broadcast_to(v, len(shots))[row] for name, v in parameters.items()}
-    seen = Seen.of(shots.scene, own)
+    seen = SceneGeometry.of(shots.scene, own)
     return {"ball_radius": seen.ball_radius, "gravity": seen.gravity}
 
 
 def ball_radius(shots: Shots, values: Mapping[str, Any]) -> Any:
-    """Return the ball's radius, one or (n,)."""
-    written = drawn(shots.scene)
+    """Return the ball's radius, one or (n,).
+
+    Parameters
+    ----------
+    shots
+        The shots.
+    values
+        The scene's parameters, each a number or (n,).
+    """
+    written = scene_pieces(shots.scene)
     own = dict(zip((one.name for one in written.inputs), written.values(values), strict=True))
     found = np.asarray(written.read.ball_radius.evaluate(own), dtype=np.float64)
     return found if found.ndim else float(found)
 
 
-def _reach(paths: Iterable[Trajectory]) -> tuple[Floats, Floats]:
-    """Return the corners of the box in which balls fly and roll, apexes included."""
+def _path_corners(paths: Iterable[Trajectory]) -> tuple[Floats, Floats]:
+    """Return the corners of the box that contains all paths, apexes included."""
     points = []
     for path in paths:
-        times, states, rolling = path.pieces(PIECE)
+        times, states, rolling = path.pieces(ROLL_PIECE_DURATION)
         flights = np.flatnonzero(~rolling[:-1])
         some = np.linspace(0.0, 1.0, 9)[1:-1] * np.diff(times)[flights, None]
         flown = path.at(times[flights, None] + some)
@@ -93,7 +129,7 @@ def _reach(paths: Iterable[Trajectory]) -> tuple[Floats, Floats]:
 
 
 def _views(across: int | None) -> list[str]:
-    """Return the views to choose from, the first one first: of a plane that in which it is."""
+    """Return the page's views, the default first; a planar scene has its plane's."""
     return {
         None: ["3D", "Side", "Top"],
         2: ["Top", "3D", "Side"],
@@ -107,7 +143,7 @@ def _body(body: Body, turn: NDArray[np.int64]) -> dict[str, Any]:
     return {
         "flat": flat,
         "inside": body.behind and not flat,
-        "points": _rounded(rows[:, :3] @ turn.T).tolist(),
+        "points": _round(rows[:, :3] @ turn.T).tolist(),
         "triangles": index.ravel().tolist(),
         "lines": _lines(body.lines, turn),
         "rims": _lines(_border(body) if flat else body.mesh.rims, turn),
@@ -115,7 +151,7 @@ def _body(body: Body, turn: NDArray[np.int64]) -> dict[str, Any]:
 
 
 def _border(body: Body) -> Floats:
-    """Return the lines around a plane, (k, 2, 3): seen from its side it would not be seen else."""
+    """Return the border of a plane, (k, 2, 3), which makes it visible from the side."""
     lines = [np.stack([line[:-1], line[1:]], 1) for line in loops(body.mesh.corners[..., :3])]
     return np.concatenate([np.empty((0, 2, 3)), *lines])
 
@@ -126,10 +162,10 @@ def _is_flat(body: Body) -> bool:
 
 
 def _lines(segments: Floats, turn: NDArray[np.int64]) -> list[Any]:
-    return [_rounded(line @ turn.T).tolist() for line in chains(segments)]
+    return [_round(line @ turn.T).tolist() for line in chains(segments)]
 
 
-def _rounded(points: Floats) -> Floats:
-    """Return numbers of so many digits, counted from the largest."""
+def _round(points: Floats) -> Floats:
+    """Round numbers to a count of digits of the largest."""
     largest = float(np.abs(points).max(initial=1e-300))
     return np.asarray(np.round(points, _DIGITS - int(np.floor(np.log10(largest)))))

@@ -1,18 +1,21 @@
-"""The derivation, as a reader would want it: what generated/derivation.md says.
+"""The derivation page, generated/derivation.md.
 
-Formulas are printed from the objects of derive/ that the kernels are lowered from, and keep them,
-so that a test can evaluate what is printed. A quantity that a formula holds (`choice.Held`) has the
-name that derive/ gives it, or one of its own where it is long or used more than once.
+Formulas are printed from the objects of derive/ that the kernels are lowered from, and keep these
+objects, so that a test can evaluate the printed formulas. A held quantity in a formula has the name
+that derive/ gives it, or one of its own if it is long or used more than once.
 """
 
 from __future__ import annotations
 
+from hoopgen.derive.symbolic.notation import latex_name
+
 from .explain import Formulas, Line, explain
-from .notation import latex_name
-from .page import Derivation, anchor, derivation_context
+from .page import PageData, derivation_context
+from .statement_texts import REFERENCE_FILE, anchor
 
 __all__ = [
-    "Derivation",
+    "REFERENCE_FILE",
+    "PageData",
     "Formulas",
     "Line",
     "anchor",

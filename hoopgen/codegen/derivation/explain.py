@@ -1,4 +1,4 @@
-"""Formulas with their parts named: what is held, repeated or long gets a line of its own."""
+"""Formulas with named parts: a part that is held, repeated or long has a line of its own."""
 
 from __future__ import annotations
 
@@ -9,29 +9,29 @@ from dataclasses import dataclass, field
 import sympy as sp
 from sympy.core.sorting import default_sort_key
 
-from hoopgen.derive.ground.choice import (
-    Both,
+from hoopgen.derive.symbolic.conditionals import (
+    And,
+    Barrier,
+    Boolean,
     Choose,
     Condition,
-    Either,
-    Held,
     IfAtMost,
     IfLess,
-    Truth,
+    Or,
     release,
 )
 
 from .latex import Names, Printer, extreme, number
-from .letters import Letters
+from .scene_notation import SceneNotation
 
 Outputs = Mapping[str, sp.Basic]
 
 ROW = 130
-"""A sum of more LaTeX than this is broken into rows."""
+"""Length of LaTeX beyond which a sum is broken into rows."""
 HELD = 40
-"""A held quantity of no more LaTeX than this, used once, needs no name."""
+"""Length of LaTeX up to which a held quantity that is used once has no name."""
 REPEATED = 25
-"""A sum of more LaTeX than this, used more than once, gets a name."""
+"""Length of LaTeX beyond which a sum that is used more than once has a name."""
 
 
 @dataclass(frozen=True)
@@ -41,11 +41,11 @@ class Line:
     Attributes
     ----------
     left
-        Its left side, in LaTeX.
+        The left side, in LaTeX.
     rows
-        Its right side, in LaTeX.
+        The rows of the right side, in LaTeX.
     means
-        What the right side is printed from, as derive/ has it.
+        The object of derive/ that the right side is printed from.
     """
 
     left: str
@@ -65,9 +65,9 @@ class Formulas:
     Attributes
     ----------
     lines
-        What was to be explained.
+        The equations to explain.
     where
-        The definitions of names in them, each after what it uses.
+        Definitions of names in them, each after those that it uses.
     given
         Quantities that the reader knows by these names.
     """
@@ -86,24 +86,24 @@ class _Named:
 
 @dataclass
 class _Explanation:
-    """Expressions being rewritten with names for what they hold."""
+    """Expressions that are rewritten with names for held quantities."""
 
     given: Names
-    letters: Letters
+    notation: SceneNotation
     names: dict[sp.Basic, str] = field(default_factory=dict)
     where: list[_Named] = field(default_factory=list)
     uses: Counter[sp.Basic] = field(default_factory=Counter)
     _written: dict[sp.Basic, sp.Basic] = field(default_factory=dict)
 
     def count(self, expressions: Iterable[sp.Basic]) -> None:
-        """Count how often each part is used by another."""
+        """Count the uses of each part by others."""
         seen: set[sp.Basic] = set()
 
         def visit(expression: sp.Basic, outermost: bool = False) -> None:
             self.uses[expression] += 1
             if expression not in seen and (outermost or expression not in self.given):
                 seen.add(expression)
-                # The larger or smaller of two values has each of them as a side and as a result.
+                # A maximum or minimum contains each value twice, as a side and as a result.
                 twice = extreme(expression) is not None
                 for argument in expression.args[:2] if twice else expression.args:
                     visit(argument)
@@ -114,7 +114,7 @@ class _Explanation:
     def write(self, expression: sp.Basic, outermost: bool = False) -> sp.Basic:
         """Return the expression in names, the outermost one without its own."""
         if outermost:
-            bare = expression.args[0] if isinstance(expression, Held) else expression
+            bare = expression.args[0] if isinstance(expression, Barrier) else expression
             return self._write(bare, outermost)
         if expression not in self._written:
             self._written[expression] = self._write(expression, outermost)
@@ -129,14 +129,14 @@ class _Explanation:
             return expression if latex is None else sign * self._symbol(latex, first=True)
         if not expression.args:
             return expression
-        named = isinstance(expression, Held) and bool(expression.name)
+        named = isinstance(expression, Barrier) and bool(expression.name)
         ordered = sorted(expression.args, key=default_sort_key)
         written = {a: self._write(a, outermost=True) if named else self.write(a) for a in ordered}
         inner = [written[a] for a in expression.args]
-        # A sum among summands, or times a number alone, would be spread if it were not held.
+        # SymPy would distribute a sum in a sum, or times a number, if it were not held.
         spread = expression.is_Add or (len(inner) == 2 and inner[0].is_Rational)
         inner = [
-            e.args[0] if isinstance(e, Held) and not (spread and e.args[0].is_Add) else e
+            e.args[0] if isinstance(e, Barrier) and not (spread and e.args[0].is_Add) else e
             for e in inner
         ]
         rebuilt = expression.func(*inner)
@@ -145,9 +145,9 @@ class _Explanation:
         return self._named(rebuilt, expression)
 
     def _named(self, quantity: sp.Basic, means: sp.Basic) -> sp.Basic:
-        """Return a name for what is held, chosen or repeated, if it has one or is worth one."""
-        content = quantity.args[0] if isinstance(quantity, Held) else quantity
-        own = means.name if isinstance(means, Held) else ""
+        """Return a name for a quantity that is held, chosen or repeated, if it deserves one."""
+        content = quantity.args[0] if isinstance(quantity, Barrier) else quantity
+        own = means.name if isinstance(means, Barrier) else ""
         for known in self.where:
             if known.content == content and own in ("", self.names[known.symbol]):
                 return known.symbol
@@ -171,34 +171,34 @@ class _Explanation:
         choice = isinstance(content, IfLess | IfAtMost | Choose) and extreme(content) is None
         if choice:
             return True
-        if isinstance(quantity, Held):
+        if isinstance(quantity, Barrier):
             return not content.is_Atom and (repeated or length > HELD)
         return (content.is_Add or isinstance(content, IfLess)) and repeated and length > REPEATED
 
     def _symbol(self, latex: str, first: bool = False, truth: bool = False) -> sp.Symbol:
         # Numbers stand before other factors: SymPy orders them by name.
         name = f"0{latex}" if first else latex
-        symbol = Truth(name) if truth else sp.Symbol(name, real=True)
+        symbol = Boolean(name) if truth else sp.Symbol(name, real=True)
         self.names[symbol] = latex
         return symbol
 
     def print(self, expression: sp.Basic) -> str:
-        return str(Printer(self.names, self.letters).doprint(expression))
+        return str(Printer(self.names, self.notation).doprint(expression))
 
     def line(self, left: str, expression: sp.Basic, means: sp.Basic) -> Line:
-        """Return an equation, a long sum, conjunction or disjunction in rows."""
+        """Return an equation, with a long sum, conjunction or disjunction in rows."""
         whole = self.print(expression)
-        if len(whole) <= ROW or not (expression.is_Add or isinstance(expression, Both | Either)):
+        if len(whole) <= ROW or not (expression.is_Add or isinstance(expression, And | Or)):
             return Line(left, (whole,), means)
         joined = type(expression)
         if expression.is_Add:
             sign, terms = "+", expression.as_ordered_terms()
         else:
-            sign, terms = (r"\wedge" if joined is Both else r"\vee"), _joined(expression, joined)
+            sign, terms = (r"\wedge" if joined is And else r"\vee"), _joined(expression, joined)
         rows: list[str] = []
         for term in terms:
             text = self.print(term)
-            if isinstance(term, Both | Either):
+            if isinstance(term, And | Or):
                 text = rf"\left({text}\right)"
             signed = text if not rows or text.startswith("-") else f"{sign} {text}"
             if rows and len(rows[-1]) + len(signed) <= ROW:
@@ -216,7 +216,7 @@ def _joined(condition: sp.Basic, kind: type[sp.Basic]) -> list[sp.Basic]:
 
 
 def explain(
-    outputs: Outputs, given: Names | None = None, letters: Letters | None = None
+    outputs: Outputs, given: Names | None = None, notation: SceneNotation | None = None
 ) -> Formulas:
     """Return the outputs as equations in named quantities.
 
@@ -226,15 +226,15 @@ def explain(
         Expressions by name, the left sides.
     given
         LaTeX names of parts that the reader knows already.
-    letters
-        How symbols are written.
+    notation
+        The LaTeX of symbols.
     """
     known = dict(given or {})
-    explanation = _Explanation(known, letters or Letters())
+    explanation = _Explanation(known, notation or SceneNotation())
     lifted = {name: _lift(sp.sympify(e), known) for name, e in outputs.items()}
     explanation.count(lifted.values())
     written = {
-        name: explanation.write(e, outermost=not isinstance(e, Held) or e.name in ("", name))
+        name: explanation.write(e, outermost=not isinstance(e, Barrier) or e.name in ("", name))
         for name, e in lifted.items()
     }
     line = explanation.line
@@ -249,7 +249,7 @@ def explain(
 
 
 def _used(where: list[_Named], written: Iterable[sp.Basic]) -> list[_Named]:
-    """Return the definitions without those that SymPy has simplified away."""
+    """Return the definitions that SymPy has not simplified away."""
     symbols = set().union(*(e.free_symbols for e in written))
     used = []
     for named in reversed(where):
@@ -260,12 +260,14 @@ def _used(where: list[_Named], written: Iterable[sp.Basic]) -> list[_Named]:
 
 
 def plainly(
-    outputs: Outputs, given: Names | None = None, letters: Letters | None = None
+    outputs: Outputs, given: Names | None = None, notation: SceneNotation | None = None
 ) -> Formulas:
-    """Return the outputs as equations with nothing held but what the reader knows by name."""
+    """Return the outputs as equations in which only the names that the reader knows are held."""
     known = dict(given or {})
     symbols = {e: sp.Symbol(f"known{k}", real=True) for k, e in enumerate(known)}
-    printer = Printer({symbols[e]: latex for e, latex in known.items()}, letters or Letters())
+    printer = Printer(
+        {symbols[e]: latex for e, latex in known.items()}, notation or SceneNotation()
+    )
     lines = (
         Line(left, (str(printer.doprint(release(_but(e, symbols)))),), e)
         for left, e in outputs.items()
@@ -275,13 +277,13 @@ def plainly(
 
 def _but(expression: sp.Basic, symbols: Mapping[sp.Basic, sp.Symbol]) -> sp.Basic:
     """Return the expression with known parts as symbols, but never as one symbol itself."""
-    inner = expression.args[0] if isinstance(expression, Held) else expression
+    inner = expression.args[0] if isinstance(expression, Barrier) else expression
     return inner.xreplace({e: s for e, s in symbols.items() if e not in (expression, inner)})
 
 
 def _lift(expression: sp.Basic, given: Names) -> sp.Basic:
-    """Return a formula whose parts all choose by one condition as one choice of formulas."""
-    if isinstance(expression, IfLess | IfAtMost | Held) or expression in given:
+    """Return one choice between formulas for a formula whose parts all choose by one condition."""
+    if isinstance(expression, IfLess | IfAtMost | Barrier) or expression in given:
         return expression
     parts = [part.base if part.is_Pow else part for part in expression.args]
     choices = [p for p in parts if isinstance(p, IfLess | IfAtMost) and p not in given]

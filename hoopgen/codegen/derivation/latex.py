@@ -1,4 +1,4 @@
-"""LaTeX of formulas: numbers by powers of two, choices in rows, conditions with their signs."""
+"""The LaTeX of formulas: numbers by powers of two, choices in rows, conditions with their signs."""
 
 from __future__ import annotations
 
@@ -8,42 +8,42 @@ from collections.abc import Mapping
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
-from hoopgen.derive.ground.choice import (
-    Both,
+from hoopgen.derive.symbolic.conditionals import (
+    And,
+    Barrier,
+    Boolean,
     Choose,
     Condition,
-    Either,
-    Held,
     IfAtMost,
     IfLess,
     Not,
-    Truth,
+    Or,
     release,
 )
-from hoopgen.derive.ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
+from hoopgen.derive.symbolic.notation import ROUNDOFF
+from hoopgen.derive.symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
 
-from .letters import Letters
-from .notation import ROUNDOFF
+from .scene_notation import SceneNotation
 
 Names = Mapping[sp.Basic, str]
-"""LaTeX of what has a name: symbols, and quantities that the reader knows."""
+"""LaTeX of symbols and quantities that have a name."""
 
 
 class Printer(LatexPrinter):  # type: ignore[misc]
-    """LaTeX for GitHub: no bars, which would end a cell of a table, and no macros it forbids."""
+    """A printer of LaTeX for GitHub, without bars, which end a table cell, or forbidden macros."""
 
-    def __init__(self, names: Names, letters: Letters) -> None:
+    def __init__(self, names: Names, notation: SceneNotation) -> None:
         super().__init__({"mat_delim": "("})
-        self._names, self._letters = names, letters
+        self._names, self._notation = names, notation
 
     def doprint(self, expr: sp.Basic) -> str:
-        """Return the LaTeX, with room between words and what they are multiplied with."""
+        """Return the LaTeX, with space between words and their factors."""
         text = str(super().doprint(expr))
         text = re.sub(r"(\\text\{[^}]*\}) (?=\\text|\\left|[A-Za-z0-9])", r"\1\\, ", text)
         return re.sub(r"(?<![A-Za-z\\])([A-Za-z0-9]|_\{\w+\}) (?=\\text\{)", r"\1\\, ", text)
 
     def _as_ordered_terms(self, expr: sp.Add, order: str | None = None) -> list[sp.Expr]:
-        """Return what is added before what is taken away, short products and coordinates first."""
+        """Return added terms before subtracted ones, short products and coordinates first."""
         moving = {*POSITION, *VELOCITY}
         terms = super()._as_ordered_terms(expr, order)
         return sorted(
@@ -56,7 +56,7 @@ class Printer(LatexPrinter):  # type: ignore[misc]
         )
 
     def _print_Symbol(self, symbol: sp.Symbol, style: str = "plain") -> str:
-        return self._names.get(symbol) or self._letters(symbol)
+        return self._names.get(symbol) or self._notation(symbol)
 
     def _print_Pow(self, expr: sp.Pow) -> str:
         """Return a power; a name with an exponent of its own stands in brackets."""
@@ -69,7 +69,7 @@ class Printer(LatexPrinter):  # type: ignore[misc]
     def _power(self, text: str, exponent: str | None) -> str:
         return text if exponent is None else f"{text}^{{{exponent}}}"
 
-    def _print_Held(self, held: Held, exp: str | None = None) -> str:
+    def _print_Barrier(self, held: Barrier, exp: str | None = None) -> str:
         return self._power(rf"\left({self._print(held.args[0])}\right)", exp)
 
     def _print_Abs(self, size: sp.Abs, exp: str | None = None) -> str:
@@ -96,7 +96,7 @@ class Printer(LatexPrinter):  # type: ignore[misc]
     _print_Choose = _print_choice
 
     def _print_condition(self, choice: sp.Expr) -> str:
-        if isinstance(choice, Condition | Truth):
+        if isinstance(choice, Condition | Boolean):
             return str(self._print(choice))
         return self._compared(choice, "<" if isinstance(choice, IfLess) else r"\le")
 
@@ -112,15 +112,15 @@ class Printer(LatexPrinter):  # type: ignore[misc]
     def _print_Equal(self, condition: sp.Expr) -> str:
         return self._compared(condition, "=")
 
-    def _print_Both(self, condition: sp.Expr) -> str:
+    def _print_And(self, condition: sp.Expr) -> str:
         return self._joined(condition, r"\wedge")
 
-    def _print_Either(self, condition: sp.Expr) -> str:
+    def _print_Or(self, condition: sp.Expr) -> str:
         return self._joined(condition, r"\vee")
 
     def _joined(self, condition: sp.Expr, sign: str) -> str:
-        """Return two conditions, joined; what is joined otherwise stands in brackets."""
-        other = {Both: Either, Either: Both}[type(condition)]
+        """Return two conditions, joined, with brackets around those joined otherwise."""
+        other = {And: Or, Or: And}[type(condition)]
         parts = [
             rf"\left({self._print(c)}\right)" if isinstance(c, other) else self._print(c)
             for c in condition.args
@@ -130,20 +130,20 @@ class Printer(LatexPrinter):  # type: ignore[misc]
     def _print_Not(self, condition: sp.Expr) -> str:
         (inner,) = condition.args
         text: str = self._print(inner)
-        return rf"\neg {text}" if isinstance(inner, Truth | Not) else rf"\neg \left({text}\right)"
+        return rf"\neg {text}" if isinstance(inner, Boolean | Not) else rf"\neg \left({text}\right)"
 
-    def _print_Nowhere(self, _: sp.Expr) -> str:
+    def _print_False_(self, _: sp.Expr) -> str:
         return r"\text{never}"
 
 
 def _degree(term: sp.Expr) -> int:
-    """Return how many factors a product has, powers counted as they are."""
+    """Return the number of factors of a product, with powers counted by their exponents."""
     powers = (factor.as_base_exp()[1] for factor in sp.Mul.make_args(term) if not factor.is_number)
     return sum(int(p) if p.is_Integer and p > 0 else 1 for p in powers)
 
 
 def extreme(choice: sp.Expr) -> tuple[str, list[sp.Expr]] | None:
-    """Return the name and the operands of a choice that is the larger or smaller of two values."""
+    """Return the name and the operands of a choice that is a maximum or minimum of two values."""
     if not isinstance(choice, IfLess):
         return None
     left, right, then, other = choice.args
@@ -159,7 +159,7 @@ def extreme(choice: sp.Expr) -> tuple[str, list[sp.Expr]] | None:
 
 
 def cases(choice: sp.Expr) -> list[tuple[sp.Expr, list[sp.Expr]]]:
-    """Return values with the conditions under which they hold, the first that do hold in order."""
+    """Return values with their conditions; the first value whose conditions hold is taken."""
     rows: list[tuple[sp.Expr, list[sp.Expr]]] = []
 
     def visit(expression: sp.Expr, conditions: list[sp.Expr]) -> None:
@@ -173,14 +173,14 @@ def cases(choice: sp.Expr) -> list[tuple[sp.Expr, list[sp.Expr]]]:
             rows.append((expression, conditions))
 
     visit(choice, [])
-    # Rows at the end that say the same as the last need no conditions.
+    # The last rows with the same value need no conditions.
     while len(rows) > 1 and rows[-2][0] == rows[-1][0]:
         del rows[-2]
     return rows
 
 
 def number(value: sp.Rational) -> str | None:
-    """Return the LaTeX of a positive number by powers of two, none if it is better as it is."""
+    """Return the LaTeX of a positive number by powers of two; None to print it plainly."""
     if value.q == 1:
         exponent = int(value.p).bit_length() - 1
         return f"2^{{{exponent}}}" if exponent >= 16 and value == 2**exponent else None
@@ -202,7 +202,9 @@ def number(value: sp.Rational) -> str | None:
 
 
 def show(
-    expression: sp.Expr | sp.Matrix, names: Names | None = None, letters: Letters | None = None
+    expression: sp.Expr | sp.Matrix,
+    names: Names | None = None,
+    notation: SceneNotation | None = None,
 ) -> str:
     """Return the LaTeX of an expression with nothing held."""
-    return str(Printer(names or {}, letters or Letters()).doprint(release(expression)))
+    return str(Printer(names or {}, notation or SceneNotation()).doprint(release(expression)))

@@ -2,45 +2,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from hoopgen.derive.follow.loop import Loop
-from hoopgen.derive.ground.symbols import variable
-from hoopgen.derive.ground.tree import Do, Each, Guard, Node
+from hoopgen.derive.ir.event_tree import Call, ForEach, If, Node
+from hoopgen.derive.loop.stages import Loop
+from hoopgen.derive.symbolic.symbols import variable
 
 STAGES = {
-    "permit": "once for the parameters",
-    "admit": "once for a release",
-    "reach": "to the next event; with `meet`, until the shot has an outcome",
-    "meet": "what the event does to the ball",
+    "validate": "once for the parameters",
+    "start": "once for a release",
+    "detect": "to the next event; with `resolve`, until the shot has an outcome",
+    "resolve": "what the event does to the ball",
 }
-"""When each stage is done."""
+"""Time at which each stage is executed."""
 
 
-def outline(loop: Loop, shown: Callable[[str], str]) -> str:
+def outline(loop: Loop, links: Mapping[str, str]) -> str:
     """Return the loop as nested lists in Markdown.
 
     Parameters
     ----------
     loop
-        What is printed.
-    shown
-        How a kernel's name is shown, such as a link.
+        The event loop.
+    links
+        By a kernel's name, its text, such as a link.
     """
     lines: list[str] = []
     for stage, nodes in loop.stages.items():
-        lines += [f"- **{stage}**, {STAGES[stage]}", *_nodes(nodes, shown, "  ")]
+        lines += [f"- **{stage}**, {STAGES[stage]}", *_nodes(nodes, links, "  ")]
     return "\n".join(lines)
 
 
-def _nodes(nodes: Sequence[Node], shown: Callable[[str], str], indent: str) -> Iterator[str]:
+def _nodes(nodes: Sequence[Node], links: Mapping[str, str], indent: str) -> Iterator[str]:
     for node in nodes:
-        if isinstance(node, Do):
-            yield f"{indent}- {shown(node.kernel.name)}{_wiring(node)}"
+        if isinstance(node, Call):
+            yield f"{indent}- {links[node.kernel.name]}{_wiring(node)}"
             continue
-        if isinstance(node, Guard):
+        if isinstance(node, If):
             yield f"{indent}- where `{node.truth}`"
-        elif isinstance(node, Each):
+        elif isinstance(node, ForEach):
             names = ", ".join(f"`{name}`" for name in node.names)
             yield f"{indent}- for {names} of each row:"
             for row in node.rows:
@@ -48,11 +48,11 @@ def _nodes(nodes: Sequence[Node], shown: Callable[[str], str], indent: str) -> I
             yield f"{indent}- the following"
         else:
             yield f"{indent}- as long as `{node.truth}`, at most {node.limit} times"
-        yield from _nodes(node.body, shown, f"{indent}  ")
+        yield from _nodes(node.body, links, f"{indent}  ")
 
 
-def _wiring(node: Do) -> str:
-    """Say which arguments and results are not the variables of their own names."""
+def _wiring(node: Call) -> str:
+    """Return the arguments and results that are not the variables of their own names."""
     names = [variable(argument) for argument in node.kernel.arguments]
     given = [
         f"`{name}` = {_value(value)}"

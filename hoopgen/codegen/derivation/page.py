@@ -1,43 +1,35 @@
-"""Everything that the template of the page shows."""
+"""The data of the derivation page's template."""
 
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 
 import sympy as sp
 
 from hoopgen.derive.contact.frame import frame_from_axis
-from hoopgen.derive.errors import tangent
-from hoopgen.derive.flight import circling, rolling
-from hoopgen.derive.follow import gripping, settling
-from hoopgen.derive.ground import rounding
-from hoopgen.derive.ground.kernel import Kernel
-from hoopgen.derive.ground.symbols import UNIT_ROUNDOFF, ParameterSymbol, normal
-from hoopgen.derive.model import Model
-from hoopgen.derive.scenes import validity
-from hoopgen.derive.search import (
-    approach,
-    bernstein,
-    coarse,
-    curved,
-    decisions,
-    events,
-    far,
-    polar,
-    ring,
-    windows,
+from hoopgen.derive.errors import propagation
+from hoopgen.derive.events import (
+    bounding_boxes,
+    box_windows,
+    event_polynomials,
+    polynomial,
+    predicates,
+    root_finder_for,
+    root_search,
 )
-from hoopgen.derive.search.plane import plane_margin
+from hoopgen.derive.events.plane import plane_margin
+from hoopgen.derive.events.ring import double, polar, single
+from hoopgen.derive.ir.kernel import Kernel
+from hoopgen.derive.model import Model
+from hoopgen.derive.motion import ring_rolling_series, rolling_series
+from hoopgen.derive.rolling import friction_limit, neighbour
+from hoopgen.derive.scenes import validity
 from hoopgen.derive.surfaces import Plane
-
-from .contacts import ContactText, contact_text
-from .explain import Formulas, Line, explain, plainly
-from .latex import number, show
-from .letters import Letters
-from .notation import (
+from hoopgen.derive.symbolic import error_terms, rounding
+from hoopgen.derive.symbolic.notation import (
     ARGUMENTS,
     AXES,
     FLIGHTS,
@@ -47,18 +39,21 @@ from .notation import (
     SERIES,
     SERIES_TERM,
     STUDIES,
+    Entry,
     latex_name,
     structured,
     text,
 )
+from hoopgen.derive.symbolic.symbols import UNIT_ROUNDOFF, ParameterSymbol, normal
+
+from .contacts import ContactText, contact_text
+from .explain import Formulas, Line, explain, plainly
+from .latex import number, show
 from .outline import outline
-from .parts import Brief, SearchText, SurfaceText, known, search_text, surface_text
-from .statements import DEFINITION, STATEMENTS, stated
-
-
-def anchor(heading: str) -> str:
-    """Return what a link to a heading ends with."""
-    return re.sub(r"[^\w\- ]", "", heading).lower().replace(" ", "-")
+from .parts import Abbreviations, SearchText, SurfaceText, known, search_text, surface_text
+from .scene_notation import SceneNotation
+from .statement_texts import KernelText, StatementText, statement_texts
+from .statements import STATEMENTS, stated
 
 
 @dataclass(frozen=True)
@@ -73,50 +68,8 @@ class SymbolText:
 
 
 @dataclass(frozen=True)
-class KernelText:
-    """A kernel's results, what they are, and where they come from."""
-
-    name: str
-    formulas: Formulas
-    summary: str
-    equation: str
-
-
-@dataclass(frozen=True)
-class StatementText:
-    """A statement, and the kernels that rest on it.
-
-    Attributes
-    ----------
-    label
-        Its kind and its number among the statements of the page.
-    title
-        What it is about.
-    kernels
-        Names; of a family of which the page has the first two formulas alone, those.
-    omitted
-        Names of the others of such families.
-    """
-
-    label: str
-    title: str
-    kernels: tuple[str, ...]
-    omitted: tuple[str, ...]
-
-    @property
-    def heading(self) -> str:
-        """Its heading."""
-        return f"{self.label}: {self.title}"
-
-    @property
-    def anchor(self) -> str:
-        """Return the fragment of a link to the heading."""
-        return anchor(self.heading)
-
-
-@dataclass(frozen=True)
 class EndText:
-    """An end of a shot, the plane that it is on, and its bounds there."""
+    """An end of a shot: its name, its plane and its bounds there."""
 
     name: str
     plane: str
@@ -125,10 +78,17 @@ class EndText:
 
 
 @dataclass(frozen=True)
-class Derivation:
-    """Everything that the template shows; formulas are LaTeX."""
+class PageData:
+    """The data of the template; formulas are LaTeX.
+
+    Attributes
+    ----------
+    reference
+        The name of the scene whose page this one does not repeat; "" if it repeats all.
+    """
 
     name: str
+    reference: str
     axes: str
     remarks: str
     radius: str
@@ -154,95 +114,81 @@ class Derivation:
 
     @property
     def polynomial_surfaces(self) -> bool:
-        """Whether a surface has a polynomial in time."""
+        """True if a surface has a polynomial in time."""
         return any(surface.degree >= 0 for surface in self.surfaces)
 
     @property
     def resting(self) -> dict[str, str]:
         """The key of the statement that each kernel rests on."""
-        return {
-            name: key
-            for key, statement in self.statements.items()
-            for name in (*statement.kernels, *statement.omitted)
-        }
+        return {name: key for key, statement in self.statements.items() for name in statement.links}
 
-    def shown(self, name: str) -> str:
-        """Return a kernel's name, linked to its formulas if the page has them."""
-        omitted = name in self.statements[self.resting[name]].omitted
-        return f"`{name}`" if omitted else f"[`{name}`](#{name})"
+    @property
+    def links(self) -> dict[str, str]:
+        """Each kernel's name, linked to its formulas if a page has them."""
+        return _links(self.statements)
 
     def refer(self, key: str) -> str:
-        """Return how the text refers to a statement, linked; its title where the page lacks it."""
+        """Return a linked reference to a statement; its title if the page lacks it."""
         found = self.statements.get(key)
-        return f"[{found.label}](#{found.anchor})" if found else f"({STATEMENTS[key].title})"
+        return f"[{found.label}]({found.target})" if found else f"({STATEMENTS[key].title})"
 
 
 def _kernel(
-    kernel: Kernel, names: Mapping[sp.Basic, str], words: frozenset[str], letters: Letters
+    kernel: Kernel, names: Mapping[sp.Basic, str], words: frozenset[str], notation: SceneNotation
 ) -> KernelText:
     outputs = {
         RESULTS.get((kernel.name, name)) or latex_name(name, words): e for name, e in kernel.outputs
     }
-    formulas = explain(outputs, names, letters)
+    formulas = explain(outputs, names, notation)
     return KernelText(kernel.name, formulas, kernel.summary, kernel.equation)
 
 
 def _arguments(model: Model) -> tuple[SymbolText, ...]:
+    fields = {field.name: Entry(text(field.name), field.summary) for field in model.loop.fields}
+    known = ARGUMENTS | {
+        name: entry
+        for name, entry in fields.items()
+        if name not in ARGUMENTS and structured(name) is None
+    }
     used = {
         argument.name
         for kernel in model.kernels
         for argument in kernel.arguments
         if not isinstance(argument, ParameterSymbol)
     }
-    unknown = sorted(name for name in used - set(ARGUMENTS) if structured(name) is None)
+    unknown = sorted(name for name in used - set(known) if structured(name) is None)
     if unknown:
         raise ValueError(f"notation.py says nothing of {', '.join(unknown)}")
     return tuple(
         SymbolText(letter.latex, name, letter.meaning)
-        for name, letter in ARGUMENTS.items()
+        for name, letter in known.items()
         if name in used
     )
 
 
-def _kernels(model: Model, letters: Letters) -> dict[str, KernelText]:
-    """Return the results of all kernels, in the names that are known from the searches."""
+def _kernels(model: Model, notation: SceneNotation) -> dict[str, KernelText]:
+    """Return the formulas of all kernels, in the names that the searches define."""
     texts = {}
-    for made in (*model.surfaces, *model.gates):
+    for made in (*model.surfaces, *model.end_planes):
         names = {}
         if not isinstance(made.surface, Plane):
-            names = known(approach(made.surface, model.scene.flight))
+            names = known(root_finder_for(made.surface, model.scene.flight))
         for kernel in made.kernels.values():
-            texts[kernel.name] = _kernel(kernel, names, frozenset(STUDIES), letters)
+            texts[kernel.name] = _kernel(kernel, names, frozenset(STUDIES), notation)
     study = {kernel.name for kernel in model.study}
     for kernel in model.kernels:
         words = frozenset(FLIGHTS | LOOP if kernel.name in study else STUDIES)
         if kernel.name not in texts:
-            texts[kernel.name] = _kernel(kernel, {}, words, letters)
+            texts[kernel.name] = _kernel(kernel, {}, words, notation)
     return texts
 
 
-FAMILY = re.compile(r"(?:roll|\w+_round)_(\d+)")
-"""Kernels of the orders of a series: each as the one before, with longer sums."""
-
-
-def _statements(model: Model) -> dict[str, StatementText]:
-    """Return the statements of the page; lemmas and choices are numbered together."""
-    texts, count = {}, 0
-    for key, names in stated(model).items():
-        statement = STATEMENTS[key]
-        label = statement.kind
-        if label != DEFINITION:
-            count += 1
-            label = f"{label} {count}"
-        orders = {name: FAMILY.fullmatch(name) for name in names}
-        omitted = tuple(name for name, order in orders.items() if order and int(order[1]) > 1)
-        kept = tuple(name for name in names if name not in omitted)
-        texts[key] = StatementText(label, statement.title, kept, omitted)
-    return texts
+def _links(statements: Mapping[str, StatementText]) -> dict[str, str]:
+    return {k: link for statement in statements.values() for k, link in statement.links.items()}
 
 
 def _series(model: Model) -> tuple[SymbolText, ...]:
-    """Return the series of motions in contact that kernels have coefficients of."""
+    """Return the series of motions in contact whose coefficients kernels use."""
     names = (argument.name for kernel in model.kernels for argument in kernel.arguments)
     found = {match[1] for match in map(SERIES_TERM.fullmatch, names) if match}
     return tuple(
@@ -252,95 +198,116 @@ def _series(model: Model) -> tuple[SymbolText, ...]:
     )
 
 
+SHORT_DECIMAL, MAX_DENOMINATOR = 12, 99
+"""Length of a decimal that is preferred to a fraction, and the largest denominator of one."""
+
+
 def value_text(value: float) -> str:
-    """Return a number as the shortest decimal that is as good; infinity as a formula."""
-    return repr(value) if math.isfinite(value) else r"$\infty$"
+    """Return the shortest decimal that represents a number; infinity as a formula.
+
+    A double that is no short decimal, but that of a fraction of small numbers, is the fraction.
+    """
+    if not math.isfinite(value):
+        return r"$\infty$"
+    fraction = Fraction(value).limit_denominator(MAX_DENOMINATOR)
+    long = len(repr(value)) > SHORT_DECIMAL and float(fraction) == value
+    return str(fraction) if long else repr(value)
 
 
 def _constants() -> dict[str, str]:
-    """Return the numbers that the text speaks of, in LaTeX."""
+    """Return the constants in the text, in LaTeX."""
     found: dict[str, sp.Expr | int] = {
-        "safety": rounding.SAFETY,
-        "thicker": polar.WIDER,
-        "wider": windows.WIDER,
-        "ease": ring.RingApproach.ease,
-        "single": coarse.CoarseRing.unit,
-        "first_share": events.SHARES[0],
-        "last_share": events.SHARES[-1],
-        "finer": events.SHARES[1] / events.SHARES[0],
-        "converged": decisions.CONVERGED,
-        "found": decisions.CONVERGED**2 / 2,
-        "steps": curved.STEP_LIMIT,
-        "newton": curved.NEWTON_LIMIT,
-        "turns": coarse.TURNS,
-        "guard": tangent.GUARD,
-        "claim": tangent.CLAIM,
-        "lift": tangent.LIFT,
-        "least": tangent.LEAST,
-        "far": far.SHARE,
-        "beyond": bernstein.BEYOND,
-        "missed": rolling.MISSED,
-        "missed_round": circling.MISSED,
-        "order": rolling.ORDER,
-        "order_round": circling.ORDER,
-        "share": rolling.SHARE,
-        "neighbour": settling.FAR,
-        "watched": gripping.STEPS,
-        "room": validity.ROOM,
+        "safety": rounding.ROUNDING_SLACK,
+        "thicker": polar.INFLATION_FACTOR,
+        "wider": box_windows.RELATIVE_INFLATION,
+        "ease": double.RingRootFinder.ease,
+        "single": single.SinglePrecisionRing.unit,
+        "first_share": event_polynomials.ERROR_BUDGET_LEVELS[0],
+        "last_share": event_polynomials.ERROR_BUDGET_LEVELS[-1],
+        "finer": event_polynomials.ERROR_BUDGET_LEVELS[1]
+        / event_polynomials.ERROR_BUDGET_LEVELS[0],
+        "converged": predicates.CONVERGED,
+        "found": predicates.CONVERGED**2 / 2,
+        "steps": root_search.STEP_LIMIT,
+        "newton": root_search.NEWTON_LIMIT,
+        "turns": single.MAX_STEPS,
+        "guard": error_terms.DECISION_FACTOR,
+        "claim": propagation.REPORTED_FACTOR,
+        "lift": propagation.MIN_GROWTH_DIVISOR,
+        "least": propagation.ERROR_FLOOR,
+        "far": bounding_boxes.RELATIVE_SLACK,
+        "beyond": polynomial.CEILING_BOX_FACTOR,
+        "missed": rolling_series.LAST_TERM_TOLERANCE,
+        "missed_round": ring_rolling_series.LAST_TERM_TOLERANCE,
+        "order": rolling_series.ORDER,
+        "order_round": ring_rolling_series.ORDER,
+        "neighbour": neighbour.NEIGHBOUR_DISTANCE,
+        "watched": friction_limit.NEWTON_STEPS,
+        "room": validity.CERTAIN_DISTANCE_FACTOR,
     }
     values = {name: sp.Rational(value) for name, value in found.items()}
     return {name: number(value) or show(value) for name, value in values.items()}
 
 
-def derivation_context(model: Model) -> Derivation:
-    """Return what the template of derivation.md shows."""
+def derivation_context(model: Model, reference: PageData | None = None) -> PageData:
+    """Return the data of the template of derivation.md.
+
+    Parameters
+    ----------
+    model
+        The derived scene.
+    reference
+        The page of the first scene, if this one is to link what that has instead of repeating it.
+    """
     scene = model.scene
-    flight, letters = scene.flight, Letters(scene)
-    brief = Brief(scene, letters)
+    flight, notation = scene.flight, SceneNotation(scene)
+    brief = Abbreviations(scene, notation)
     place, motion = flight.at()
-    there, moving = flight.rounding(events.horizon)
-    surfaces = (*scene.surfaces, *scene.gates)
+    there, moving = flight.rounding(event_polynomials.horizon)
+    surfaces = (*scene.surfaces, *scene.end_planes)
     planes = [s for s in surfaces if isinstance(s, Plane)]
     lengths = [p.symbol for p in scene.parameters if p.unit == "m"]
     flown = (f"{left}(t)" for left in (*AXES, *(f"v_{axis}" for axis in AXES)))
-    kernels = _kernels(model, letters)
+    kernels = _kernels(model, notation)
 
-    statements = _statements(model)
-    omitted = {name for text in statements.values() for name in text.omitted}
-
-    def shown(name: str) -> str:
-        return f"`{name}`" if name in omitted else f"[`{name}`](#{name})"
-
-    return Derivation(
+    statements = statement_texts(
+        stated(model),
+        kernels,
+        reference.statements if reference else {},
+        reference.kernels if reference else {},
+    )
+    letters = reference.arguments if reference else ()
+    return PageData(
         name=scene.name,
+        reference=reference.name if reference else "",
         axes=scene.axes,
         remarks=scene.remarks,
-        radius=letters(scene.ball_radius),
+        radius=notation(scene.ball_radius),
         roundoff=rf"{ROUNDOFF} = 2^{{{int(sp.log(UNIT_ROUNDOFF, 2))}}}",
         constants=_constants(),
         parameters=tuple(
-            SymbolText(letters(p.symbol), p.name, p.summary, p.unit, value_text(p.default))
+            SymbolText(notation(p.symbol), p.name, p.summary, p.unit, value_text(p.default))
             for p in scene.parameters
         ),
-        arguments=_arguments(model),
+        arguments=tuple(row for row in _arguments(model) if row not in letters),
         brief=Formulas(tuple(brief.definitions)),
-        flight=plainly(dict(zip(flown, (*place, *motion), strict=True)), {}, letters),
+        flight=plainly(dict(zip(flown, (*place, *motion), strict=True)), {}, notation),
         surfaces=tuple(surface_text(s, flight, brief) for s in surfaces),
         ends=tuple(
             EndText(
                 scene.ends[outcome].name,
-                gate.name,
+                end_plane.name,
                 tuple(brief.line("", side) for side in part),
                 scene.ends[outcome].passed,
             )
-            for gate in scene.gates
-            for outcome, part in zip(gate.outcomes, gate.parts, strict=True)
+            for end_plane in scene.end_planes
+            for outcome, part in zip(end_plane.outcomes, end_plane.parts, strict=True)
         ),
         frame=show(frame_from_axis(normal, 0).applyfunc(sp.simplify)),
-        contact=contact_text(scene, letters),
-        crossing=explain({latex_name(n): e for n, e in events.crossing().items()}),
+        contact=contact_text(scene, notation),
+        crossing=explain({latex_name(n): e for n, e in event_polynomials.crossing().items()}),
         searches=tuple(
-            search_text(alike, flight, letters)
+            search_text(alike, flight, notation)
             for alike in model.kinds
             if not isinstance(alike[0], Plane)
         ),
@@ -352,13 +319,15 @@ def derivation_context(model: Model) -> Derivation:
                 r"\hat\varepsilon_v": moving.error,
             },
             {},
-            letters,
+            notation,
         ),
         plane_margins=explain(
-            {f"m_{text(p.name)}": plane_margin(p, flight) for p in planes}, {}, letters
+            {f"m_{text(p.name)}": plane_margin(p, flight) for p in planes}, {}, notation
         ),
-        displacement=explain({r"\epsilon": events.displacement(flight, lengths)}, {}, letters),
-        outline=outline(model.loop, shown),
+        displacement=explain(
+            {r"\epsilon": event_polynomials.displacement(flight, lengths)}, {}, notation
+        ),
+        outline=outline(model.loop, _links(statements)),
         kernels=kernels,
         statements=statements,
         series=_series(model),

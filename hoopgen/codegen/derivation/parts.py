@@ -1,4 +1,4 @@
-"""What the page says of each surface: its polynomial, its closed form or its search."""
+"""The surfaces on the derivation page: polynomial, closed form or search of each."""
 
 from __future__ import annotations
 
@@ -8,38 +8,38 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.core.sorting import default_sort_key
 
-from hoopgen.derive.flight.parabola import Parabola
-from hoopgen.derive.ground.choice import Held, hold, release
-from hoopgen.derive.ground.polynomials import compose
-from hoopgen.derive.ground.symbols import POSITION
+from hoopgen.derive.events import root_finder_for
+from hoopgen.derive.events.event_polynomials import event_coefficients
+from hoopgen.derive.events.plane import plane_arrival
+from hoopgen.derive.events.ring.double import RingRootFinder
+from hoopgen.derive.events.root_finder import RootFinder
+from hoopgen.derive.motion.parabola import Parabola
 from hoopgen.derive.scenes.scene import Scene
-from hoopgen.derive.search import approach
-from hoopgen.derive.search.approach import Approach
-from hoopgen.derive.search.events import event_coefficients
-from hoopgen.derive.search.plane import plane_arrival
-from hoopgen.derive.search.ring import RingApproach
 from hoopgen.derive.surfaces import Box, Plane, Ring, Surface
+from hoopgen.derive.symbolic.conditionals import Barrier, barrier, release
+from hoopgen.derive.symbolic.notation import AXES, latex_name
+from hoopgen.derive.symbolic.polynomials import compose
+from hoopgen.derive.symbolic.symbols import POSITION
 
 from .explain import Formulas, Line, explain, plainly
 from .latex import show
-from .letters import Letters
-from .notation import AXES, latex_name
+from .scene_notation import SceneNotation
 
 rho, reach = sp.symbols("rho R", positive=True)
-"""What formulas are shorter with: the distance from the axis, and two radii together."""
+"""Abbreviations: the distance from the axis, and the sum of two radii."""
 
 EXCESS = sp.symbols("excess_x excess_y excess_z", real=True)
-"""How far each coordinate is beyond a face of a box."""
+"""Distance of each coordinate beyond a face of a box."""
 
 
 @dataclass(frozen=True)
 class SurfaceText:
-    """A surface, and its event polynomial with its inner polynomials named.
+    """A surface, and its constraint polynomial with named inner polynomials.
 
     Attributes
     ----------
     excess
-        Of a box: how far each coordinate is beyond a face, which distance and condition are of.
+        Of a box: how far each coordinate is beyond a face; distance and condition use it.
     """
 
     name: str
@@ -69,12 +69,12 @@ class SearchText:
     curvature: Formulas
 
 
-class Brief:
-    """Expressions with R for two radii together and rho for the distance from the axis."""
+class Abbreviations:
+    """Expressions with R for the sum of two radii and rho for the distance from the axis."""
 
-    def __init__(self, scene: Scene, letters: Letters) -> None:
+    def __init__(self, scene: Scene, notation: SceneNotation) -> None:
         x, y, _ = POSITION
-        self.letters = letters
+        self.notation = notation
         self.names = {rho: r"\rho", reach: "R"}
         self.names |= {e: rf"\Delta_{axis}" for e, axis in zip(EXCESS, AXES, strict=True)}
         self.definitions = [Line(r"\rho", (show(sp.sqrt(x**2 + y**2)),), sp.sqrt(x**2 + y**2))]
@@ -86,22 +86,22 @@ class Brief:
             if isinstance(surface, Ring) and radii is not None and len(radii.args) == 2:
                 (other,) = radii.free_symbols - {scene.ball_radius}
                 self._other = {other: reach - scene.ball_radius}
-                self.definitions.append(Line("R", (show(radii, None, letters),), radii))
+                self.definitions.append(Line("R", (show(radii, None, notation),), radii))
         self.known |= {line.means: line.left for line in self.definitions}
 
     def __call__(self, expression: sp.Expr) -> sp.Expr:
-        """Return the expression in brief."""
+        """Return the expression in abbreviations."""
         together = expression.subs(self._other)
         # Where one of the two radii is alone, it stays.
         shorter = len(together.free_symbols) < len(expression.free_symbols)
         return (together if shorter else expression).subs(self._square, rho**2)
 
     def show(self, expression: sp.Expr | sp.Matrix) -> str:
-        """Return the LaTeX of an expression in brief, with nothing held."""
-        return show(self(release(expression)), self.names, self.letters)
+        """Return the LaTeX of an expression in abbreviations, with nothing held."""
+        return show(self(release(expression)), self.names, self.notation)
 
     def line(self, left: str, expression: sp.Expr) -> Line:
-        """Return an equation in brief."""
+        """Return an equation in abbreviations."""
         return Line(left, (self.show(expression),), expression)
 
 
@@ -121,9 +121,9 @@ def _inner_sums(condition: sp.Expr) -> list[sp.Expr]:
 
 
 def _polynomial(
-    surface: Surface, flight: Parabola, brief: Brief
+    surface: Surface, flight: Parabola, brief: Abbreviations
 ) -> tuple[tuple[Line, ...], tuple[Line, ...], tuple[Line, ...]]:
-    """Return the inner polynomials of a condition, their coefficients, and its own in theirs."""
+    """Return a condition's inner polynomials, their coefficients, and its own coefficients."""
     if not surface.polynomial:
         return (), (), ()
     condition = release(surface.condition)
@@ -146,19 +146,21 @@ def _polynomial(
     parts = (symbol for letter in named.values() for symbol in paths[letter])
     names = {symbol: rf"\mathcal{{{symbol.name[0]}}}_{{{symbol.name[1:]}}}" for symbol in parts}
     lines = tuple(
-        Line(f"c_{{{k}}}", (show(brief(release(c)), brief.names | names, brief.letters),), means[k])
+        Line(
+            f"c_{{{k}}}", (show(brief(release(c)), brief.names | names, brief.notation),), means[k]
+        )
         for k, c in enumerate(rows)
     )
     return tuple(polynomials), tuple(inner), lines
 
 
-def surface_text(surface: Surface, flight: Parabola, brief: Brief) -> SurfaceText:
-    """Return what the page says of a surface."""
+def surface_text(surface: Surface, flight: Parabola, brief: Abbreviations) -> SurfaceText:
+    """Return the text of a surface."""
     polynomials, inner, coefficients = _polynomial(surface, flight, brief)
     arrival = Formulas(())
     if isinstance(surface, Plane):
         outputs = {latex_name(name): e for name, e in plane_arrival(surface, flight).items()}
-        arrival = explain(outputs, {}, brief.letters)
+        arrival = explain(outputs, {}, brief.notation)
     beyond = surface.excess if isinstance(surface, Box) else []
     symbols = dict(zip(beyond, EXCESS, strict=False))
     names = {e: brief.names[symbol] for e, symbol in symbols.items()}
@@ -183,19 +185,19 @@ def surface_text(surface: Surface, flight: Parabola, brief: Brief) -> SurfaceTex
     )
 
 
-def known(search: Approach) -> dict[sp.Basic, str]:
-    """Return the names of what the head of a search defines, held or not."""
+def known(search: RootFinder) -> dict[sp.Basic, str]:
+    """Return the names that a search defines for quantities, held or not."""
     names: dict[sp.Basic, str] = {}
     for latex, e in search.named.items():
-        bare = e.args[0] if isinstance(e, Held) else e
-        names |= dict.fromkeys((e, hold(bare), hold(bare, latex)), latex)
+        bare = e.args[0] if isinstance(e, Barrier) else e
+        names |= dict.fromkeys((e, barrier(bare), barrier(bare, latex)), latex)
     return names
 
 
-def search_text(alike: Sequence[Surface], flight: Parabola, letters: Letters) -> SearchText:
-    """Return what the page says of the search of a curved surface, and of others of its kind."""
+def search_text(alike: Sequence[Surface], flight: Parabola, notation: SceneNotation) -> SearchText:
+    """Return the text of the search of a curved surface and of others of its kind."""
     surface, *others = alike
-    search: Approach = approach(surface, flight)
+    search: RootFinder = root_finder_for(surface, flight)
     names = known(search)
     slopes = {"F": search.gap, "F'": search.rate, "F''": search.bend, r"F_\ell": search.leaving_gap}
     slopes |= {latex_name(name): e for name, e in search.constants.items()}
@@ -204,9 +206,9 @@ def search_text(alike: Sequence[Surface], flight: Parabola, letters: Letters) ->
     return SearchText(
         surface.name,
         ", ".join(other.name for other in others),
-        isinstance(search, RingApproach),
-        show(search.ring.ring_radius, None, letters) if isinstance(search, RingApproach) else "",
-        explain(search.named, names, letters),
-        (explain if isinstance(surface, Box) else plainly)(slopes, names, letters),
-        explain(bound, names, letters),
+        isinstance(search, RingRootFinder),
+        show(search.ring.ring_radius, None, notation) if isinstance(search, RingRootFinder) else "",
+        explain(search.named, names, notation),
+        (explain if isinstance(surface, Box) else plainly)(slopes, names, notation),
+        explain(bound, names, notation),
     )

@@ -1,7 +1,7 @@
-"""Which statement of the page each kernel belongs to: what is proved of it, or chosen, or defined.
+"""The statements of the derivation page, and the kernels that rest on each of them.
 
-The prose is in the template, under the same keys; a kernel's formulas are printed below the
-statement that it rests on.
+The prose is in the template, under the same keys; a kernel's formulas stand below the statement
+that it rests on.
 """
 
 from __future__ import annotations
@@ -9,14 +9,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from hoopgen.derive.model import Model, SurfaceKernels
-from hoopgen.derive.search.box import BoxApproach
-from hoopgen.derive.search.curved import CurvedSearch
-from hoopgen.derive.search.gate import GateSearch
-from hoopgen.derive.search.polar import PolarApproach
+from hoopgen.derive.events.box import BoxRootFinder
+from hoopgen.derive.events.end_plane import EndPlaneSearch
+from hoopgen.derive.events.ring.polar import PolarRootFinder
+from hoopgen.derive.events.root_search import RootSearch
+from hoopgen.derive.kernels.surface import SurfaceKernels
+from hoopgen.derive.model import Model
 
 LEMMA, CHOICE, DEFINITION = "Lemma", "Choice", "Definition"
-"""What is proved on the page; what is chosen, and tested; what says what a word or letter means."""
+"""A lemma is proved on the page; a choice is made and tested; a definition gives a word its
+meaning."""
 
 
 @dataclass(frozen=True)
@@ -28,12 +30,12 @@ class Statement:
     kind
         `LEMMA`, `CHOICE` or `DEFINITION`.
     title
-        What it is about.
+        Its subject.
     kernels
-        Those that rest on it, by kind and part, such as ``ring.advance``; a part alone is of every
-        kind. One that ends in ``*`` stands for all that begin so.
+        The kernels that rest on it, by kind and part, such as ``ring.advance``; ``*`` as the kind
+        stands for every kind, and at the end for all parts that begin so.
     beside
-        Of a statement without kernels: the key of the one that it is shown with; "": always.
+        For a statement without kernels: the key of the statement that it is shown with; "": always.
     """
 
     kind: str
@@ -47,7 +49,7 @@ def _kernels(text: str) -> tuple[str, ...]:
 
 
 STATEMENTS: dict[str, Statement] = {
-    # What is only said, and planes
+    # Definitions, and planes
     "geometry": Statement(
         DEFINITION,
         "flight, surfaces and contact frame",
@@ -73,9 +75,7 @@ STATEMENTS: dict[str, Statement] = {
         "contacts",
         _kernels("law.impact law.taken *.taken common.impact_through_frame common.untaken"),
     ),
-    "law_doubt": Statement(
-        LEMMA, "whether a contact grips or slips", _kernels("law.doubt common.undecided")
-    ),
+    "law_doubt": Statement(LEMMA, "grip or slip", _kernels("law.doubt common.undecided")),
     # Rounding
     "rounding": Statement(
         LEMMA, "running error", _kernels("common.scale common.measure common.begun_with")
@@ -83,7 +83,7 @@ STATEMENTS: dict[str, Statement] = {
     "flight_rounding": Statement(LEMMA, "rounding of a flight"),
     "plane_margin": Statement(CHOICE, "margin of a plane", _kernels("plane.margin end.margin")),
     "displacement": Statement(
-        LEMMA, "a length at a computed arrival", _kernels("common.displacement")
+        LEMMA, "error of a length at a computed arrival", _kernels("common.displacement")
     ),
     # The search from the left
     "from_left": Statement(LEMMA, "a parabola from below", beside="one_root"),
@@ -93,7 +93,7 @@ STATEMENTS: dict[str, Statement] = {
     "bernstein": Statement(LEMMA, "a bound from Bernstein coefficients", beside="general"),
     "one_root": Statement(
         LEMMA,
-        "one simple root follows, and Newton's method finds it",
+        "existence of one simple root, and convergence of Newton's method",
         _kernels(
             "common.polished common.found common.landed common.candidate "
             "common.refined_candidate *.refine"
@@ -109,7 +109,7 @@ STATEMENTS: dict[str, Statement] = {
     ),
     "ending": Statement(
         CHOICE,
-        "when a search ends, and which errors it allows for",
+        "end and error budget of a search",
         _kernels(
             "common.opens common.allowance common.beginning common.struck common.struck_or_still "
             "common.finer common.exceeded common.advanced common.outside "
@@ -117,31 +117,31 @@ STATEMENTS: dict[str, Statement] = {
         ),
     ),
     # The ring
-    "ring_bend": Statement(
-        LEMMA, "the second derivative along the ring's gap", beside="ring_windows"
-    ),
+    "ring_bend": Statement(LEMMA, "second derivative of the ring's gap", beside="ring_windows"),
     "ring_windows": Statement(
         LEMMA, "three windows hold every contact", _kernels("ring.enter ring.prepare")
     ),
-    "ring_curvature": Statement(LEMMA, "its bounds within a window", _kernels("ring.advance")),
+    "ring_curvature": Statement(
+        LEMMA, "bounds on the second derivative within a window", _kernels("ring.advance")
+    ),
     "ring_margins": Statement(LEMMA, "the ring's margins", _kernels("ring.margins")),
-    "ring_clear": Statement(LEMMA, "a ring that is certainly missed", _kernels("ring.clear")),
+    "ring_clear": Statement(LEMMA, "a certain miss of the ring", _kernels("ring.clear")),
     "single": Statement(
         CHOICE,
-        "the same search in single precision",
+        "the ring's search in single precision",
         _kernels(
-            "ring.opened ring.started ring.grain ring.leap ring.lost common.opened "
-            "common.coarse common.leapt"
+            "ring.opened ring.started ring.resolution ring.step ring.budget_exceeded common.opened "
+            "common.coarse common.stepped"
         ),
     ),
     # Boxes and other surfaces
     "box_windows": Statement(
         LEMMA,
-        "windows of a box, and when a ball has left it",
+        "windows of a box, and the time to leave it",
         _kernels("box.prepare box.enter general.prepare general.enter general.clear"),
     ),
     "box_bend": Statement(
-        LEMMA, "the second derivative along a box's gap", _kernels("box.advance box.margins")
+        LEMMA, "second derivative of a box's gap", _kernels("box.advance box.margins")
     ),
     "general": Statement(LEMMA, "any other surface", _kernels("general.advance general.margins")),
     # The first event
@@ -152,27 +152,25 @@ STATEMENTS: dict[str, Statement] = {
     ),
     "first": Statement(
         LEMMA,
-        "the first event is certain, or doubted",
-        _kernels("common.opening common.timely common.tied common.sooner common.doubted"),
+        "the first event is certain or undecided",
+        _kernels("common.opening common.within_time common.tied common.earliest common.doubted"),
     ),
     "horizon": Statement(
         LEMMA,
-        "nothing later is wanted",
-        _kernels("common.horizon common.beyond common.beyond_windows"),
+        "the horizon",
+        _kernels("common.horizon common.out_of_budget common.out_of_budget_in_windows"),
     ),
-    "plates": Statement(
-        LEMMA, "plates that a flight does not come to", _kernels("common.released common.reachable")
-    ),
+    "plates": Statement(LEMMA, "a filter of plates", _kernels("common.released common.reachable")),
     "far": Statement(
         LEMMA,
-        "boxes that do not meet",
+        "disjoint boxes",
         _kernels("common.swept common.halved *.near *.near_any *.box"),
     ),
-    "passage": Statement(LEMMA, "passing through the ring", _kernels("common.passing*")),
+    "passage": Statement(LEMMA, "passage through the ring", _kernels("common.passing*")),
     # Errors
     "carried": Statement(
         LEMMA,
-        "how errors pass through a flight and a contact",
+        "propagation of errors through a flight and a contact",
         _kernels(
             "common.carry_flight *.carry_normal law.carry common.carry_time common.delayed "
             "common.unturned common.elsewhere common.again common.returned common.started "
@@ -181,38 +179,39 @@ STATEMENTS: dict[str, Statement] = {
     ),
     "growth": Statement(
         CHOICE,
-        "what errors are taken to grow by",
+        "growth of errors",
         _kernels("common.error_bounds common.claimed_errors common.closing common.floored"),
     ),
     # In contact
     "bounces": Statement(
         LEMMA,
-        "bounces that accumulate",
+        "Zeno accumulation of bounces",
         _kernels(
             "law.settling common.slowed common.unslowed common.nearly common.gripped "
-            "common.pressed_on common.alone common.neared common.neared_body *.turning "
-            "*.closing *.parting common.settled common.begun_errors common.beginning_contact"
+            "common.pressed_on common.isolated common.neared common.neared_body *.turning "
+            "*.closing *.separation common.settled common.begun_errors common.beginning_contact"
         ),
     ),
     "series": Statement(
         LEMMA,
         "rolling as a power series",
         _kernels(
-            "common.roll_turn_rate common.roll_start common.roll_* common.roll_pace *.tube "
-            "*.off common.roll_moved common.roll_placed"
+            "common.roll_turn_rate common.roll_start common.roll_* common.roll_pace "
+            "*.rolling_surface "
+            "*.distance common.roll_moved common.roll_placed"
         ),
     ),
     "round": Statement(
         LEMMA,
         "rolling on a ring",
-        _kernels("ring.round_* common.circles common.leaps common.rejoined"),
+        _kernels("ring.round_* common.circles common.half_steps common.rejoined"),
     ),
     "endless": Statement(
         LEMMA, "rolling for ever", _kernels("ring.swung common.cleared common.for_ever *.around")
     ),
     "leaving": Statement(
         LEMMA,
-        "what ends a contact",
+        "the end of a contact",
         _kernels(
             "common.leaving_force common.beside_* common.beside *.beside *.seam* "
             "common.rolled_on common.holding common.resumed"
@@ -220,62 +219,64 @@ STATEMENTS: dict[str, Statement] = {
     ),
     "parting": Statement(
         LEMMA,
-        "leaving a surface without a jump",
+        "tangential departure",
         _kernels(
-            "common.unmet common.spared common.spared_seam common.parted common.hopping "
+            "common.no_contact common.neighbour_free_time common.end_plane_free_time "
+            "common.seam_free_time common.separated common.take_off "
             "common.carry_hop"
         ),
     ),
     "neighbour": Statement(
         CHOICE,
         "errors of a motion in contact",
-        _kernels("common.apart common.neighbour common.compared"),
+        _kernels("common.neighbour_scale common.neighbour common.compared"),
     ),
     "grip": Statement(
         CHOICE,
-        "when friction would not suffice",
+        "the limit of friction",
         _kernels(
-            "common.pulled common.untaut common.losing common.lost_grip common.tightened "
-            "law.strained"
+            "common.pulled common.forget_grip_deficit common.losing common.lost_grip "
+            "common.remember_grip_deficit "
+            "law.grip_deficit"
         ),
     ),
-    # What is only said
+    # Definitions
     "bookkeeping": Statement(
         DEFINITION,
         "counts, clocks and outcomes",
         _kernels(
             "common.body_of common.expiry common.departed common.expired common.accounted "
-            "common.limited common.ticked common.meeting common.here common.counted "
-            "common.touched common.timed common.kept common.opens_in_flight "
+            "common.limited common.event_clock common.meeting common.here common.counted "
+            "common.touched common.timed common.in_contact common.opens_in_flight "
             "common.reachable_in_flight common.doubted_in_contact common.unhopped "
-            "common.kept_on"
+            "common.stay_in_contact"
         ),
     ),
-    "studies": Statement(DEFINITION, "what studies ask", _kernels("study.*")),
+    "studies": Statement(DEFINITION, "kernels of studies", _kernels("study.*")),
 }
-"""In the order of the page, by the key that the template has."""
+"""Statements of the page in their order, by the key in the template."""
 
 
 def kind_of(made: SurfaceKernels) -> str:
-    """Return what kind of search a surface has: plane, end, ring, box or general."""
+    """Return the kind of search that a surface has: plane, end, ring, box or general."""
     search = made.search
-    if isinstance(search, GateSearch):
+    if isinstance(search, EndPlaneSearch):
         return "end"
-    if not isinstance(search, CurvedSearch):
+    if not isinstance(search, RootSearch):
         return "plane"
-    if isinstance(search.approach, PolarApproach):
+    if isinstance(search.root_finder, PolarRootFinder):
         return "ring"
-    return "box" if isinstance(search.approach, BoxApproach) else "general"
+    return "box" if isinstance(search.root_finder, BoxRootFinder) else "general"
 
 
 def parts(model: Model) -> Iterator[tuple[str, str]]:
-    """Return every kernel's name, and its kind and part."""
+    """Yield every kernel's name, with its kind and part."""
     for name in model.common:
         yield name, f"common.{name}"
     for kernels in model.laws.values():
         for part, kernel in kernels.items():
             yield kernel.name, f"law.{part}"
-    for made in (*model.surfaces, *model.gates):
+    for made in (*model.surfaces, *model.end_planes):
         for part, kernel in made.kernels.items():
             yield kernel.name, f"{kind_of(made)}.{part}"
     for kernel in model.study:

@@ -1,7 +1,7 @@
-"""The derivation on two pages, with one shot worked out: what generated/summary.md says.
+"""The derivation on two pages with one worked shot, generated/summary.md.
 
-The shot is followed with the same objects as the kernels are generated from, in many digits: the
-polynomial of each surface, its roots, the normal and the impact. Nothing of it is a simulation.
+The shot is computed in many digits from the objects that the kernels are generated from: the
+polynomial of each surface, its roots, the normal and the impact. No engine takes part.
 """
 
 from __future__ import annotations
@@ -11,9 +11,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from hoopgen.derive.flight.parabola import Parabola
-from hoopgen.derive.ground.choice import release
-from hoopgen.derive.ground.symbols import (
+from hoopgen.derive.events.event_polynomials import deflated_coefficients, event_coefficients
+from hoopgen.derive.motion.parabola import Parabola
+from hoopgen.derive.scenes.scene import Scene
+from hoopgen.derive.surfaces import EndPlane, Surface
+from hoopgen.derive.symbolic.conditionals import release
+from hoopgen.derive.symbolic.symbols import (
     NORMAL,
     POSITION,
     SPIN,
@@ -23,16 +26,13 @@ from hoopgen.derive.ground.symbols import (
     spin,
     velocity,
 )
-from hoopgen.derive.ground.symbols import t as time
-from hoopgen.derive.scenes.scene import Scene
-from hoopgen.derive.search.events import deflated_coefficients, event_coefficients
-from hoopgen.derive.surfaces import Gate, Surface
+from hoopgen.derive.symbolic.symbols import t as time
 
 DIGITS = 40
-"""Of the numbers that a shot is followed with."""
+"""Digits of the numbers of the worked shot."""
 
 EVENTS = 10
-"""A shot that has more is not one for two pages."""
+"""Number of events that is too large for two pages."""
 
 FREE_THROW = {
     "speed": sp.Rational("7.166"),
@@ -44,7 +44,7 @@ FREE_THROW = {
 """The article's missed free throw: m/s, degrees, Hz, m above the floor and from the ring."""
 
 RING_HEIGHT = sp.Rational("3.048")
-"""Of the ring above the floor, m."""
+"""Height of the ring above the floor, m."""
 
 Numbers = Mapping[sp.Basic, sp.Expr]
 
@@ -72,24 +72,26 @@ class EventText:
 
 @dataclass(frozen=True)
 class ShotText:
-    """A shot, worked out.
+    """A worked shot.
 
     Attributes
     ----------
     release
-        What is released, as a user says it.
+        The arguments of the release.
     state
-        The state that this is.
+        The state at the release.
+    surface
+        The surface of the first event.
     coefficients
-        Those of the first flight's polynomial of its first event, with their numbers.
+        The coefficients of the first flight's polynomial of its first event, with their numbers.
     roots
         The real roots of that polynomial, after the release.
     arrivals
-        What the first flight finds on each surface.
+        The arrival of the first flight on each surface.
     normal, before, after
-        Of the first impact: the normal, and velocity and spin before and after it.
+        At the first impact: the normal, and velocity and spin before and after it.
     events
-        All of the shot.
+        All events of the shot.
     """
 
     release: Mapping[str, str]
@@ -141,19 +143,19 @@ class Arrival:
 
     @property
     def time(self) -> sp.Expr:
-        """When; infinite if never."""
+        """The time of the arrival; infinite if there is none."""
         return min(self.counted, default=sp.oo)
 
 
 def arrival(surface: Surface, flight: Parabola, numbers: Numbers, leaving: bool) -> Arrival:
-    """Return what a flight finds on a surface, from all roots of its polynomial."""
+    """Return the arrival of a flight on a surface, from all roots of its polynomial."""
     made = deflated_coefficients if leaving else event_coefficients
     coefficients = [_value(c, numbers) for c in made(surface, flight)]
     polynomial = sp.Poly(coefficients[::-1], time)
     found = polynomial.nroots(n=DIGITS // 2, maxsteps=200) if polynomial.degree() > 0 else []
     tiny = sp.Rational(1, 10**12)
     roots = sorted(sp.re(root) for root in found if abs(sp.im(root)) < tiny and sp.re(root) > tiny)
-    # With the factor t in the open F has the same sign of its rate at a root as F/t.
+    # At a root F and F/t have rates of the same sign.
     slope = polynomial.diff(time)
     falling = [root for root in roots if slope.eval(root) < 0]
     counted = [root for root in falling if _inside(surface, flight, numbers, root)]
@@ -166,7 +168,7 @@ def _inside(surface: Surface, flight: Parabola, numbers: Numbers, at: sp.Expr) -
 
 
 def moved(flight: Parabola, numbers: Numbers, at: sp.Expr) -> dict[sp.Basic, sp.Expr]:
-    """Return the numbers after a flight of so long."""
+    """Return the numbers after a flight of that duration."""
     place, motion = flight.at()
     now = {**numbers, time: at}
     names = (*POSITION, *VELOCITY)
@@ -174,15 +176,15 @@ def moved(flight: Parabola, numbers: Numbers, at: sp.Expr) -> dict[sp.Basic, sp.
     return {**numbers, **flown}
 
 
-def _outcome(scene: Scene, gate: Gate, numbers: Numbers) -> str:
-    for outcome, bounds in zip(gate.outcomes, gate.parts, strict=True):
+def _outcome(scene: Scene, end_plane: EndPlane, numbers: Numbers) -> str:
+    for outcome, bounds in zip(end_plane.outcomes, end_plane.parts, strict=True):
         if all(_value(bound, numbers) <= 0 for bound in bounds):
             return scene.ends[outcome].name
-    raise ValueError(f"scene {scene.name}: a crossing of {gate.name} is none of its ends")
+    raise ValueError(f"scene {scene.name}: a crossing of {end_plane.name} is none of its ends")
 
 
 def worked_shot(scene: Scene) -> ShotText:
-    """Return the article's missed free throw in a scene with its hoop, at the usual sizes.
+    """Return the article's missed free throw in a scene with its hoop, at the default parameters.
 
     Raises
     ------
@@ -202,20 +204,20 @@ def worked_shot(scene: Scene) -> ShotText:
     events: list[EventText] = []
     first: tuple[list[Arrival], Arrival, str, tuple[str, str], tuple[str, str]] | None = None
     while len(events) < EVENTS:
-        surfaces = (*scene.surfaces, *scene.gates)
+        surfaces = (*scene.surfaces, *scene.end_planes)
         found = [arrival(s, scene.flight, numbers, s is last) for s in surfaces]
         event = min(found, key=lambda one: one.time)
         clock += event.time
         numbers = moved(scene.flight, numbers, event.time)
         place, before = ([numbers[s] for s in part] for part in (POSITION, VELOCITY))
-        if isinstance(event.surface, Gate):
+        if isinstance(event.surface, EndPlane):
             name = _outcome(scene, event.surface, numbers)
             events.append(EventText(decimal(clock), name, _vector(place), _vector(before), ""))
             break
         turning = [numbers[s] for s in SPIN]
         facing = [_value(component, numbers) for component in event.surface.normal]
         law = scene.bodies[scene.faces[scene.surfaces.index(event.surface)]].law
-        after = law.after(normal, velocity, spin, scene.ball_radius)
+        after = law.after(normal, velocity, spin, scene.ball)
         known = {**numbers, **dict(zip(NORMAL, facing, strict=True))}
         v, w = ([_value(component, known) for component in part] for part in after)
         numbers |= dict(zip((*VELOCITY, *SPIN), (*v, *w), strict=True))

@@ -1,0 +1,148 @@
+"""The search for a box: a bound on F'' in closed form, the same on all parts of the box.
+
+With e for how far a coordinate is beyond a face (`surfaces/box.py`), F = Σ e² - R_B². Where F''
+exists, it is the sum of 2 v² + 2 e a over the coordinates with e not zero, at least -2 Σ |e a|. F'
+is continuous, which suffices for steps from the left and Newton's method.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..surfaces import Box
+from ..symbolic.conditionals import IfLess, absolute, barrier, minimum
+from ..symbolic.rounding import ROUNDING_SLACK, Rounded, rounding, velocity_error
+from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
+from .bounding_boxes import may_reach_box
+from .box_windows import RELATIVE_INFLATION, lost, windows
+from .event_polynomials import Window, ceiling, horizon, time_rounding
+from .polynomial import CEILING_BOX_FACTOR
+from .root_finder import RootFinder
+
+EXCESS = sp.symbols("ex ey ez", real=True)
+"""Distance of each coordinate beyond a face."""
+
+
+@dataclass(frozen=True)
+class BoxRootFinder(RootFinder):
+    """The root finder for a box, whichever part of it comes first."""
+
+    box: Box
+
+    @property
+    def constants(self) -> dict[str, sp.Expr]:
+        """No constants."""
+        return {}
+
+    @property
+    def _reach(self) -> sp.Expr:
+        """Bound on how far beyond a face the ball is within the windows."""
+        return barrier(self.box.radius + 2 * RELATIVE_INFLATION * minimum(*self.box.half_sizes))
+
+    @property
+    def named(self) -> dict[str, sp.Expr]:
+        """Position, velocity and how far each coordinate is beyond a face."""
+        excess = (e for e, _, _ in self._moving())
+        return super().named | {rf"\Delta_{axis}": e for axis, e in zip("xyz", excess, strict=True)}
+
+    @property
+    def windows(self) -> list[Window]:
+        """The times at which the ball is near enough along every axis."""
+        offsets = (barrier(p - c) for p, c in zip(POSITION, self.box.reference_point, strict=True))
+        axes = zip(offsets, VELOCITY, self.flight.acceleration, strict=True)
+        return windows(list(axes), self.box.half_sizes)
+
+    @property
+    def reach_test(self) -> dict[str, sp.Basic]:
+        """Compare the boxes of both halves of the flight with the rounded box."""
+        return may_reach_box(self.box)
+
+    @property
+    def lost(self) -> sp.Expr:
+        """Positive if errors come near to the inflation of the windows."""
+        return lost(self.box.reference_point, self.box.half_sizes, self.flight.acceleration)
+
+    def _moving(self) -> list[tuple[sp.Expr, sp.Expr, sp.Expr]]:
+        """Return e, velocity and acceleration of each coordinate at time t."""
+        there, moving = self.flight.named()
+        now = dict(zip(POSITION, there, strict=True))
+        excess = [e.xreplace(now) for e in self.box.excess]
+        return list(zip(excess, moving, self.flight.acceleration, strict=True))
+
+    @property
+    def gap(self) -> sp.Expr:
+        """F at the position at time t."""
+        return sp.Add(*(e**2 for e, _, _ in self._moving()), -(self.box.radius**2))
+
+    @property
+    def leaving_gap(self) -> sp.Expr:
+        """The sum of the changes of e².
+
+        Each is a product with t if e has the same sign now and at the start. Else one of the two is
+        zero, or they are on both sides of the box: the rest is then no further beyond its face than
+        the ball has flown, and as exact as a product with t.
+        """
+        changes = []
+        for (e, _, a), start, v in zip(self._moving(), self.box.excess, VELOCITY, strict=True):
+            product = t * barrier(barrier(v + a * t / 2) * barrier(e + start))
+            changes.append(
+                barrier(IfLess(0, e * start, product, barrier(e**2) - barrier(start**2)))
+            )
+        return sp.Add(*changes)
+
+    @property
+    def rate(self) -> sp.Expr:
+        """F' = 2 Σ e v."""
+        return 2 * barrier(sp.Add(*(e * v for e, v, _ in self._moving())))
+
+    @property
+    def bend(self) -> sp.Expr:
+        """F'' as above."""
+        parts = (IfLess(0, absolute(e), barrier(v**2 + e * a), 0) for e, v, a in self._moving())
+        return 2 * barrier(sp.Add(*parts))
+
+    def curvature(self, width: sp.Expr) -> sp.Expr:
+        """Return 2 Σ |e a| with the largest e; a coordinate far away stays within the windows."""
+        most = []
+        for e, v, a in self._moving():
+            if a != 0:
+                drift = barrier(absolute(v) + absolute(a) * width / 2) * width
+                most.append(absolute(a) * minimum(barrier(absolute(e) + drift), self._reach))
+        slack = sp.Rational(1, 2**40) * ceiling
+        return 2 * barrier(sp.Add(*most)) + slack
+
+    @property
+    def ceiling(self) -> sp.Expr:
+        """The sum of the largest sizes of the terms of F''."""
+        _, fastest = self.flight.size(horizon)
+        falls = (
+            CEILING_BOX_FACTOR * self._reach * absolute(a)
+            for a in self.flight.acceleration
+            if a != 0
+        )
+        return 2 * barrier(3 * fastest**2 + sp.Add(*falls))
+
+    @property
+    def margins(self) -> dict[str, sp.Expr]:
+        """Bounds by running error analysis; e is off by its coordinate's error and one sum."""
+        there, moved = self.flight.rounding(horizon)
+        _, fastest = self.flight.size(horizon)
+        mean = Rounded(fastest, barrier(velocity_error + 3 * UNIT_ROUNDOFF * fastest))
+        now: dict[sp.Expr, Rounded] = dict.fromkeys(VELOCITY, moved)
+        faces = zip(EXCESS, POSITION, self.box.low, self.box.high, strict=True)
+        for e, place, low, high in faces:
+            off = rounding(place - low, {place: there}).error
+            off = off + rounding(place - high, {place: there}).error
+            now[e] = Rounded(self._reach, barrier(off))
+        gap = rounding(sp.Add(*(e**2 for e in EXCESS), -(self.box.radius**2)), now)
+        terms = [e * v for e, v in zip(EXCESS, VELOCITY, strict=True)]
+        rate = rounding(2 * sp.Add(*terms), now)
+        # F/t has the same bound with the mean velocity, for e now and at the start.
+        change = rounding(2 * sp.Add(*terms), now | dict.fromkeys(VELOCITY, mean))
+        return {
+            "margin": ROUNDING_SLACK * (gap.error + time_rounding(rate) * horizon),
+            "leaving_margin": ROUNDING_SLACK * (2 * change.error + time_rounding(rate)),
+            "rate_margin": ROUNDING_SLACK * rate.error,
+        }

@@ -1,0 +1,164 @@
+"""The windows of a box: the times at which a ball is in it; outside of them it touches nothing.
+
+The box is inflated by 2^-14 of its smallest half size. The errors of the state and the roundings
+here together stay below a quarter of that; otherwise the search is lost.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from ..symbolic.conditionals import (
+    Choose,
+    IfAtMost,
+    IfLess,
+    Less,
+    Or,
+    barrier,
+    false,
+    maximum,
+    minimum,
+)
+from ..symbolic.rounding import extent, position_error, speed, velocity_error
+from ..symbolic.symbols import t
+from .event_polynomials import Window, end, horizon
+
+RELATIVE_INFLATION = sp.Rational(1, 2**14)
+"""Inflation of the box, relative to its smallest half size."""
+
+after = sp.Symbol("after", real=True)
+"""Time up to which a search has come."""
+
+Axis = tuple[sp.Expr, sp.Expr, sp.Expr]
+"""A coordinate relative to the box's centre, its velocity and its acceleration."""
+
+
+def opening(count: int) -> list[tuple[sp.Symbol, sp.Symbol]]:
+    """Return the symbols of so many windows: begin and end of each."""
+    lows, highs = (sp.symbols(f"{name}:{count}", real=True) for name in ("low", "high"))
+    return list(zip(lows, highs, strict=True))
+
+
+def enter(
+    found: Sequence[Window],
+    since: sp.Expr = after,
+    without: sp.Expr = t,
+    stop: sp.Expr = end,
+) -> dict[str, sp.Basic]:
+    """Return the first window that ends later than a time, cut off at that time.
+
+    Parameters
+    ----------
+    found
+        The windows, in order.
+    since
+        The time.
+    without, stop
+        Begin and end to return if there is no such window.
+    """
+    start, opened = without, false
+    for low, high in reversed(found):
+        begins = barrier(maximum(since, low))
+        opens = Less(begins, high)
+        start, stop = Choose(opens, begins, start), Choose(opens, high, stop)
+        opened = Or(opened, opens)
+    return {"t": start, "end": stop, "searching": opened}
+
+
+def windows(axes: Sequence[Axis], halves: Sequence[sp.Expr | None]) -> list[Window]:
+    """Return the times at which all coordinates are in the box; a half size None is infinite."""
+    known = [(axis, half) for axis, half in zip(axes, halves, strict=True) if half is not None]
+    wider = RELATIVE_INFLATION * minimum(*(half for _, half in known))
+    found: list[Window] = [(sp.Integer(0), sp.oo)]
+    falling = False
+    for axis, half in known:
+        if axis[2] == 0:
+            spans = [_straight(axis, barrier(half + wider))]
+        else:
+            spans = _falling(axis, barrier(half + wider))
+            if falling:  # one axis with two intervals suffices; of others take the hull
+                spans = [(spans[0][0], spans[1][1])]
+            falling = True
+        found = [_meet(window, span) for span in spans for window in found]
+    return found
+
+
+def lost(
+    centre: Sequence[sp.Expr], halves: Sequence[sp.Expr | None], acceleration: Sequence[sp.Expr]
+) -> sp.Expr:
+    """Return a quantity that is positive if errors come near to the inflation of the box.
+
+    Without an event errors grow for ever, but they count only while the true ball may be in the
+    box, until `time_to_leave` at the latest.
+    """
+    known = [half for half in halves if half is not None]
+    half, widest = minimum(*known), maximum(*known)
+    far = barrier(extent + sp.Add(*map(sp.Abs, centre)) + widest)
+    falls = [(a, h) for a, h in zip(acceleration, halves, strict=True) if a != 0]
+    per_g = barrier(1 / minimum(*(sp.Abs(a) for a, _ in falls)))
+    latest: sp.Expr = horizon
+    if all(h is not None for _, h in falls):
+        latest = barrier(minimum(horizon, time_to_leave(barrier(far + half), per_g)))
+    moved = barrier(position_error + velocity_error * latest)
+    rounded = barrier(far + speed**2 * per_g) * sp.Rational(1, 2**48)
+    return barrier(moved + rounded) - RELATIVE_INFLATION / 4 * half
+
+
+def time_to_leave(far: sp.Expr, per_g: sp.Expr) -> sp.Expr:
+    """Return T = 2 v / g + sqrt(2 d / g), after which the ball, and the true one, has left the box.
+
+    Along an axis with gravity let p be the computed position relative to the centre, |p| + h less
+    than d by at least the smallest half size. Within the box
+
+        f(t) = (p + h + e_p) + (v + e_v) t - g t²/2 >= 0
+
+    for one sign of p, with errors of position and velocity that are not lost, e_p + e_v T <= w with
+    w a tiny part of that half size. Then f(T) <= d - half + w - v sqrt(2 d / g) - d < 0, and f
+    falls from T on: f'(T) = e_v - v - g sqrt(2 d / g), where e_v <= w / T < sqrt(2 d g).
+    """
+    return 2 * speed * per_g + sp.sqrt(2 * far * per_g)
+
+
+def clear(found: Sequence[Window], lost: sp.Expr) -> sp.Expr:
+    """Return a quantity that is positive if no window opens before the horizon.
+
+    It is not positive if the windows are unreliable.
+    """
+    verdict: sp.Expr = sp.Integer(1)
+    for low, high in found:
+        verdict = IfLess(barrier(maximum(0, low)), barrier(minimum(horizon, high)), 0, verdict)
+    return IfAtMost(lost, 0, verdict, 0)
+
+
+def _straight(axis: Axis, half: sp.Expr) -> Window:
+    """Return the times of |c + v t| <= h; 0/0, a ball on the edge for ever, limits nothing."""
+    place, velocity, _ = axis
+    size = sp.Abs(velocity)
+    there = barrier(IfLess(velocity, 0, -place, place))
+    return (barrier(-half - there) / size, barrier(half - there) / size)
+
+
+def _falling(axis: Axis, half: sp.Expr) -> list[Window]:
+    """Return the two intervals of |c + v t + a t²/2| <= h, before and after the apex.
+
+    With g = |a| the roots of c = h are (v ± sqrt(D)) / g with D = v² + 2 g (c - h).
+    """
+    place, velocity, acceleration = axis
+    against = 1 if acceleration.is_negative else -1
+    g = -against * acceleration
+    place, up = against * place, against * velocity
+    to_bottom = barrier(up**2 + 2 * g * barrier(place + half))
+    to_top = barrier(up**2 + 2 * g * barrier(place - half))
+    outer, inner = sp.sqrt(to_bottom), sp.sqrt(maximum(to_top, 0))
+    per_g = barrier(1 / g)
+    first = IfAtMost(0, to_bottom, barrier(up - outer) * per_g, sp.oo)
+    last = barrier(IfAtMost(0, to_bottom, barrier(up + outer) * per_g, -sp.oo))
+    passed = IfLess(0, to_top, barrier(up - inner) * per_g, last)
+    again = IfLess(0, to_top, barrier(up + inner) * per_g, sp.oo)
+    return [(first, passed), (again, last)]
+
+
+def _meet(left: Window, right: Window) -> Window:
+    return maximum(left[0], right[0]), minimum(left[1], right[1])

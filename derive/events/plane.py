@@ -1,0 +1,121 @@
+"""Arrival on a plane: its condition is linear or quadratic in time, its root a closed form."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..ir.event_tree import Call, If, Node, Value
+from ..ir.kernel import Kernel
+from ..motion.parabola import Parabola
+from ..surfaces import Plane
+from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier
+from ..symbolic.rounding import ROUNDING_SLACK, rounding
+from ..symbolic.symbols import POSITION, position
+from .event_polynomials import event_coefficients, horizon, leaving
+from .plane_filter import apart
+from .predicates import KERNELS
+from .search import Formula, Parts, Search, bounded, edges, proposed
+
+
+def plane_arrival(plane: Plane, flight: Parabola) -> dict[str, sp.Expr]:
+    """Return time, rate and second derivative of a plane's only arrival, the root with F' < 0.
+
+    Also the time of the gap's apex and the gap there, D / (-4 a), for a ball that moves along the
+    plane at that time: whether there is an arrival is undecided if that gap is zero within its
+    error.
+
+    With D = b² - 4 a c the arrival is where F' = -sqrt(D): t = 2 c / (sqrt(D) - b), the same as
+    -(b + sqrt(D)) / (2 a); each loses no digits for one sign of b. Without an arrival the rate is
+    not negative, or NaN.
+    """
+    coefficients = event_coefficients(plane, flight)
+    c = barrier(IfLess(0, leaving, 0, barrier(coefficients[0])), "c")
+    b = coefficients[1] if len(coefficients) > 1 else sp.Integer(0)
+    if len(coefficients) < 3:
+        along = {"apex": IfAtMost(absolute(b), 0, 0, -1), "height": c}
+        return {"time": c / -b, "rate": b, "bend": sp.Integer(0)} | along
+    a = coefficients[2]
+    discriminant = barrier(b**2 - 4 * a * c, "D")
+    # On leaving the root is |b|; that of b² is the same unless b² underflows.
+    root = barrier(IfLess(0, leaving, absolute(b), sp.sqrt(discriminant)))
+    numerator = IfLess(b, 0, 2 * c, b + root)
+    denominator = IfLess(b, 0, root - b, -2 * a)
+    per_bend = barrier(1 / (2 * a))
+    return {
+        "time": numerator / denominator,
+        "rate": -root,
+        "bend": 2 * a,
+        "apex": -b * per_bend,
+        "height": -discriminant * per_bend / 2,
+    }
+
+
+def plane_margin(plane: Plane, flight: Parabola) -> sp.Expr:
+    """Return a bound on the rounding error of the plane's gap up to the time `horizon`."""
+    there, _ = flight.rounding(horizon)
+    # Twice: once for the gap at the computed time, once for the root's own arithmetic.
+    return 2 * ROUNDING_SLACK * rounding(plane.distance, dict.fromkeys(POSITION, there)).error
+
+
+@dataclass(frozen=True)
+class PlaneSearch(Search):
+    """The search on a plane; a contact counts within its bounds (Eq. 2)."""
+
+    surface: Plane
+    flight: Parabola
+
+    @property
+    def closed(self) -> bool:
+        """True: the only arrival is a closed form."""
+        return True
+
+    @property
+    def formulas(self) -> dict[str, Formula]:
+        """Arrival, margin, and the place of a contact."""
+        plane = self.surface
+        place = position - plane.distance * plane.normal
+        return {
+            "arrival": (
+                plane_arrival(plane, self.flight),
+                "Time of the only arrival, the gap's first two derivatives there, and its apex.",
+                "Eq. 3 in Table 2, solved",
+            ),
+            "margin": (
+                {"margin": plane_margin(plane, self.flight)},
+                "Rounding-error bound of the gap up to the horizon.",
+                "running error analysis",
+            ),
+            "place": (
+                dict(zip("xyz", place, strict=True)),
+                "Point of the contact plane nearest to a position.",
+                "Table 2",
+            ),
+        }
+
+    @property
+    def decisions(self) -> dict[str, Kernel]:
+        """The decisions whether a contact lies within the bounds, and whether that is undecided."""
+        return edges(self.surface)
+
+    @property
+    def apart(self) -> tuple[sp.Basic, ...]:
+        """Conditions of a plate by the ends of the flight."""
+        return apart(self.surface, self.flight) if self.surface.bounds else ()
+
+    def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
+        """Propose the only arrival, if it exists and lies within the bounds."""
+        yield Call(KERNELS["left"], {"index": index})
+        yield Call(own["arrival"])
+        yield Call(KERNELS["meeting_plane"])
+        # An arrival that is undecided at its apex is at the same time within the margin.
+        yield Call(own["margin"], {"horizon": "nearest"})
+        yield Call(common["crossing"], {"rate_margin": 0.0})
+        yield Call(KERNELS["within_time"])
+        yield Call(KERNELS["grazed"])
+        if not self.surface.bounds:
+            yield If("possible", (Call(KERNELS["crossed"]), *proposed(index)))
+            return
+        yield If("possible", (*bounded(common, own, "time"), *proposed(index)))

@@ -1,0 +1,189 @@
+"""The search for any surface with a polynomial condition: bounds from Bernstein coefficients.
+
+The condition is expanded about the surface's reference point, and along the flight about the
+present time: its coefficients are as small as the surface, however long the flight.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..surfaces import Surface
+from ..symbolic.conditionals import IfLess, absolute, barrier, maximum, minimum
+from ..symbolic.polynomials import Coefficients, bernstein, compose, derivative, mean_rate
+from ..symbolic.rounding import (
+    ROUNDING_SLACK,
+    Rounded,
+    extent,
+    position_error,
+    rounding,
+    speed,
+    velocity_error,
+)
+from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
+from .box_windows import clear, lost, windows
+from .event_polynomials import Window, ceiling, event_coefficients, horizon, time_rounding
+from .root_finder import RootFinder
+
+STARTS = sp.symbols("x_start y_start z_start", real=True)
+"""Position at the start of the flight, relative to the reference point."""
+
+CEILING_BOX_FACTOR = sp.Rational(5, 4)
+"""Size of the box for which |F''| is bounded, relative to the surface's box. Newton's steps that
+a clearance promises may leave the surface's box. They go no further than twice F / |F'| < sqrt(F
+/ C) / 8, and |F| within the box is at most 3 h² and C at least 2 v² on a sphere or a cylinder,
+16 h^4 and 160 h² v² on a torus."""
+
+
+@dataclass(frozen=True)
+class PolynomialRootFinder(RootFinder):
+    """The root finder for any surface with a polynomial condition, by Bernstein bounds."""
+
+    surface: Surface
+
+    @property
+    def _coefficients(self) -> Coefficients:
+        return event_coefficients(self.surface, self.flight)
+
+    @property
+    def _boxed(self) -> bool:
+        return any(half is not None for half in self.surface.half_sizes)
+
+    def _along(self, expression: sp.Expr) -> sp.Expr:
+        """Return the expression at the offset and the velocity of time t."""
+        there, moving = self.flight.named()
+        offsets = (barrier(p - c) for p, c in zip(there, self.surface.reference_point, strict=True))
+        now = dict(zip((*POSITION, *VELOCITY), (*offsets, *moving), strict=True))
+        return expression.xreplace(now)
+
+    @property
+    def _local(self) -> Coefficients:
+        """The coefficients of the condition along the flight from offset and velocity."""
+        found = compose(self.surface.shape, self.flight.path)
+        return found + [sp.Integer(0)] * (3 - len(found))
+
+    @property
+    def _change(self) -> sp.Expr:
+        """F/t since the start, in the offsets now and then; velocities are mean ones."""
+        starts = dict(zip(POSITION, STARTS, strict=True))
+        return mean_rate(self.surface.shape, starts, dict(zip(POSITION, VELOCITY, strict=True)))
+
+    @property
+    def _rate(self) -> sp.Expr:
+        gradient = [sp.diff(self.surface.shape, place) for place in POSITION]
+        return sp.Add(*(g * v for g, v in zip(gradient, VELOCITY, strict=True)))
+
+    @property
+    def constants(self) -> dict[str, sp.Expr]:
+        """No constants."""
+        return {}
+
+    @property
+    def windows(self) -> list[Window]:
+        """The times at which the ball is in the surface's box, or up to Cauchy's bound."""
+        centre, halves = self.surface.reference_point, self.surface.half_sizes
+        if not self._boxed:
+            return [(sp.Integer(0), self._last_root())]
+        offsets = (barrier(p - c) for p, c in zip(POSITION, centre, strict=True))
+        found = windows(list(zip(offsets, VELOCITY, self.flight.acceleration, strict=True)), halves)
+        if None in halves:
+            last = self._last_root()
+            found = [(low, minimum(high, last)) for low, high in found]
+        return found
+
+    def _last_root(self) -> sp.Expr:
+        """Cauchy's bound on the roots, infinite where the degree is not certain."""
+        share = sp.Rational(1, 2**20)  # errors beyond that exceed what a search allows for
+        known = {place: Rounded(extent, share * extent) for place in POSITION}
+        known |= {v: Rounded(speed, share * speed) for v in VELOCITY}
+        *rest, leading = self._coefficients
+        least = barrier(absolute(leading) - rounding(leading, known).error)
+        most = (c.magnitude + c.error for c in (rounding(c, known) for c in rest))
+        return IfLess(0, least, 1 + barrier(sp.Add(*most)) / least, sp.oo)
+
+    @property
+    def lost(self) -> sp.Expr:
+        """Positive if errors come near to the inflation of the box."""
+        if not self._boxed:
+            return sp.Integer(0)
+        return lost(self.surface.reference_point, self.surface.half_sizes, self.flight.acceleration)
+
+    @property
+    def clear(self) -> sp.Expr:
+        """Positive if no window opens before the horizon."""
+        if not self._boxed:
+            return sp.Integer(0)
+        return clear(self.windows, self.lost)
+
+    @property
+    def gap(self) -> sp.Expr:
+        """The condition at the offset at time t, which loses less than its coefficients do."""
+        return self._along(self.surface.shape)
+
+    @property
+    def leaving_gap(self) -> sp.Expr:
+        """The change since the start, with its factor t divided out and multiplied again."""
+        falls = zip(VELOCITY, self.flight.acceleration, strict=True)
+        rates = (barrier(v + a * t / 2) for v, a in falls)
+        starts = (
+            barrier(p - c) for p, c in zip(POSITION, self.surface.reference_point, strict=True)
+        )
+        there, _ = self.flight.named()
+        offsets = (barrier(p - c) for p, c in zip(there, self.surface.reference_point, strict=True))
+        now = dict(zip((*POSITION, *VELOCITY, *STARTS), (*offsets, *rates, *starts), strict=True))
+        return t * barrier(self._change.xreplace(now))
+
+    @property
+    def rate(self) -> sp.Expr:
+        """The gradient times the velocity."""
+        return self._along(self._rate)
+
+    @property
+    def bend(self) -> sp.Expr:
+        """The second derivative at time t."""
+        return 2 * barrier(self._along(self._local[2]))
+
+    def curvature(self, width: sp.Expr) -> sp.Expr:
+        """Return the largest Bernstein coefficient of -F'' on the window, rounding included."""
+        second = derivative(derivative([barrier(self._along(c)) for c in self._local]))
+        upper = maximum(*(-barrier(c) for c in bernstein(second, width)))
+        return upper + sp.Rational(1, 2**36) * ceiling
+
+    def _sizes(self, share: sp.Expr) -> dict[sp.Expr, Rounded]:
+        """Return bounds on offset and velocity within the windows, with a share of the box."""
+        there, moved = self.flight.rounding(horizon)
+        known: dict[sp.Expr, Rounded] = dict.fromkeys(VELOCITY, moved)
+        places = zip(POSITION, self.surface.reference_point, self.surface.half_sizes, strict=True)
+        for place, centre, half in places:
+            offset = rounding(place - centre, {place: there})
+            known[place] = offset if half is None else Rounded(share * half, barrier(offset.error))
+        return known
+
+    @property
+    def ceiling(self) -> sp.Expr:
+        """|F''| with every term taken positive, up to the horizon and somewhat outside the box."""
+        return rounding(2 * self._local[2], self._sizes(CEILING_BOX_FACTOR)).magnitude
+
+    @property
+    def margins(self) -> dict[str, sp.Expr]:
+        """Bounds by running error analysis of the gap, its mean rate and its rate."""
+        now = self._sizes(1 + sp.Rational(1, 2**10))
+        _, fastest = self.flight.size(horizon)
+        mean = Rounded(fastest, barrier(velocity_error + 3 * UNIT_ROUNDOFF * fastest))
+        start = {place: Rounded(extent, position_error) for place in POSITION}
+        since = now | dict.fromkeys(VELOCITY, mean)
+        for own, place, centre in zip(STARTS, POSITION, self.surface.reference_point, strict=True):
+            # The ball left the surface there, or this bound is not used.
+            since[own] = Rounded(
+                now[place].magnitude, barrier(rounding(place - centre, start).error)
+            )
+        gap = rounding(self.surface.shape, now)
+        change = rounding(self._change, since)
+        rate = rounding(self._rate, now)
+        return {
+            "margin": ROUNDING_SLACK * (gap.error + time_rounding(rate) * horizon),
+            "leaving_margin": ROUNDING_SLACK * (change.error + time_rounding(rate)),
+            "rate_margin": ROUNDING_SLACK * rate.error,
+        }

@@ -1,0 +1,312 @@
+"""The decisions of a search, each a kernel, so that every target makes them alike.
+
+Numbers that name something (surfaces) are doubles like all others.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..ir.kernel import decision
+from ..symbolic.conditionals import (
+    AtMost,
+    Boolean,
+    Choose,
+    Equal,
+    Less,
+    Not,
+    Or,
+    absolute,
+    all_of,
+    any_of,
+    false,
+)
+from ..symbolic.error_terms import earliest_delay
+from .event_polynomials import ERROR_BUDGET_LEVELS, ceiling, horizon
+
+when, which, last, index, time, doubt, delay = sp.symbols(
+    "when which last index time doubt delay", real=True
+)
+"""Time and surface of the earliest arrival so far; surface touched last; index of the surface
+that is searched; an arrival on it; the earliest time of a decision that lies within its rounding
+error; a bound on the arrival's delay."""
+excess, pad, budget_exceeded, share, clear, leaving = sp.symbols(
+    "excess pad budget_exceeded share clear leaving", real=True
+)
+rate, bend, apex, height, margin, rate_margin = sp.symbols(
+    "rate bend apex height margin rate_margin", real=True
+)
+gap, step, following, root, clearance = sp.symbols("gap step next root clearance", real=True)
+side, candidate = sp.symbols("side candidate", real=True)
+through = sp.Symbol("through", real=True)
+"""1 for a ball that has fallen through the scene's passage."""
+flat, tilt, arrival, t, end, refined = sp.symbols("flat tilt arrival t end refined", real=True)
+since, lasting = sp.symbols("since lasting", real=True)
+"""Begin of a search in single precision, and the time since then; infinite after all windows."""
+unsure, arrives, certain, hit, sure, needs_refinement, met, penetrates = map(
+    Boolean,
+    ("unsure", "arrives", "certain", "hit", "sure", "needs_refinement", "met", "penetrates"),
+)
+searching, representable, fits, single_precision = map(
+    Boolean, ("searching", "representable", "fits", "single_precision")
+)
+
+
+def earlier(condition: sp.Basic, at: sp.Expr) -> sp.Expr:
+    """Return the earliest undecided time, given one at which a condition holds."""
+    return Choose(all_of(condition, Less(at, doubt)), at, doubt)
+
+
+CONVERGED = sp.Rational(1, 2**24)
+"""Newton's method from a smaller h ends with h below 2^-49."""
+
+_sooner = all_of(arrives, Less(time, when))
+_tie = AtMost(absolute(time - when), delay + earliest_delay)
+_meets = any_of(Less(rate, 0), all_of(AtMost(rate, 0), Less(bend, 0), Equal(time, 0)))
+_plane_met = all_of(_meets, AtMost(0, time), Less(time, sp.oo))
+_falling = any_of(Less(rate, 0), all_of(AtMost(rate, rate_margin), Less(bend, 0)))
+_clears = all_of(_falling, Less(0, clearance))
+_strikes = all_of(_falling, any_of(AtMost(gap - margin, margin), Less(0, clearance)))
+_unclear = all_of(_strikes, Not(_clears), Less(0, share))
+_still = all_of(Less(t, end), Not(Less(t, following)))
+_sunk = Less(gap, -margin)
+_lands = all_of(met, arrives)
+_near = all_of(Equal(last, index), Less(tilt * t, flat))
+_strays = all_of(searching, any_of(Less(0, excess), Less(pad, earliest_delay)))
+_exhausted = all_of(Not(hit), Not(needs_refinement), AtMost(end - t, step))
+
+KERNELS = {
+    kernel.name: kernel
+    for kernel in (
+        decision(
+            "left",
+            {"leaving": Choose(Equal(last, index), 1, 0)},
+            "1 if the flight starts on this surface.",
+        ),
+        decision(
+            "released",
+            {"released": Less(last, 0), "reachable": Not(Less(last, 0))},
+            "Whether the ball has touched nothing yet.",
+        ),
+        decision(
+            "meeting_plane",
+            {
+                "arrives": _plane_met,
+                "ceiling": absolute(bend),
+                "nearest": Choose(_plane_met, time, apex),
+            },
+            "Whether a plane's only root is an arrival, the size of F'', and the nearest time.",
+        ),
+        decision(
+            "within_time",
+            {"possible": all_of(arrives, Not(Less(earliest_delay + delay, time - when)))},
+            "Whether an arrival may be the earliest within the delays.",
+        ),
+        decision(
+            "grazed",
+            {"doubt": earlier(all_of(AtMost(0, apex), AtMost(absolute(height), margin)), apex)},
+            "Earliest undecided time, with that of an apex whose gap is zero within its error.",
+        ),
+        decision(
+            "questioned",
+            {"doubt": earlier(unsure, time)},
+            "Earliest undecided time, with that of an undecided predicate.",
+        ),
+        decision(
+            "crossed",
+            {"doubt": earlier(all_of(arrives, Not(Less(0, clearance))), time)},
+            "Earliest undecided time, with that of an arrival whose crossing is not certain.",
+        ),
+        decision(
+            "tied",
+            {
+                "doubt": earlier(all_of(arrives, _tie), Choose(Less(time, when), time, when)),
+                "earliest_delay": Choose(_sooner, delay, earliest_delay),
+            },
+            "Earliest undecided time, with that of a tie within the delays; the earlier's delay.",
+        ),
+        decision(
+            "earliest",
+            {"when": Choose(_sooner, time, when), "which": Choose(_sooner, index, which)},
+            "Time and surface of the earliest arrival, with this one.",
+        ),
+        decision(
+            "opens",
+            {"open": Not(Less(0, clear))},
+            "Whether the flight may hit a surface.",
+        ),
+        decision(
+            "beginning",
+            {"share": ERROR_BUDGET_LEVELS[0], "arrival": sp.oo, "certain": false},
+            "Start values of a search: its error budget, and no arrival.",
+        ),
+        decision(
+            "out_of_budget",
+            {
+                "doubt": Choose(
+                    any_of(Less(0, excess), Less(0, budget_exceeded), Less(pad, earliest_delay)),
+                    0,
+                    doubt,
+                )
+            },
+            "Undecided time 0 if errors exceed the budget of a search, or its bounds fail.",
+        ),
+        decision(
+            "out_of_budget_in_windows",
+            {"doubt": Choose(any_of(_strays, Less(0, budget_exceeded)), 0, doubt)},
+            "Undecided time 0 if errors exceed the budget of an open window, or its bounds fail.",
+        ),
+        decision(
+            "nearby",
+            {
+                "leaving": Choose(_near, 1, 0),
+                "margin": Choose(_near, tilt * t, flat),
+            },
+            "1 near the surface that the ball left, where F/t is more exact than F; the margin.",
+        ),
+        decision(
+            "opened",
+            {"time": time, "latest": horizon},
+            "Begin of the first window and end of the last one, from single precision.",
+        ),
+        decision(
+            "coarse",
+            {
+                "stepping": all_of(searching, representable, fits),
+                "searching": any_of(searching, Not(representable)),
+                "single_precision": all_of(searching, representable, fits),
+                "ceiling": ceiling,
+                "flat": flat,
+                "tilt": rate_margin,
+                "allowing": Choose(all_of(representable, fits), share, ERROR_BUDGET_LEVELS[0]),
+            },
+            "Whether a search begins in single precision; its ceiling, margins and error budget.",
+        ),
+        decision(
+            "stepped",
+            {
+                "arrival": Choose(certain, since + lasting, arrival),
+                "t": Choose(single_precision, since + lasting, 0),
+                "searching": all_of(searching, Not(certain), Less(lasting, sp.oo)),
+            },
+            "Root from the search in single precision; whether and where the search goes on.",
+        ),
+        decision(
+            "struck",
+            {
+                "hit": all_of(_strikes, Not(_unclear)),
+                "sure": _clears,
+                "needs_refinement": _unclear,
+            },
+            "Whether the gap closes, certainly closes, or needs a smaller error budget.",
+        ),
+        decision(
+            "struck_or_still",
+            {
+                "hit": all_of(_strikes, Not(_unclear)),
+                "sure": _clears,
+                "needs_refinement": any_of(_unclear, all_of(Not(_strikes), _still, Less(0, share))),
+            },
+            "Whether the gap closes; a step that moves nothing needs a smaller budget, too.",
+        ),
+        decision(
+            "finer",
+            {
+                "share": Choose(
+                    Less(ERROR_BUDGET_LEVELS[-1], share),
+                    share * (ERROR_BUDGET_LEVELS[1] / ERROR_BUDGET_LEVELS[0]),
+                    0,
+                )
+            },
+            "Next smaller error budget.",
+        ),
+        decision(
+            "exceeded",
+            {"doubt": earlier(Less(0, excess), t)},
+            "Earliest undecided time, with the present one if the errors exceed the budget.",
+        ),
+        decision(
+            "advanced",
+            {
+                "arrival": Choose(hit, Choose(sure, following, t), arrival),
+                "certain": Or(certain, all_of(hit, sure)),
+                "exhausted": _exhausted,
+                "searching": all_of(Not(hit), Not(_exhausted)),
+                "t": Choose(Or(hit, needs_refinement), t, following),
+            },
+            "Root, time and state of a search after a step, and whether its window is exhausted.",
+        ),
+        decision(
+            "found",
+            {"arrives": Less(arrival, sp.oo), "refining": Less(arrival, sp.oo), "rate": 0},
+            "Whether a search found an arrival.",
+        ),
+        decision(
+            "polished",
+            {
+                "arrival": Choose(certain, refined, arrival),
+                "refining": all_of(certain, Less(CONVERGED * rate**2, ceiling * absolute(gap))),
+            },
+            "A certain root, refined, and whether h is above 2^-24, so that it is refined again.",
+        ),
+        decision(
+            "own_margin",
+            {"margin": Choose(Less(0, leaving), tilt * arrival, flat)},
+            "Margin of the form, F or F/t, in which an arrival was found.",
+        ),
+        decision(
+            "landed",
+            {"time": Choose(Less(arrival, 0), 0, arrival)},
+            "Time of an arrival, not before the flight.",
+        ),
+        decision(
+            "landed_surely",
+            {
+                "delay": Choose(all_of(certain, Less(0, clearance)), delay, 0),
+                "doubt": earlier(all_of(arrives, Not(all_of(certain, Less(0, clearance)))), time),
+            },
+            "Delay of a certain arrival; the earliest undecided time, with that of any other one.",
+        ),
+        decision(
+            "outside",
+            {"side": 1},
+            "Start value: the ball is outside the surface.",
+        ),
+        decision(
+            "struck_bounded",
+            {
+                "hit": all_of(_strikes, Not(_unclear), Not(_sunk)),
+                "sure": _clears,
+                "needs_refinement": all_of(_unclear, Not(_sunk)),
+                "penetrates": _sunk,
+            },
+            "Whether the gap closes, for a ball that may be inside a surface, beyond its bounds.",
+        ),
+        decision(
+            "candidate",
+            {
+                "candidate": Choose(sure, root, t),
+                "met": all_of(hit, Less(0, side)),
+                "arrives": false,
+            },
+            "Time of a root, and whether the ball comes in there.",
+        ),
+        decision(
+            "refined_candidate",
+            {"candidate": Choose(sure, refined, candidate)},
+            "A certain root, refined.",
+        ),
+        decision(
+            "passed",
+            {
+                "arrival": Choose(_lands, candidate, arrival),
+                "certain": Or(certain, all_of(_lands, sure)),
+                "exhausted": all_of(_exhausted, Not(penetrates)),
+                "searching": all_of(Not(_lands), Not(all_of(_exhausted, Not(penetrates)))),
+                "side": Choose(Or(penetrates, all_of(hit, Not(_lands))), -side, side),
+                "t": Choose(hit, candidate, Choose(Or(needs_refinement, penetrates), t, following)),
+            },
+            "The search after a step that passes a root out of bounds and goes on behind it.",
+        ),
+    )
+}

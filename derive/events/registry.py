@@ -1,0 +1,84 @@
+"""The registry of searches, by kind of surface and flight: a special one, else the general one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from ..motion.flight import Flight
+from ..motion.parabola import Parabola
+from ..surfaces import Box, EndPlane, Plane, Ring, Surface
+from .box import BoxRootFinder
+from .end_plane import EndPlaneSearch
+from .plane import PlaneSearch
+from .polynomial import PolynomialRootFinder
+from .ring.double import RingRootFinder
+from .ring.single import SinglePrecisionRing
+from .root_finder import RootFinder
+from .root_search import RootSearch
+from .search import Search
+
+SearchFactory = Callable[[Any, Any], Search | None]
+"""A function from a surface and a flight to their search; None if it does not support these two."""
+
+
+def _ring(surface: Ring, flight: Parabola) -> Search | None:
+    # Windows and bounds on F'' assume a ring that lies across gravity.
+    if not flight.upright:
+        return None
+    coarse = None if surface.bounds else SinglePrecisionRing(flight, surface)
+    return RootSearch(surface, flight, RingRootFinder(flight, surface), coarse)
+
+
+def _box(surface: Box, flight: Parabola) -> Search:
+    return RootSearch(surface, flight, BoxRootFinder(flight, surface))
+
+
+def _general(surface: Surface, flight: Flight) -> Search | None:
+    # The polynomial in time is that of the path, which must be the flight itself.
+    if not flight.exact:
+        return None
+    return RootSearch(surface, flight, PolynomialRootFinder(flight, surface))
+
+
+SEARCHES: tuple[tuple[type[Surface], type[Flight], SearchFactory], ...] = (
+    (EndPlane, Parabola, EndPlaneSearch),
+    (Plane, Parabola, PlaneSearch),
+    (Ring, Parabola, _ring),
+    (Box, Parabola, _box),
+    (Surface, Flight, _general),
+)
+"""Kinds of surface and flight, with their search; the first row that supports both is taken."""
+
+
+def search_for(surface: Surface, flight: Flight) -> Search:
+    """Return the search of a surface along a flight.
+
+    Raises
+    ------
+    TypeError
+        If there is none.
+    """
+    for kind, flight_kind, make in SEARCHES:
+        if isinstance(surface, kind) and isinstance(flight, flight_kind):
+            found = make(surface, flight)
+            if found is not None:
+                return found
+    raise TypeError(
+        f"surface {surface.name}: no search for a {type(surface).__name__} along a "
+        f"{type(flight).__name__}; the general one expects a path without remainder or end"
+    )
+
+
+def root_finder_for(surface: Surface, flight: Flight) -> RootFinder:
+    """Return the root finder of a curved surface along a flight.
+
+    Raises
+    ------
+    TypeError
+        If the surface's arrival is a closed form.
+    """
+    found = search_for(surface, flight)
+    if not isinstance(found, RootSearch):
+        raise TypeError(f"surface {surface.name}: its arrival is a closed form")
+    return found.root_finder

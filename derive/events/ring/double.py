@@ -1,0 +1,175 @@
+"""The search for the ring of Table 2: fast bounds in closed form.
+
+The search uses Table 2's condition with its root kept and the distance squared,
+
+    F = (rho - R_H)² + z² - R²,    rho = sqrt(x² + y²).
+
+Along a flight rho² is quadratic in time with leading coefficient V² = vx² + vy², and
+L = x vy - y vx is constant, so rho'' = L²/rho³; with the energy constant vz² + 2 g z,
+
+    F'' = 2 (V² + vz² + 2 g z) - 6 g z - 2 R_H L²/rho³:
+
+a constant less two terms that a bound on z and on rho limits.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import sympy as sp
+
+from ...symbolic.conditionals import absolute, barrier, maximum, minimum
+from ...symbolic.rounding import ROUNDING_SLACK, Rounded
+from ...symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
+from ..event_polynomials import horizon, time_rounding
+from .miss_filter import clear
+from .polar import energy2, moment2, rho_start
+from .windows import RingWindows
+
+
+@dataclass(frozen=True)
+class RingRootFinder(RingWindows):
+    """The root finder for the ring: windows, curvature and margins in closed form."""
+
+    ease: ClassVar[sp.Expr] = sp.Rational(1, 2**40)
+    """Bound on the roundings of the bound on F'', relative to the size of its terms."""
+
+    @property
+    def named(self) -> dict[str, sp.Expr]:
+        """The sizes of ring and windows, and the flight in polar coordinates."""
+        _, _, rho = self._here()
+        innermost, outermost = self.radii()
+        sizes = {"R": self.ring.reach, r"\hat R": self.reach}
+        radii = {r"\rho_-": innermost, outermost.name: outermost}
+        polar = {e.name: e for e in (*self.polar(), rho.base)}
+        return sizes | radii | super().named | polar | {r"\rho_t": rho}
+
+    def _here(self) -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
+        """Return position, velocity and rho at time t."""
+        there, moving = self.flight.named()
+        return there, moving, sp.sqrt(barrier(there[0] ** 2 + there[1] ** 2, r"\rho_t^2"))
+
+    def _inverses(self, rho: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Return 1/rho and 1/(rho + rho0) by one division."""
+        both = barrier(rho + rho_start)
+        inverse = barrier(1 / barrier(rho * both))
+        return barrier(inverse * both), barrier(inverse * rho)
+
+    def _outward_speed(self) -> sp.Expr:
+        """Return the rate of rho."""
+        there, moving, rho = self._here()
+        per_rho, _ = self._inverses(rho)
+        return barrier(barrier(there[0] * moving[0] + there[1] * moving[1]) * per_rho)
+
+    @property
+    def gap(self) -> sp.Expr:
+        """F at the position at time t."""
+        there, _, rho = self._here()
+        reach = barrier(self.ring.reach, "R")
+        return barrier(rho - self.ring.ring_radius) ** 2 + there[2] ** 2 - reach**2
+
+    @property
+    def leaving_gap(self) -> sp.Expr:
+        """F = t P (rho - R_H + rho0 - R_H)/(rho + rho0) + t Z (z + z0), without cancellation.
+
+        P = (rho² - rho0²)/t and Z = (z - z0)/t are polynomials in t: this is F less its value at
+        t = 0, which is zero at a contact, with the factor t in the open.
+        """
+        there, _, rho = self._here()
+        _, q, speed_squared, _ = self.polar()
+        _, _, z0 = POSITION
+        _, _, vz = VELOCITY
+        radius = self.ring.ring_radius
+        outward = 2 * q + speed_squared * t
+        upward = vz - self.gravity * t / 2
+        inward = barrier(barrier(rho - radius) + barrier(rho_start - radius))
+        radial = barrier(barrier(outward) * inward) * self._inverses(rho)[1]
+        return t * barrier(radial + barrier(upward) * barrier(there[2] + z0))
+
+    @property
+    def rate(self) -> sp.Expr:
+        """F' = 2 ((rho - R_H) rho' + z z')."""
+        there, moving, rho = self._here()
+        depth = barrier(rho - self.ring.ring_radius)
+        return 2 * barrier(depth * self._outward_speed() + there[2] * moving[2])
+
+    @property
+    def bend(self) -> sp.Expr:
+        """F'' as above."""
+        there, _, rho = self._here()
+        return energy2 - 6 * self.gravity * there[2] - moment2 * self._inverses(rho)[0] ** 3
+
+    def curvature(self, width: sp.Expr) -> sp.Expr:
+        """Return the bound, with z highest and rho smallest, each bounded separately.
+
+        rho is convex in time, and so never below its tangent.
+        """
+        there, moving, rho = self._here()
+        innermost, _ = self.radii()
+        around, above = self.blur(width)
+        rising = barrier(there[2] + maximum(moving[2], 0) * width)
+        highest = minimum(barrier(rising + above), self.reach)
+        tangent = barrier(rho + minimum(self._outward_speed(), 0) * width)
+        least = maximum(barrier(tangent - around), innermost)
+        fall = 6 * self.gravity * highest
+        turn = moment2 * barrier(1 / barrier(least)) ** 3
+        slack = self.ease * barrier(absolute(fall) + turn + absolute(energy2))
+        return fall + turn - energy2 + slack
+
+    def blur(self, width: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Return bounds on the roundings of rho and of z, along their tangents."""
+        del width
+        _, outermost = self.radii()
+        return (self.ease * outermost,) * 2
+
+    @property
+    def clear(self) -> sp.Expr:
+        """Positive if the ball certainly misses the ring before the horizon (`miss_filter.py`)."""
+        return clear(self)
+
+    @property
+    def ceiling(self) -> sp.Expr:
+        """The sum of the largest sizes of the terms of F'', with |z| <= R and rho >= I."""
+        innermost, _ = self.radii()
+        turn = self.constants["moment2"] * barrier(1 / innermost) ** 3
+        return absolute(self.constants["energy2"]) + 6 * self.gravity * self.reach + turn
+
+    @property
+    def margins(self) -> dict[str, sp.Expr]:
+        """Bounds on the errors of F, F/t and F' within the windows, from state and roundings.
+
+        F is the squared distance to the wire's circle less R²: |grad F| <= 2 sqrt(2) R. Its
+        Hessian, 2 along rho and z and 2 (rho - R_H)/rho across, is at most 2 max(1, R/I) with
+        I = R_H - R.
+        An error p of the position and v of the velocity (in each coordinate; roundings of Eq. 3
+        count as such) change
+
+            F by 2 R sqrt(6) p,    F' by 2 sqrt(6) (R v + max(1, R/I) |v| p),
+
+        and F/t, the mean of F' since the contact, by no more than F'. To these come the roundings
+        of the formulas: rho is known to 3 u (R_H + R), so F to 12 u R (R_H + R) and F' to
+        32 u (R_H + R) |v|; P (rho - R_H + rho0 - R_H)/(rho + rho0) of F/t to
+        16 u max(1, R/I) |p| |v|, P being (rho + rho0) (rho - rho0)/t.
+
+        The last two are generous. The largest errors of F/t and F' that a search found are below a
+        tenth of their margins, and below two fifths without these roundings: the roundings of
+        Eq. 3, which are bounded on every axis at once, cover them.
+        """
+        u, root = UNIT_ROUNDOFF, sp.Rational(5, 2)
+        reach = self.reach
+        innermost, outermost = self.radii()
+        stretch = maximum(1, reach / innermost)
+        furthest, fastest = self.flight.size(horizon)
+        there, moving = self.flight.rounding(horizon)
+        slope = barrier(
+            2 * root * barrier(reach * moving.error + barrier(stretch * fastest) * there.error)
+        )
+        steepest = Rounded(2 * barrier(reach * fastest))
+        gap = 2 * root * reach * there.error + 12 * u * reach * outermost
+        mean = slope + 32 * u * fastest * barrier(stretch * furthest + outermost)
+        return {
+            "margin": ROUNDING_SLACK * barrier(gap + time_rounding(steepest) * horizon),
+            "leaving_margin": ROUNDING_SLACK * barrier(mean + time_rounding(steepest)),
+            "rate_margin": ROUNDING_SLACK * barrier(slope + 32 * u * barrier(outermost * fastest)),
+        }

@@ -1,0 +1,68 @@
+"""A test that a ball certainly misses the ring, by one evaluation."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...symbolic.conditionals import IfLess, barrier, barrier_all
+from ...symbolic.rounding import extent, position_error, speed, velocity_error
+from ...symbolic.symbols import POSITION, VELOCITY
+from ..event_polynomials import horizon
+from .polar import PolarRootFinder
+
+
+def clear(search: PolarRootFinder) -> sp.Expr:
+    """Return a quantity that is positive if the ball certainly misses the ring.
+
+    A ball that rises above the ring and comes down again misses it until the horizon if
+
+    - it is beyond the annulus and approaching while it rises through the ring's level;
+    - when it sinks back into that level, at t1, the parabola below F has no root; there F'' >= m as
+      long as rho >= I, the annulus's inner radius;
+    - and it is then inside the hole at the horizon, which it has not left since entering it, rho²
+      being convex in time; or it never enters the hole.
+
+    Everything is multiplied by the positive rho² I³. The slack of 2^-30 (R_H + R)² exceeds every
+    rounding and carried error unless the flight is 2^16 times as large. It is generous: below the
+    level where the parabola begins, gravity lifts F above it by more than this up to any horizon of
+    a scene. With next to no gravity the kernel needs the slack.
+    """
+    g, radius = search.gravity, search.ring.ring_radius
+    innermost, outermost = search.radii()
+    x, y, z = POSITION
+    vx, vy, vz = VELOCITY
+    rho_squared, q, speed_squared, moment = search.polar()
+    to_top = barrier(vz**2 + 2 * g * barrier(z - search.reach))
+    per_g = barrier(1 / g)
+    inner = sp.sqrt(to_top)
+    rises, sinks = barrier(barrier(vz - inner) * per_g), barrier(barrier(vz + inner) * per_g)
+    away = barrier(q + speed_squared * rises)
+    then = barrier(rho_squared + rises * barrier(q + away))
+
+    there, moving = (barrier_all(vector) for vector in search.flight.at(sinks))
+    now_squared = barrier(there[0] ** 2 + there[1] ** 2)
+    rho = sp.sqrt(now_squared)
+    slack = sp.Rational(1, 2**30) * outermost**2
+    depth = barrier(rho - radius)
+    gap = barrier(depth**2 + there[2] ** 2 - search.ring.reach**2 - slack)
+    sideways = barrier(there[0] * vx + there[1] * vy)
+    slope_rho = 2 * barrier(depth * sideways + rho * there[2] * moving[2])
+    least = barrier(search.constants["energy2"] - 6 * g * search.reach)
+    bend = barrier(least * innermost**3 - search.constants["moment2"])
+    discriminant = barrier(slope_rho**2 * innermost**3 - 2 * bend * gap * now_squared)
+    last_x, last_y = barrier(x + vx * horizon), barrier(y + vy * horizon)
+    in_hole = barrier(last_x**2 + last_y**2 - innermost**2 + slack)
+    off_hole = barrier(speed_squared * barrier(innermost**2 + slack) - moment**2)
+    furthest = barrier(extent + horizon * barrier(speed + g * horizon))
+    carried = barrier(position_error + velocity_error * horizon)
+
+    verdict = IfLess(in_hole, 0, 1, IfLess(off_hole, 0, 1, 0))
+    verdict = IfLess(discriminant, 0, verdict, 0)
+    verdict = IfLess(0, gap, IfLess(0, bend, verdict, 0), 0)
+    verdict = IfLess(horizon, barrier(sinks - sp.Rational(1, 2**30) * horizon), 1, verdict)
+    nearing = IfLess(away, 0, IfLess(outermost**2, then, verdict, 0), 0)
+    verdict = IfLess(rises, 0, verdict, nearing)
+    verdict = IfLess(0, to_top, verdict, 0)
+    verdict = IfLess(furthest, 2**16 * outermost, verdict, 0)
+    verdict = IfLess(carried, sp.Rational(1, 2**34) * outermost, verdict, 0)
+    return IfLess(0, search.lost_by(horizon), 0, verdict)

@@ -1,0 +1,113 @@
+"""The windows of the ring: the times at which a ball can touch it.
+
+At a contact |z| <= R and |rho - R_H| <= R, where R = R_B + R_W. The statement `ring_windows` of the
+derivation's page proves that rounding cuts no such time.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import sympy as sp
+
+from ...symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum, minimum
+from ...symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
+from ..event_polynomials import Window
+from .polar import PolarRootFinder
+
+
+@dataclass(frozen=True)
+class RingWindows(PolarRootFinder):
+    """The part of the ring's root finder that bounds the times of its contacts."""
+
+    unit: ClassVar[sp.Expr] = UNIT_ROUNDOFF
+    """Unit roundoff of the arithmetic of the windows."""
+
+    hardly: ClassVar[sp.Expr] = sp.Rational(1, 2**600)
+    """Square of a horizontal speed below which the times of windows are unknown."""
+
+    @property
+    def windows(self) -> list[Window]:
+        """The times at which |z| <= R and |rho - R_H| <= R can both hold.
+
+        Each of the two holds in at most two intervals, Z1 < Z2 and A1 < A2. Of the four
+        intersections Z1 A2 and Z2 A1 are not both possible, so three windows suffice. The
+        discriminants are widened by their rounding errors, and so are the times.
+        """
+        (z1, z2), (a1, a2) = self._slab_intervals(), self._annulus_intervals()
+        late_first = _meet(z1, a2)
+        middle = tuple(
+            IfAtMost(late_first[0], late_first[1], late, early)
+            for late, early in zip(late_first, _meet(z2, a1), strict=True)
+        )
+        return [_meet(z1, a1), (middle[0], middle[1]), _meet(z2, a2)]
+
+    def _slab_intervals(self) -> tuple[Window, Window]:
+        """Return the rising and the falling interval of |z| <= R.
+
+        The roots of z = c are (vz ± sqrt(D)) / g with D = vz² + 2 g (z0 - c).
+        """
+        g = self.gravity
+        _, _, z = POSITION
+        _, _, vz = VELOCITY
+        reach = self.reach
+        error = 8 * self.unit * barrier(vz**2 + 2 * g * (sp.Abs(z) + reach))
+        to_bottom = barrier(vz**2 + 2 * g * barrier(z + reach) + error)
+        to_top = barrier(vz**2 + 2 * g * barrier(z - reach) - error)
+        outer, inner = sp.sqrt(to_bottom), sp.sqrt(maximum(to_top, 0))
+        pad = barrier(16 * self.unit * barrier(sp.Abs(vz) + outer), "p_Z")
+        per_g = barrier(1 / g)
+        first = IfAtMost(0, to_bottom, barrier(vz - outer - pad) * per_g, sp.oo)
+        last = IfAtMost(0, to_bottom, barrier(vz + outer + pad) * per_g, -sp.oo)
+        up = IfLess(0, to_top, barrier(vz - inner + pad) * per_g, barrier(last, r"\overline Z_2"))
+        down = IfLess(0, to_top, barrier(vz + inner - pad) * per_g, sp.oo)
+        return _two(first, up, down, last, "Z")
+
+    def _annulus_intervals(self) -> tuple[Window, Window]:
+        """Return the inward and the outward interval of |rho - R_H| <= R.
+
+        The roots of rho = c are (-q ± sqrt(V² c² - L²)) / V² with q = x vx + y vy. The rounding
+        error of L² is bounded by 6 u rho² V², since (|x vy| + |y vx|)² <= 2 rho² V². A ball that
+        hardly moves sideways counts as in the interval at all times: then the search decides.
+        """
+        rho_squared, q, speed_squared, moment = self.polar()
+        innermost, outermost = self.radii()
+        error = 16 * self.unit * speed_squared * barrier(rho_squared + outermost**2)
+        enters = barrier(speed_squared * outermost**2 - moment**2 + error)
+        passes = barrier(speed_squared * innermost**2 - moment**2 - error)
+        outer, inner = sp.sqrt(enters), sp.sqrt(maximum(passes, 0))
+        pad = barrier(16 * self.unit * barrier(absolute(q) + absolute(moment) + outer), "p_A")
+        per = barrier(1 / speed_squared)
+        hardly = self.hardly
+        first = IfAtMost(0, enters, barrier(-q - outer - pad) * per, sp.oo)
+        last = IfAtMost(0, enters, barrier(-q + outer + pad) * per, -sp.oo)
+        first = IfLess(hardly, speed_squared, first, -sp.oo)
+        last = IfLess(hardly, speed_squared, last, sp.oo)
+        through = IfLess(hardly, speed_squared, passes, 0)
+        inward = IfLess(
+            0, through, barrier(-q - inner + pad) * per, barrier(last, r"\overline A_2")
+        )
+        outward = IfLess(0, through, barrier(-q + inner - pad) * per, sp.oo)
+        return _two(first, inward, outward, last, "A")
+
+
+def _two(
+    first: sp.Expr, until: sp.Expr, again: sp.Expr, last: sp.Expr, name: str
+) -> tuple[Window, Window]:
+    """Return the intervals from `first` until `until` and from `again` until `last`, named.
+
+    The pads of two roots that nearly meet would make the second begin before the first ends.
+    """
+    end = barrier(until, rf"\overline {name}_1")
+    return (
+        (barrier(first, rf"\underline {name}_1"), end),
+        (
+            barrier(maximum(again, end), rf"\underline {name}_2"),
+            barrier(last, rf"\overline {name}_2"),
+        ),
+    )
+
+
+def _meet(left: Window, right: Window) -> Window:
+    return maximum(left[0], right[0]), minimum(left[1], right[1])

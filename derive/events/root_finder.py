@@ -1,0 +1,225 @@
+"""The first root of a curved surface's condition, by steps from the left and Newton's method.
+
+On a window with -F'' <= M,
+
+    F(t + s) >= F(t) + F'(t) s - M s²/2,
+
+so stepping to the first root of that parabola cannot pass a root of F, a parabola without a root
+proves that there is none, and near a simple root the steps converge quadratically. With F less its
+margin m in the parabola the same holds for the true F, of which only rounded values are known; the
+search ends where F <= 2 m, since every step from further away makes headway.
+
+It may end earlier. If the slope r = -F' - m' fulfils r² > 8 C (2 (F - m) + m) with |F''| <= C, one
+root follows and is simple, also of the true F (Kantorovich, with h = C F / r²). Newton's method
+converges to it: F > 2 m means h < 2^-3, and each step squares h and halves it. The step after which
+h is at most 2^-49 is the last; F <= 2 m means that any value is within the root's own error. Where
+a root may be out of bounds, which is decided after three steps, the factor is 2^5 instead of 2.
+
+The ring's search first goes as far as it gets in single precision, with margins that hold for that
+(`ring/single.py`).
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..motion.flight import Flight
+from ..symbolic.conditionals import Barrier, IfAtMost, IfLess, barrier, maximum, minimum
+from ..symbolic.symbols import t
+from .event_polynomials import Window, ceiling, end, horizon, leaving, margin, rate_margin
+
+
+@dataclass(frozen=True)
+class RootFinder(ABC):
+    """The properties of a surface along a flight that the search uses.
+
+    Times are since the last contact.
+
+    Attributes
+    ----------
+    flight
+        The motion between contacts.
+    """
+
+    flight: Flight
+
+    @property
+    @abstractmethod
+    def constants(self) -> dict[str, sp.Expr]:
+        """Quantities that are constant along the flight, by name."""
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The symbols of `constants`, in calling order."""
+        return ()
+
+    @property
+    def named(self) -> dict[str, sp.Expr]:
+        """Quantities with a name in the derivation, by its LaTeX, each after those that it uses."""
+        there, moving = self.flight.named()
+        return {e.name: e for e in (*there, *moving) if isinstance(e, Barrier)}
+
+    @property
+    @abstractmethod
+    def windows(self) -> list[Window]:
+        """Intervals of time, in order, outside which there is no contact; empty if low > high."""
+
+    @property
+    @abstractmethod
+    def gap(self) -> sp.Expr:
+        """F at time t."""
+
+    @property
+    @abstractmethod
+    def leaving_gap(self) -> sp.Expr:
+        """F at time t for a flight that starts on the surface, from the deflated form."""
+
+    @property
+    @abstractmethod
+    def rate(self) -> sp.Expr:
+        """F' at time t."""
+
+    @property
+    @abstractmethod
+    def bend(self) -> sp.Expr:
+        """F'' at time t."""
+
+    @property
+    def lost(self) -> sp.Expr:
+        """Positive if the bounds of this class do not hold, so that no result is certain."""
+        return sp.Integer(0)
+
+    @property
+    def clear(self) -> sp.Expr | None:
+        """Positive if there is certainly no contact before the horizon; None: there is no test."""
+        return None
+
+    @property
+    def reach_test(self) -> dict[str, sp.Basic]:
+        """Test whether the boxes of a flight may meet the surface's; empty if there is none."""
+        return {}
+
+    @abstractmethod
+    def curvature(self, width: sp.Expr) -> sp.Expr:
+        """Return M with -F'' <= M on [t, t + width]."""
+
+    @property
+    @abstractmethod
+    def ceiling(self) -> sp.Expr:
+        """Bound on |F''| up to the horizon."""
+
+    @property
+    @abstractmethod
+    def margins(self) -> dict[str, sp.Expr]:
+        """Error bounds up to the horizon: `margin` of F, `leaving_margin` of F/t, `rate_margin`."""
+
+    def prepare(self) -> dict[str, sp.Expr]:
+        """Return the outputs of the kernel that opens the search of a flight."""
+        outputs = dict(self.constants)
+        for k, (low, high) in enumerate(self.windows):
+            outputs |= {f"low{k}": maximum(0, low), f"high{k}": minimum(horizon, high)}
+        latest = barrier(minimum(horizon, maximum(0, *(high for _, high in self.windows))))
+        outputs |= {"ceiling": self.ceiling.subs(horizon, latest), "latest": latest}
+        return outputs | {"budget_exceeded": self.lost}
+
+    @property
+    def allowed(self) -> sp.Expr:
+        """The margin m of F in the form that is searched."""
+        return margin
+
+    @property
+    def rate_allowed(self) -> sp.Expr:
+        """The margin of F'."""
+        return rate_margin
+
+    def _searched(self) -> sp.Expr:
+        """Return F in the more exact form."""
+        return IfLess(0, leaving, barrier(self.leaving_gap, r"F_\ell"), barrier(self.gap, "F"))
+
+    def refine(self) -> dict[str, sp.Expr]:
+        """Return Newton's next value of a root near t, and gap and rate at t."""
+        gap = self._searched()
+        rate_here = barrier(self.rate, "F'")
+        return {"time": t - gap / rate_here, "gap": gap, "rate": rate_here}
+
+    def advance(self, side: sp.Expr = sp.Integer(1)) -> dict[str, sp.Expr]:
+        """Return gap, rate, second derivative, a step without a root, its end, and the clearance.
+
+        The curvature is bounded on a window twice as long as the local line (falling) or, on
+        leaving the surface, the local parabola suggests, so that M is nearly exact; if even that
+        window ends first, so does the step. A falling gap with a positive clearance has one simple
+        root nearby.
+
+        Where a root may be out of bounds the search goes on behind it: with `side` -1 it looks for
+        the way out, a root of -F, whose curvature the ceiling bounds, and needs Newton's root.
+        """
+        turned = side != 1
+        gap, rate, bend = self._searched(), self.rate, self.bend
+        if turned:
+            gap, rate, bend = barrier(side * gap), barrier(side * rate), barrier(side * bend)
+        low_gap = barrier(maximum(barrier(gap - self.allowed), 0))
+        slope = barrier(barrier(rate, "" if turned else "F'") - self.rate_allowed)
+        numerator = IfLess(slope, 0, 2 * self.beyond(low_gap), 4 * slope)
+        denominator = IfLess(slope, 0, -slope, _positive(barrier(-bend)))
+        rising = IfAtMost(0, slope, low_gap, 0)
+        guess = IfLess(0, rising, sp.oo, numerator / barrier(denominator))
+        width = barrier(minimum(barrier(end - t), guess), "w")
+        curvature = self.curvature(width)
+        if turned:
+            curvature = IfLess(0, side, barrier(curvature), ceiling)
+        step = first_root(low_gap, slope, barrier(curvature, "M"))
+        stride = minimum(width, step)
+        least_fall = barrier(-rate - self.rate_allowed)
+        reach = barrier(self.headroom(low_gap, turned))
+        enough = least_fall**2 - 8 * self.steepest(width, curvature, least_fall, reach) * reach
+        return {
+            "gap": gap,
+            "rate": rate,
+            "bend": bend,
+            "step": stride,
+            "next": t + barrier(stride),
+            **({"root": t - gap / rate} if turned else {}),
+            "clearance": IfLess(0, least_fall, enough, least_fall),
+        }
+
+    def beyond(self, low_gap: sp.Expr) -> sp.Expr:
+        """Return the gap whose local line determines the width of the window."""
+        return low_gap
+
+    def steepest(
+        self, width: sp.Expr, curvature: sp.Expr, fall: sp.Expr, reach: sp.Expr
+    ) -> sp.Expr:
+        """Return C, given the window, M on it, the least -F', and the reach it must suffice for."""
+        del width, curvature, fall, reach
+        return ceiling
+
+    def headroom(self, low_gap: sp.Expr, turned: bool) -> sp.Expr:
+        """Return k (F - m) + m, which determines the slope from which a root follows.
+
+        With k = 2 Newton's method converges; with 2^5 three steps, of which the first is done here,
+        find the root.
+        """
+        return (2**5 if turned else 2) * low_gap + self.allowed
+
+
+def _positive(quantity: sp.Expr) -> sp.Expr:
+    """Return the quantity if it is positive, else +0; -0 is a divisor of another sign."""
+    return IfLess(0, quantity, quantity, 0)
+
+
+def first_root(gap: sp.Expr, slope: sp.Expr, curvature: sp.Expr) -> sp.Expr:
+    """Return the first root s >= 0 of gap + slope s - curvature s²/2, infinite if none.
+
+    Of the two forms of the root, the one whose sums do not cancel is used.
+    """
+    discriminant = barrier(slope**2 + 2 * curvature * gap)
+    root = sp.sqrt(discriminant)
+    numerator = IfLess(slope, 0, 2 * gap, slope + root)
+    denominator = IfLess(slope, 0, root - slope, _positive(curvature))
+    # If the parabola rises and bends upwards, the denominator is zero and the quotient correctly
+    # infinite. 0/0 is a parabola that is zero throughout: it limits no step, and `minimum` ignores
+    # it.
+    return IfAtMost(0, discriminant, numerator / denominator, sp.oo)

@@ -1,0 +1,279 @@
+"""The search on a curved surface, from the left, with the bounds of its root finder."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..errors.propagation import normal_error
+from ..ir.event_tree import Call, If, Node, Value, While
+from ..ir.kernel import Kernel, decision
+from ..symbolic.symbols import variable
+from .box_windows import enter, opening
+from .predicates import KERNELS, side
+from .ring.single import MAX_STEPS, SinglePrecisionRing
+from .root_finder import RootFinder
+from .search import Formula, Parts, Search, bounded, edges, given, proposed
+
+STEP_LIMIT = 201
+"""Steps after which a search gives up and the shot is uncertain; a search takes about five."""
+
+NEWTON_LIMIT = 8
+"""Largest number of Newton's steps; from h < 2^-3 it takes four."""
+
+_BOUNDS = "bounds of the event condition"
+
+
+@dataclass(frozen=True)
+class RootSearch(Search):
+    """The search on a curved surface.
+
+    Attributes
+    ----------
+    root_finder
+        The properties of the surface along the flight.
+    coarse
+        The same in single precision, if that serves.
+    """
+
+    root_finder: RootFinder
+    coarse: SinglePrecisionRing | None = None
+
+    @property
+    def constants(self) -> tuple[sp.Symbol, ...]:
+        """Quantities that are constant along the flight, and the state of the search."""
+        if self.surface.bounds:
+            return (*self.root_finder.symbols, side)
+        return (*self.root_finder.symbols, *(self.coarse.passed if self.coarse else ()))
+
+    @property
+    def formulas(self) -> dict[str, Formula]:
+        """The formulas of the root finder."""
+        approach = self.root_finder
+        return {
+            "carry_normal": (
+                normal_error(self.surface),
+                "Error of the normal, from that of the position.",
+                "derivative of Table 2's normal",
+            ),
+            **({} if approach.clear is None else _clear(approach.clear)),
+            "prepare": (
+                approach.prepare(),
+                "Constants and windows of the search along a flight, and its error budget.",
+                _BOUNDS,
+            ),
+            "margins": (
+                approach.margins,
+                "Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.",
+                "running error analysis",
+            ),
+            "refine": (
+                approach.refine(),
+                "Newton's next value of a root near t, and gap and rate there.",
+                "Newton's method",
+            ),
+            "advance": (
+                approach.advance(side) if self.surface.bounds else approach.advance(),
+                "Gap, rate, second derivative, a step without a root, its end, and the clearance.",
+                "Newton from the left under a curvature bound",
+            ),
+            **({} if self.coarse is None else _coarse(self.coarse)),
+        }
+
+    @property
+    def reach_test(self) -> dict[str, sp.Basic]:
+        """The root finder's test."""
+        return self.root_finder.reach_test
+
+    @property
+    def single(self) -> frozenset[str]:
+        """The parts of the search that are computed in single precision."""
+        return frozenset({"opened", "resolution", "step"})
+
+    @property
+    def decisions(self) -> dict[str, Kernel]:
+        """The decisions of the next window, and of the bounds."""
+        return edges(self.surface) | {
+            "enter": decision(
+                f"{self.surface.name}_enter",
+                enter(opening(len(self.root_finder.windows))),
+                "First window that ends later than a time, from then on.",
+            )
+        }
+
+    def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
+        """Search the first arrival; a shot that certainly misses the surface does not take part."""
+        yield Call(common["horizon"], {"t": "when"}, {"horizon": "until"})
+        step = tuple(self._step(common, own, index))
+        prepared = given(own["prepare"], horizon="until")
+        allowing = tuple(_allowing(common, own))
+        found = (
+            While("searching", STEP_LIMIT, step),
+            Call(KERNELS["questioned"], {"unsure": "searching", "time": "t"}),
+        )
+        if self.coarse is None:
+            first = Call(own["enter"], {"after": 0.0, "t": 0.0, "end": 0.0})
+            begun = (prepared, Call(KERNELS["beginning"]), *allowing, Call(KERNELS["outside"]))
+            if "clear" in own:
+                begun = (*begun, Call(KERNELS["out_of_budget"]), first)
+            else:
+                # Most searches end with the first step, so lanes are not compacted for it.
+                begun = (
+                    *begun,
+                    first,
+                    Call(KERNELS["out_of_budget_in_windows"]),
+                    If("searching", step),
+                )
+            search: tuple[Node, ...] = (*begun, *found)
+        else:
+            entered = Call(own["enter"], {"after": "t", "end": 0.0})
+            again = (prepared, *allowing, entered, *found)
+            leaping = _leaping(common, own, index)
+            search = (*leaping, If("searching", again))
+        searched = (*search, *_landing(common, own, index), *proposed(index))
+        if "clear" not in own:
+            yield from searched
+            return
+        yield given(own["clear"], horizon="until")
+        yield Call(common.get("opens_in_flight", KERNELS["opens"]))
+        yield If("open", searched)
+
+    def _step(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
+        """Step as far as there can be no root, or take the root."""
+        if self.surface.bounds:
+            return _bounded_step(common, own, index)
+        return _step(common, own, index, "struck" if self.coarse else "struck_or_still")
+
+
+def _clear(clear: sp.Expr) -> dict[str, Formula]:
+    summary = "Positive if there is certainly no contact before the horizon."
+    return {"clear": ({"clear": clear}, summary, _BOUNDS)}
+
+
+def _coarse(coarse: SinglePrecisionRing) -> dict[str, Formula]:
+    """Return the kernels of the search in single precision."""
+    return {
+        "opened": (
+            coarse.opened(),
+            "Windows of the search along a flight, and whether single precision serves for it.",
+            _BOUNDS,
+        ),
+        "resolution": (
+            coarse.grain(),
+            "Constants, margins and windows of the search in single precision, from its begin.",
+            "running error analysis",
+        ),
+        "step": (
+            coarse.leap(),
+            "Time and window of the search after a step, whether a root is certain, and whether it "
+            "goes on.",
+            "Newton from the left under a curvature bound",
+        ),
+        "started": (
+            coarse.started(),
+            "Distance from the axis, its rate and that of the gap, at the start of a flight.",
+            "Table 2",
+        ),
+        "budget_exceeded": (
+            {"budget_exceeded": coarse.lost},
+            "Positive if the bounds of the search do not hold.",
+            _BOUNDS,
+        ),
+    }
+
+
+def _leaping(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
+    """Search in single precision, from the begin of the first window."""
+    yield Call(KERNELS["beginning"])
+    yield Call(KERNELS["left"], {"index": index})
+    opened = given(own["opened"], horizon="until")
+    windows = ("end", "low1", "high1", "low2", "high2")
+    wide = {name: f"wide_{name}" for name in windows if name in opened.kernel.output_names}
+    yield Call(opened.kernel, opened.inputs, {**wide, "t": "onset", "latest": "lapsed"})
+    yield Call(KERNELS["opened"], {"time": "onset", "horizon": "lapsed"}, {"time": "since"})
+    yield Call(own["started"])
+    there = {name: f"near_{name}" for name in ("x", "y", "z", "vz")}
+    yield Call(common["flight"], {"t": "since"}, there, frozenset(there))
+    grain = given(own["resolution"], t="onset", horizon="lapsed", **wide, **there)
+    given_away = ("ceiling", "flat", "rate_margin", "share")
+    short = {name: f"short_{name}" for name in grain.kernel.output_names if name != "fits"}
+    yield Call(grain.kernel, grain.inputs, short)
+    yield Call(KERNELS["coarse"], {name: short[name] for name in given_away})
+    allowance = Call(common["allowance"], {"horizon": "latest", "share": "allowing"})
+    yield from (
+        allowance,
+        given(own["budget_exceeded"], horizon="until"),
+        Call(KERNELS["out_of_budget"]),
+    )
+    leap = own["step"]
+    inputs = {name: short[name] for name in map(variable, leap.arguments) if name in short}
+    step = Call(leap, inputs, {"t": "short_t", "end": "short_end"})
+    # Most searches end with the first step, so lanes are not compacted for it.
+    yield If("stepping", (step,), usual=True)
+    yield While("stepping", MAX_STEPS, (step,))
+    yield Call(KERNELS["stepped"], {"lasting": "short_t"})
+
+
+def _allowing(common: Parts, own: Parts) -> Iterator[Node]:
+    """Evaluate the margins for an error budget relative to the flight."""
+    yield Call(common["allowance"], {"horizon": "latest"})
+    margins = given(
+        own["margins"],
+        horizon="latest",
+        position_error="position_level",
+        velocity_error="velocity_level",
+    )
+    renamed = {"margin": "flat", "leaving_margin": "tilt", "rate_margin": "rate_slack"}
+    yield Call(margins.kernel, margins.inputs, renamed)
+
+
+def _step(common: Parts, own: Parts, index: Value, struck: str) -> Iterator[Node]:
+    """Step as far as there can be no root, or take the root, as a decision says."""
+    yield Call(KERNELS["nearby"], {"index": index})
+    yield given(own["advance"], rate_margin="rate_slack")
+    yield Call(KERNELS[struck], {"rate_margin": "rate_slack"})
+    # A root that is not certain is searched again with a smaller error budget.
+    finer = (Call(KERNELS["finer"]), *_allowing(common, own), Call(KERNELS["exceeded"]))
+    yield If("needs_refinement", finer)
+    yield Call(KERNELS["advanced"])
+    yield If("exhausted", (Call(own["enter"], {"after": "end"}),))
+
+
+def _bounded_step(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
+    """Step as `_step` does; pass a root that is out of bounds, and the way out behind it."""
+    yield Call(KERNELS["nearby"], {"index": index})
+    yield given(own["advance"], rate_margin="rate_slack")
+    yield Call(KERNELS["struck_bounded"], {"rate_margin": "rate_slack"})
+    finer = (Call(KERNELS["finer"]), *_allowing(common, own), Call(KERNELS["exceeded"]))
+    yield If("needs_refinement", finer)
+    yield Call(KERNELS["candidate"])
+    polish = (
+        Call(own["refine"], {"t": "candidate"}, {"time": "refined"}, frozenset({"time"})),
+        Call(KERNELS["refined_candidate"]),
+    )
+    within = bounded(common, own, "candidate", delay=0.0, clearance=1.0)
+    yield If("met", (*polish, *polish, *within))
+    yield Call(KERNELS["passed"])
+    yield If("exhausted", (Call(own["enter"], {"after": "end"}),))
+
+
+def _landing(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
+    """Refine the root that was found, with the shot's own errors."""
+    yield Call(KERNELS["found"])
+    yield Call(KERNELS["nearby"], {"index": index, "t": "arrival"})
+    newton = (
+        Call(own["refine"], {"t": "arrival"}, {"time": "refined"}),
+        Call(KERNELS["polished"]),
+    )
+    # Most roots need two steps, so lanes are not compacted for these.
+    usual = "clear" in own
+    yield If("refining", newton, usual=usual)
+    yield If("refining", newton, usual=usual)
+    yield While("refining", NEWTON_LIMIT, newton)
+    yield Call(own["margins"], {"horizon": "latest"}, {"margin": "flat", "leaving_margin": "tilt"})
+    yield Call(KERNELS["own_margin"])
+    yield Call(common["crossing"])
+    yield Call(KERNELS["landed"])
+    yield Call(KERNELS["landed_surely"])

@@ -1,1 +1,0 @@
-"""How a ball moves between contacts."""

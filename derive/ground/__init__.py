@@ -1,1 +1,0 @@
-"""What everything stands on: symbols, kernels, choices, polynomials in time, rounding errors."""

@@ -1,0 +1,78 @@
+"""The kernels of the contact laws; laws that differ by their parameters alone share them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence, Set
+
+import sympy as sp
+
+from ..contact.law import Law
+from ..errors import propagation
+from ..ir.kernel import Kernel, kernel
+from ..rolling import friction_limit, settling
+from ..scenes.scene import Scene
+from ..state import shared_kernels
+from ..symbolic.isomorphism import Isomorphism
+from ..symbolic.symbols import normal, spin, velocity
+from .arguments import components
+from .scene import MOTION
+
+
+def law_kernels(
+    scene: Scene, likes: Sequence[Isomorphism], order: tuple[sp.Symbol, ...]
+) -> dict[Law, dict[str, Kernel]]:
+    """Return the kernels of each law by part, given the law that each is isomorphic to."""
+    found: dict[Law, dict[str, Kernel]] = {}
+    for law, like in zip(scene.laws, likes, strict=True):
+        first = scene.laws[like.first]
+        if first in found:
+            found[law] = found[first]
+            continue
+        own = {s for other in likes if other.first == like.first for s in other.symbols}
+        found[law] = _kernels(law, scene, order, own)
+    return found
+
+
+def _kernels(
+    law: Law, scene: Scene, order: tuple[sp.Symbol, ...], differing: Set[sp.Symbol]
+) -> dict[str, Kernel]:
+    """Return the kernels of one law; isomorphic laws differ by the parameters `differing`."""
+    kernels = {}
+    if differing:
+        parameters = [symbol for symbol in scene.symbols if symbol in differing]
+        kernels["taken"] = kernel(
+            f"{law.name}_taken",
+            shared_kernels.parameter_outputs(parameters),
+            order,
+            "The parameters in which one body's law differs from another's.",
+            "data",
+        )
+    undecided = law.undecided(normal, velocity, spin, scene.ball)
+    if undecided is not None:
+        kernels["doubt"] = kernel(
+            f"{law.name}_doubt",
+            {"unsure": undecided},
+            order,
+            "Whether a decision within the contact lies within its error.",
+            "the law's own slack",
+        )
+    if scene.rolls:
+        kernels["settling"] = settling.settling(law, scene.ball)
+        kernels["grip_deficit"] = friction_limit.strained(law)
+    return kernels | {
+        "impact": kernel(
+            law.name,
+            components(MOTION, *law.after(normal, velocity, spin, scene.ball)),
+            order,
+            "Velocity and spin after a contact, frame-free.",
+            law.source,
+        ),
+        "carry": kernel(
+            f"carry_{law.name}",
+            propagation.errors_after_impact(law, scene.ball, scene.rolls),
+            order,
+            "Errors of velocity and spin after a contact, from those before it.",
+            f"derivative of {law.description}, with roundings",
+            not scene.rolls,
+        ),
+    }

@@ -1,0 +1,233 @@
+"""The kernels of a scene that belong to no surface: flight, contact frame, errors, validity."""
+
+from __future__ import annotations
+
+from collections.abc import Set
+
+import sympy as sp
+
+from ..contact.frame import contact_frame
+from ..contact.no_slip import impact_through_frame
+from ..errors import propagation
+from ..events import bounding_boxes, event_polynomials
+from ..ir.kernel import Kernel, decision, kernel
+from ..scenes import validity
+from ..scenes.scene import Scene
+from ..symbolic import error_terms
+from ..symbolic.conditionals import barrier, maximum
+from ..symbolic.number_range import MAX_FLIGHT
+from ..symbolic.symbols import POSITION, SPIN, VELOCITY, spin, velocity
+from .arguments import FRAME, RESTITUTION, components, unchecked_argument_order
+
+MOTION = (*VELOCITY, *SPIN)
+
+
+def scene_kernels(
+    scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]
+) -> dict[str, Kernel]:
+    """Return the kernels of a scene that belong to no surface, by name.
+
+    Parameters
+    ----------
+    scene
+        The scene.
+    order
+        The calling order of arguments.
+    tabled
+        Indices of the surfaces that share their kernels with others.
+    """
+    kernels = (
+        *_motion(scene, order),
+        *_arrivals(scene, order, tabled),
+        *_errors(scene, order),
+        *_validity(scene, tabled),
+    )
+    return {kernel.name: kernel for kernel in kernels}
+
+
+def flight_boxes(scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[str, Kernel]:
+    """Return the kernels of the boxes that a flight is in."""
+    return {
+        "swept": kernel(
+            "swept",
+            bounding_boxes.flight_box(scene.flight),
+            order,
+            "Box that the ball is in until the horizon: its centre and its half sizes.",
+            "Eq. 3, its ends and its apex",
+        ),
+        "halved": kernel(
+            "halved",
+            bounding_boxes.half_flight_boxes(scene.flight),
+            order,
+            "Boxes of the first and the second half of the flight until the horizon.",
+            "Eq. 3, the chords of both and what it is off them",
+        ),
+    }
+
+
+def _motion(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
+    """Return the flight, the contact frame, and the article's impact through it."""
+    through = impact_through_frame(FRAME, velocity, spin, scene.ball, RESTITUTION)
+    return (
+        kernel(
+            "flight",
+            components((*POSITION, *VELOCITY), *scene.flight.at()),
+            order,
+            "Position and velocity at time t of a flight.",
+            "Eq. 3",
+        ),
+        kernel(
+            "contact_frame",
+            {symbol.name: e for symbol, e in zip(FRAME, contact_frame(), strict=True)},
+            order,
+            "Contact frame R = [n1 n2 n3] of a unit normal.",
+            "Eqs. 7-10, Eq. 7 with the smallest component",
+        ),
+        kernel(
+            "impact_through_frame",
+            components(MOTION, *through),
+            order,
+            "Velocity and spin after an impact, through the contact frame.",
+            "Eqs. 11-17 by the closed-form inverse",
+        ),
+    )
+
+
+def _arrivals(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> tuple[Kernel, ...]:
+    """Return what the searches of all surfaces share."""
+    # Of many bodies the sum of the lengths is computed once for a shot.
+    lengths = (validity.lengths,) if tabled else scene.lengths
+    return (
+        kernel(
+            "crossing",
+            event_polynomials.crossing(),
+            order,
+            "Clearance, positive if a crossing is certain, and a bound on its delay.",
+            "Taylor's theorem with the margins of the gap and its rate",
+        ),
+        kernel(
+            "allowance",
+            event_polynomials.error_budget(scene.flight),
+            order,
+            "Errors of the state that a search allows for, and by how much the errors exceed them.",
+            "a share of the size of the flight",
+        ),
+        kernel(
+            "horizon",
+            event_polynomials.padded_horizon(scene.flight),
+            order,
+            "Time after which no event is wanted, and how long that is after t.",
+            "the earliest arrival, with room for its delay",
+        ),
+        kernel(
+            "scale",
+            {
+                "extent": sp.Add(*map(sp.Abs, POSITION)),
+                "speed": sp.Add(*map(sp.Abs, VELOCITY)),
+                "excess": _flight_size(scene) - MAX_FLIGHT,
+            },
+            order,
+            "Sums of the sizes of position and velocity, and the excess of the flight's size.",
+            "the measure of rounding errors",
+        ),
+        kernel(
+            "displacement",
+            {"margin": event_polynomials.displacement(scene.flight, lengths)},
+            order,
+            "Bound on the error of a length at a computed arrival.",
+            "running error analysis",
+        ),
+    )
+
+
+def _flight_size(scene: Scene) -> sp.Expr:
+    """Return the largest of the sizes of a flight: coordinates, speed and v²/g."""
+    place, fastest = (barrier(sum(map(sp.Abs, of))) for of in (POSITION, VELOCITY))
+    return maximum(place, fastest, barrier(fastest**2 * barrier(1 / scene.flight.strength)))
+
+
+def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
+    """Return how errors pass through a flight, and the bounds that are made of them."""
+    single = not scene.rolls
+    return (
+        kernel(
+            "carry_flight",
+            propagation.errors_at_contact(scene.flight, scene.rolls),
+            order,
+            "Errors of the state at the end of a flight to a surface, from those at its start.",
+            "derivative of Eq. 3 and of the contact time, with roundings",
+            single,
+        ),
+        kernel(
+            "carry_time",
+            propagation.errors_at_time(scene.flight),
+            order,
+            "Errors of the state at the time limit, from those at the start of the flight.",
+            "derivative of Eq. 3, with roundings",
+            single,
+        ),
+        kernel(
+            "error_bounds",
+            propagation.scaled_errors(error_terms.DECISION_FACTOR),
+            order,
+            "Bounds on the errors of state and time that decisions allow for.",
+            "the carried errors times a factor",
+            single,
+        ),
+        kernel(
+            "claimed_errors",
+            propagation.scaled_errors(propagation.REPORTED_FACTOR),
+            order,
+            "Bounds on the errors of state and time that are reported.",
+            "the carried errors times a larger factor",
+            single,
+        ),
+    )
+
+
+def _validity(scene: Scene, tabled: Set[int]) -> tuple[Kernel, ...]:
+    """Return the kernels that validate parameters and start, whatever the numbers are."""
+    order = unchecked_argument_order(scene)
+    near = {} if tabled else validity.near_surface(scene)
+    near_kernel = kernel(
+        "aside",
+        near,
+        order,
+        "Whether the ball starts near a surface; otherwise its start is valid and decided.",
+        "Table 2",
+    )
+    size = kernel(
+        "measure",
+        validity.scene_size(scene),
+        order,
+        "Sum of the sizes of the scene's lengths.",
+        "the measure of roundings",
+    )
+    size_of_shot = decision(
+        "begun_with", {"lengths": validity.measured}, "The scene's lengths, as a field of the shot."
+    )
+    return (
+        kernel(
+            "allowed",
+            validity.allowed(scene),
+            order,
+            "1 if finite parameters are allowed.",
+            "the scene's requirements",
+        ),
+        kernel(
+            "parameters_in_range",
+            validity.parameters_in_range(scene),
+            (*order, validity.permission),
+            "Whether the parameters are allowed, and no arithmetic with them over- or underflows.",
+            "the range of numbers",
+        ),
+        kernel(
+            "valid",
+            validity.valid(scene, tabled),
+            order,
+            "1 if the ball overlaps no surface; 1 if that is undecided.",
+            "Table 2",
+        ),
+        *([near_kernel] if near else []),
+        *([size, size_of_shot] if tabled else []),
+    )

@@ -1,0 +1,253 @@
+"""The decisions of the event loop, each a kernel, so that every target makes them alike.
+
+Numbers that count or name something (surfaces, contacts, outcomes) are doubles like all others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+
+from ..events import predicates as searching
+from ..events.predicates import delay, doubt, excess, index, last, unsure, when, which
+from ..ir.kernel import Kernel, decision
+from ..state.fields import IN_FLIGHT, NONE, REPORTED_ERRORS
+from ..symbolic.conditionals import (
+    AtMost,
+    Boolean,
+    Choose,
+    Equal,
+    Less,
+    Not,
+    Or,
+    absolute,
+    all_of,
+    barrier,
+    false,
+    maximum,
+)
+from ..symbolic.error_terms import (
+    clock,
+    clock_error,
+    contacts,
+    dx,
+    earliest_delay,
+    shift,
+    time_error,
+)
+from ..symbolic.number_range import MAX_SIZE
+from ..symbolic.rounding import position_error, velocity_error
+from ..symbolic.symbols import STATE, UNIT_ROUNDOFF
+
+first, body, reached, outcome, most_contacts, claims, count, valid, uncertain = sp.symbols(
+    "first body reached outcome most_contacts claims count valid uncertain", real=True
+)
+"""First body touched, and body of this event; outcome of an event that ends the shot; contact limit
+and other numbers of the caller; validity of the start."""
+time_limit = sp.Symbol("time_limit", nonnegative=True)
+"""Time since the release at which a shot ends, s; infinite: there is no limit."""
+ends, edge, touches, in_range, permitted = map(
+    Boolean, ("ends", "edge", "touches", "in_range", "permitted")
+)
+
+_bounded = all_of(Less(position_error, sp.oo), Less(velocity_error, sp.oo), AtMost(excess, 0))
+
+
+def body_of(faces: Sequence[int], end_planes: int) -> sp.Expr:
+    """Return the body that a surface belongs to; an end plane has the index after the last body."""
+    if list(faces) == list(range(len(faces))) and end_planes < 2:
+        return which
+    found: sp.Expr = sp.Integer(max(faces, default=-1) + 1)
+    for face, own in enumerate(faces):
+        found = Choose(Equal(which, face), own, found)
+    return Choose(Less(which, 0), NONE, found)
+
+
+def kernels(
+    faces: Sequence[int], outcomes: Mapping[str, int], end_planes: int, single: bool
+) -> dict[str, Kernel]:
+    """Return the decisions of a scene.
+
+    Parameters
+    ----------
+    faces
+        The body of each surface.
+    outcomes
+        The number of each outcome, by name.
+    end_planes
+        How many planes end a shot.
+    single
+        True if errors are carried in single precision.
+    """
+    own = (*_of_scene(faces, outcomes, end_planes), *_of_errors(single))
+    return searching.KERNELS | KERNELS | {kernel.name: kernel for kernel in own}
+
+
+def _of_scene(
+    faces: Sequence[int], outcomes: Mapping[str, int], end_planes: int
+) -> tuple[Kernel, ...]:
+    bodies = max(faces, default=-1) + 1
+    timed = Equal(which, index)
+    capped = Choose(AtMost(most_contacts, contacts + 1), outcomes["capped"], IN_FLIGHT)
+    startable = Choose(all_of(permitted, in_range, Less(0, valid)), IN_FLIGHT, outcomes["invalid"])
+    return (
+        decision("body_of", {"body": body_of(faces, end_planes)}, "Body that the event is on."),
+        decision(
+            "admitted",
+            {
+                "outcome": startable,
+                "uncertain": Choose(all_of(permitted, in_range, Less(0, doubt)), 1, 0),
+            },
+            "Outcome of a shot at its start, and whether that is uncertain.",
+        ),
+        decision("expiry", expiry(open_ended=not end_planes), "The time limit as an arrival."),
+        decision(
+            "departed",
+            {
+                "stays": Less(which, 0),
+                "moves": Not(Less(which, 0)),
+                "ends": AtMost(index, which),
+                "touches": all_of(Not(Less(which, 0)), Less(which, index)),
+                "reached": outcomes["short"],
+                "edge": false,
+            },
+            "Whether there is no event, an end, or a contact, and the outcome without one.",
+        ),
+        decision(
+            "expired",
+            {
+                "clock": Choose(timed, time_limit, clock),
+                "body": Choose(timed, bodies, body),
+                "reached": Choose(timed, outcomes["endless"], reached),
+                "ends": all_of(ends, Not(timed)),
+            },
+            "Time, body and outcome of a shot that the time limit ends.",
+        ),
+        decision(
+            "accounted",
+            {
+                "contacts": Choose(touches, contacts + 1, contacts),
+                "outcome": Choose(touches, capped, reached),
+            },
+            "Number of contacts, and the outcome if the shot ends.",
+        ),
+    )
+
+
+def _of_errors(single: bool) -> tuple[Kernel, ...]:
+    return (
+        decision(
+            "delayed",
+            {"clock_error": clock_error + delay},
+            "Sum of the errors of the contacts' times.",
+            single,
+        ),
+        decision(
+            "closing",
+            {
+                "closed": all_of(Less(0, claims), AtMost(0, outcome)),
+                **dict.fromkeys(REPORTED_ERRORS, sp.Integer(0)),
+            },
+            "Whether a shot has ended and its errors are wanted; start values of their bounds.",
+            single,
+        ),
+        decision(
+            "floored",
+            {s.name: Choose(Less(absolute(s), shift), shift, s) for s in dx},
+            "Errors of the position at the end, not below the largest that one flight can cause.",
+            single,
+        ),
+        decision(
+            "unturned",
+            {"dnx": 0, "dny": 0, "dnz": 0, "turn": 0},
+            "Start values: a normal without error.",
+            single,
+        ),
+    )
+
+
+def expiry(open_ended: bool) -> dict[str, sp.Basic]:
+    """Return the time limit as an arrival.
+
+    In a scene with ends, the limit ends only balls that meet something again; any other ball can
+    never reach an end. Whether a ball meets something is undecided if its earliest arrival is.
+    """
+    found = {
+        "time": maximum(0, barrier(time_limit - clock)),
+        "delay": time_error + 4 * UNIT_ROUNDOFF * time_limit,
+    }
+    if open_ended:
+        return found | {"arrives": Less(time_limit, sp.oo)}
+    undecided = all_of(Not(Less(when + earliest_delay, doubt)), Less(doubt, sp.oo))
+    return found | {"arrives": AtMost(0, which), "doubt": Choose(undecided, 0, doubt)}
+
+
+KERNELS = {
+    kernel.name: kernel
+    for kernel in (
+        decision(
+            "state_in_range",
+            {"in_range": all_of(*(AtMost(absolute(s), MAX_SIZE) for s in STATE))},
+            "Whether all numbers of a release are small enough not to overflow.",
+        ),
+        decision(
+            "opening",
+            {
+                "when": sp.oo,
+                "which": NONE,
+                "earliest_delay": 0,
+                "doubt": Choose(_bounded, sp.oo, 0),
+            },
+            "Start values: no arrival; an uncertain shot if its errors are not bounded.",
+        ),
+        decision(
+            "limited",
+            {"limited": Less(time_limit, sp.oo)},
+            "Whether there is a time limit.",
+        ),
+        decision("event_clock", {"clock": clock + when}, "Time of the event."),
+        decision(
+            "doubted",
+            {
+                "uncertain": Choose(
+                    Or(
+                        all_of(Not(Less(when + earliest_delay, doubt)), Less(doubt, sp.oo)),
+                        edge,
+                    ),
+                    1,
+                    uncertain,
+                )
+            },
+            "1 if a decision up to this event, or the choice of the end, lies within its error.",
+        ),
+        decision(
+            "meeting",
+            {"meeting": Or(touches, all_of(ends, Less(0, claims)))},
+            "Whether an event changes the motion, or its errors are wanted.",
+        ),
+        decision("here", {"here": Equal(which, index)}, "Whether the event is on a surface."),
+        decision("counted", {"count": count + 1}, "One more contact."),
+        decision("elsewhere", {"curving": sp.oo}, "Start value: another surface."),
+        decision(
+            "again",
+            {"again": all_of(Equal(which, index), Equal(last, which))},
+            "Whether the ball meets the same surface again.",
+        ),
+        decision(
+            "touched",
+            {"first": Choose(Less(first, 0), body, first), "last": which},
+            "Body touched first and surface touched last.",
+        ),
+        decision(
+            "timed",
+            {"timed": all_of(Equal(which, index), Less(0, claims))},
+            "Whether a shot has ended at the time limit and its errors are wanted.",
+        ),
+        decision(
+            "undecided",
+            {"uncertain": Choose(unsure, 1, uncertain)},
+            "1 if a decision within a contact lies within its error.",
+        ),
+    )
+}

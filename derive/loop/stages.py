@@ -1,0 +1,281 @@
+"""The event loop (Table 1): the stages of a shot from its release to its end.
+
+There are four stages. `validate` validates the parameters and `start` a release, once each. Then
+`detect` detects the next event and moves the ball there, and `resolve` resolves the event, again
+and again until the shot has an outcome. Between the stages a target does its own work: it fills its
+lanes, writes the log, and stores results.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence, Set
+from itertools import groupby
+
+from ..events.search import Parts, given, proposed
+from ..ir.event_tree import Call, If, Node, Value, given_as
+from ..rolling import stages as contact_stages
+from ..state.fields import REPORTED_ERRORS, Field
+from ..state.shared_kernels import (
+    LoopSurface,
+    SurfaceKind,
+    by_kind,
+    by_law,
+    for_each,
+    on_surface,
+    parameter_variables,
+    take_parameters,
+)
+from .event_loop import TEMPORARY_BOUNDS, Loop
+
+__all__ = ["TEMPORARY_BOUNDS", "Loop", "event_loop"]
+
+
+def event_loop(
+    common: Parts,
+    contacts: Sequence[LoopSurface],
+    end_planes: Sequence[LoopSurface],
+    fields: Sequence[Field],
+    parameters: Sequence[str],
+) -> Loop:
+    """Return the event loop of a scene.
+
+    Parameters
+    ----------
+    common
+        The kernels of the scene, and the decisions.
+    contacts, end_planes
+        The surfaces, and the planes that end a shot, in the order of the indices.
+    fields
+        The fields of a shot.
+    parameters
+        The variables of the scene's parameters.
+    """
+    return Loop(
+        tuple(fields),
+        ("most_contacts", "time_limit", "claims"),
+        tuple(parameters),
+        {
+            "validate": (
+                *(Call(common["allowed"]), Call(common["parameters_in_range"])),
+                *([Call(common["measure"])] if "measure" in common else []),
+            ),
+            "start": (
+                *([Call(common["begun_with"])] if "begun_with" in common else []),
+                *(Call(common["state_in_range"]), *_valid(common)),
+                *(node for kind in by_kind(contacts) for node in _starting(kind)),
+                Call(common["admitted"]),
+                *([Call(common["passing_start"])] if "passing" in common else []),
+            ),
+            "detect": tuple(_reach(common, contacts, end_planes)),
+            "resolve": tuple(_meet(common, contacts, end_planes, {field.name for field in fields})),
+        },
+    )
+
+
+def _valid(common: Parts) -> Iterator[Node]:
+    """Test whether the ball starts inside a surface, unless it is clearly away from all of them."""
+    if "aside" not in common:
+        yield Call(common["valid"])
+        return
+    yield Call(common["aside"])
+    yield If("close", (Call(common["valid"]),))
+
+
+def _starting(kind: SurfaceKind) -> Iterator[Node]:
+    """Test whether the ball starts inside any surface of a kind."""
+    if "start" not in kind.first.parts:
+        return
+    apart = {
+        **{f"middle_{axis}": axis for axis in "xyz"},
+        **{f"reach_{axis}": "leeway" for axis in "xyz"},
+    }
+    yield from for_each(
+        kind.contacts,
+        lambda s, index: iter([Call(s.parts["start"], {"index": index})]),
+        apart if kind.first.enclosed else None,
+    )
+
+
+def _reach(
+    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
+) -> Iterator[Node]:
+    """Detect the earliest arrival (Eq. 4) and move the ball there (Eq. 3)."""
+    time = len(contacts) + len(end_planes)
+    expiry = If("limited", (Call(common["expiry"]), *proposed(time)), rare=True)
+    yield Call(common["error_bounds"])
+    yield Call(common["scale"])
+    yield Call(common["opening"])
+    yield Call(common["limited"])
+    if "in_contact" in common:
+        yield Call(common["in_contact"])
+    if not end_planes:
+        yield expiry
+    # End planes come first: an arrival that is certainly later needs no search.
+    kinds = by_kind(sorted((*end_planes, *contacts), key=lambda s: not s.search.closed))
+    for plates, alike in groupby(kinds, lambda kind: _plate(common, kind)):
+        nodes = [node for kind in alike for node in _on_any(common, kind)]
+        if plates:
+            horizon = Call(common["horizon"], {"t": "when"}, {"horizon": "until"})
+            asked = (horizon, given(common["reachable"], horizon="until"))
+            yield Call(common["released"])
+            yield If("released", asked, rare=True)
+            yield If("reachable", tuple(nodes))
+        else:
+            yield from nodes
+    if end_planes:
+        yield expiry
+    if "in_contact" in common:
+        yield If(
+            "in_contact", tuple(contact_stages.in_contact(common, contacts, end_planes)), rare=True
+        )
+    yield Call(common["departed"], {"index": len(contacts)})
+    yield Call(common["body_of"])
+    flown = (Call(common["flight"], {"t": "when"}), Call(common["event_clock"]))
+    yield If("moves", (*_passing(common), *flown))
+    yield If("limited", (Call(common["expired"], {"index": time}),), rare=True)
+    if "in_contact" in common:
+        yield Call(common["unhopped"])
+        yield If("in_contact", (Call(common["stay_in_contact"]),), rare=True)
+    yield Call(
+        common["displacement"], {"horizon": "when", "delay": "earliest_delay"}, {"margin": "slack"}
+    )
+    for end_plane in end_planes:
+        kernels = (end_plane.parts.get(part) for part in ("bounds", "reached", "edge"))
+        yield from on_surface(
+            common, end_plane.index, *(Call(kernel) for kernel in kernels if kernel is not None)
+        )
+    yield Call(common["doubted_in_contact" if "in_contact" in common else "doubted"])
+    yield Call(common["accounted"])
+
+
+def _plate(common: Parts, kind: SurfaceKind) -> bool:
+    """Return True if the ends of a flight can show that it does not come to the only surface."""
+    return "reachable" in common and bool(kind.first.search.apart) and not kind.several
+
+
+def _on_any(common: Parts, kind: SurfaceKind) -> Iterator[Node]:
+    """Propose the first arrival on any surface of a kind."""
+    if "near" in kind.first.parts:
+        yield Call(common["horizon"], {"t": "when"}, {"horizon": "until"})
+        yield Call(common["swept" if kind.several else "halved"], {"horizon": "until"})
+    yield from for_each(kind.contacts, lambda s, index: _arriving(common, s, index), {})
+
+
+def _passing(common: Parts) -> Iterator[Node]:
+    """Test whether the flight goes through the scene's passage, if it has one."""
+    if "passing" in common:
+        yield Call(common["passing_doubt"], {"t": "when"})
+        yield Call(common["undecided"])
+        yield Call(common["passing"], {"t": "when"})
+
+
+def _arriving(common: Parts, surface: LoopSurface, index: Value) -> Iterator[Node]:
+    """Propose the first arrival on a surface, if the flight comes near it."""
+    nodes = surface.search.nodes(common, surface.parts, index)
+    if "near" not in surface.parts:
+        yield from nodes
+        return
+    yield Call(surface.parts["near"], {}, {"near": "reachable"})
+    if "in_contact" in common:
+        yield Call(common["reachable_in_flight"])
+    yield If("reachable", tuple(nodes))
+
+
+def _meet(
+    common: Parts,
+    contacts: Sequence[LoopSurface],
+    end_planes: Sequence[LoopSurface],
+    fields: Set[str],
+) -> Iterator[Node]:
+    """Give the ball its motion after the contact (Eqs. 7-17), and propagate its errors."""
+    yield Call(common["meeting"])
+    if "in_contact" in common:
+        yield Call(common["unslowed"])
+    yield If("meeting", tuple(_contact(common, contacts, end_planes, fields)))
+    if "in_contact" in common:
+        yield from contact_stages.settled(common, contacts, end_planes)
+    timed = Call(common["timed"], {"index": len(contacts) + len(end_planes)})
+    carried = If("timed", (Call(common["carry_time"], {"t": "when"}),), rare=True)
+    yield If("limited", (timed, carried), rare=True)
+    if "in_contact" in common:
+        yield If("hopped", (Call(common["carry_hop"]),), rare=True)
+    yield Call(common["closing"])
+    names = ("position_error", "velocity_error", "spin_error", "time_error")
+    claims = dict(zip(names, REPORTED_ERRORS, strict=True))
+    yield If("closed", (Call(common["claimed_errors"], {}, claims),), rare=True)
+
+
+def _contact(
+    common: Parts,
+    contacts: Sequence[LoopSurface],
+    end_planes: Sequence[LoopSurface],
+    fields: Set[str],
+) -> Iterator[Node]:
+    """Evaluate normal, errors and impact at a contact, or at an end."""
+    first, *others = (*end_planes, *contacts)
+    kinds = by_kind(contacts)
+    yield Call(first.parts["normal"])
+    for end_plane in others[: max(0, len(end_planes) - 1)]:
+        yield from on_surface(common, end_plane.index, Call(end_plane.parts["normal"]))
+    for kind in kinds:
+        yield from kind.take_parameters(common)
+        if kind.several:
+            yield from kind.evaluate(common, "normal")
+            for surface in kind.contacts:
+                if counted := _counted(common, surface, fields):
+                    yield from on_surface(common, surface.index, *counted)
+        else:
+            yield from kind.evaluate(common, "normal", *_counted(common, kind.first, fields))
+    yield Call(common["elsewhere"])
+    if "in_contact" in common:
+        yield Call(common["anew"])
+    for kind in kinds:
+        yield from kind.normal_change(common)
+    yield Call(common["carry_flight"], {"t": "when"}, {"delay": "belated"})
+    yield Call(common["delayed"], {"delay": "belated"})
+    if end_planes:
+        yield If("ends", (Call(common["floored"]),))
+    yield Call(common["unturned"])
+    for kind in kinds:
+        yield from kind.evaluate(common, "carry_normal")
+    yield from _laws(common, contacts)
+    for kind in kinds:
+        yield from kind.evaluate(common, "place")
+    slowed = (Call(common["slowed"]),) if "in_contact" in common else ()
+    yield If("touches", (Call(common["touched"]), *slowed))
+
+
+def _counted(common: Parts, surface: LoopSurface, fields: Set[str]) -> list[Call]:
+    """Return the node that counts a contact with a body, if a shot has a field for it."""
+    count = {"count": f"count_{surface.body}"}
+    return [Call(common["counted"], count, count)] if count["count"] in fields else []
+
+
+def _laws(common: Parts, contacts: Sequence[LoopSurface]) -> Iterator[Node]:
+    """Apply the law of the body to the motion and its errors."""
+    groups = by_law(contacts)
+    if len(groups) == 1 and not any(surface.law_sizes for surface in contacts):
+        yield If("touches", tuple(_law(common, contacts[0])), usual=True)
+        return
+    for surfaces in groups:
+        law = surfaces[0].law
+        if "taken" not in law:
+            yield from for_each(
+                surfaces, lambda s, index: on_surface(common, index, *_law(common, s))
+            )
+            continue
+        # Parameters that differ are loaded first: a contact then costs the same on every body.
+        mine, its = (
+            f"struck_{surfaces[0].index}",
+            parameter_variables(law["taken"], law["impact"].name),
+        )
+        yield from take_parameters(common, surfaces, law["taken"], mine, its)
+        yield If(mine, tuple(given_as(node, its) for node in _law(common, surfaces[0])))
+
+
+def _law(common: Parts, surface: LoopSurface) -> Iterator[Call]:
+    if "doubt" in surface.law:
+        yield Call(surface.law["doubt"])
+        yield Call(common["undecided"])
+    yield Call(surface.law["carry"])
+    yield Call(surface.law["impact"])

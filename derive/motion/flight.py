@@ -1,0 +1,81 @@
+"""The interface of a flight: the ball's path between two contacts, and bounds on its errors."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..symbolic.conditionals import barrier_all, maximum
+from ..symbolic.polynomials import Coefficients, derivative, horner
+from ..symbolic.rounding import Rounded
+from ..symbolic.symbols import POSITION, t
+
+
+@dataclass(frozen=True)
+class Flight(ABC):
+    """The motion of a ball from a state on; times are since the last contact, s.
+
+    Attributes
+    ----------
+    acceleration
+        The acceleration of free fall, m/s², along x, y and z; not zero throughout.
+    """
+
+    acceleration: tuple[sp.Expr, sp.Expr, sp.Expr]
+
+    def __post_init__(self) -> None:
+        if all(component == 0 for component in self.acceleration):
+            raise ValueError("a flight's acceleration: expected one that is not zero, got zero")
+
+    @property
+    def strength(self) -> sp.Expr:
+        """The largest size of a component of the acceleration; along an axis, its size."""
+        return maximum(*(sp.Abs(component) for component in self.acceleration if component != 0))
+
+    @property
+    @abstractmethod
+    def path(self) -> dict[sp.Symbol, Coefficients]:
+        """The coefficients of each coordinate in time, constant first."""
+
+    @property
+    @abstractmethod
+    def span(self) -> sp.Expr:
+        """The time up to which the path approximates the flight, s."""
+
+    @property
+    @abstractmethod
+    def remainder(self) -> sp.Expr:
+        """Bound on the distance of any coordinate from its path within the span, m."""
+
+    @property
+    def exact(self) -> bool:
+        """True if the path is the flight itself, at all times."""
+        return bool(self.remainder == 0 and self.span == sp.oo)
+
+    def at(self, time: sp.Expr = t) -> tuple[sp.Matrix, sp.Matrix]:
+        """Return position and velocity on the path, `time` after the state, in Horner form."""
+        rows = [self.path[coordinate] for coordinate in POSITION]
+        moving = [horner(derivative(row), time) for row in rows]
+        return sp.Matrix([horner(row, time) for row in rows]), sp.Matrix(moving)
+
+    def named(self) -> tuple[sp.Matrix, sp.Matrix]:
+        """Return position and velocity at time t, each component held with a name."""
+        position, velocity = self.at()
+        return (
+            barrier_all(position, [f"{axis}_t" for axis in "xyz"]),
+            barrier_all(velocity, [rf"\dot {axis}_t" for axis in "xyz"]),
+        )
+
+    @abstractmethod
+    def size(self, latest: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Return bounds on every coordinate and every velocity up to the time `latest`."""
+
+    @abstractmethod
+    def rounding(self, latest: sp.Expr) -> tuple[Rounded, Rounded]:
+        """Return error bounds of any coordinate and any velocity up to the time `latest`.
+
+        The time is an exact double. The bounds hold for the evaluation at that double, of a flight
+        whose start is off by at most `position_error` and `velocity_error`.
+        """

@@ -1,0 +1,56 @@
+"""Free flight between contacts (Eq. 3): a parabola, with constant angular velocity."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..symbolic.conditionals import barrier
+from ..symbolic.polynomials import Coefficients
+from ..symbolic.rounding import Rounded, extent, position_error, speed, velocity_error
+from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
+from .flight import Flight
+
+
+@dataclass(frozen=True)
+class Parabola(Flight):
+    """Eq. 3, with an acceleration along any axis."""
+
+    @property
+    def upright(self) -> bool:
+        """True if gravity acts along -z."""
+        ax, ay, az = self.acceleration
+        return bool(ax == 0 and ay == 0 and az.is_negative)
+
+    @property
+    def path(self) -> dict[sp.Symbol, Coefficients]:
+        """Position, velocity and half the acceleration; without acceleration the degree is 1."""
+        parts = zip(POSITION, VELOCITY, self.acceleration, strict=True)
+        return {place: [place, v, a / 2] if a != 0 else [place, v] for place, v, a in parts}
+
+    @property
+    def span(self) -> sp.Expr:
+        """Infinite: Eq. 3 holds at all times."""
+        return sp.oo
+
+    @property
+    def remainder(self) -> sp.Expr:
+        """Zero: the path is Eq. 3 itself."""
+        return sp.Integer(0)
+
+    def size(self, latest: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Return the values for position, velocity and gravity of one direction."""
+        fastest = barrier(speed + self.strength * latest)
+        return barrier(extent + latest * fastest), fastest
+
+    def rounding(self, latest: sp.Expr) -> tuple[Rounded, Rounded]:
+        """Return error bounds of Eq. 3 from the flight's size.
+
+        At most four roundings meet in a coordinate, each at most u times its largest value.
+        """
+        furthest, fastest = self.size(latest)
+        shift = barrier(position_error + velocity_error * latest + 4 * UNIT_ROUNDOFF * furthest)
+        return Rounded(furthest, shift), Rounded(
+            fastest, barrier(velocity_error + 2 * UNIT_ROUNDOFF * fastest)
+        )

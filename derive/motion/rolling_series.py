@@ -1,0 +1,188 @@
+"""The motion of a ball that rolls on a surface, as a power series in time.
+
+While the ball grips, its contact point is at rest: v = R_B (w × n), and with kappa = I/(m R_B²) and
+the free fall a, all per unit mass,
+
+    v' = a + N n + F,   w' = -n × F / (kappa R_B),   N = -a·n - v·n',
+
+where the normal force N keeps the gap at zero, and friction F keeps the contact point at rest. With
+s = R_B (w·n) and beta = kappa/(1 + kappa) that leaves
+
+    F = beta (-a_t + s n × n'),   v' = (1 - beta) a + L n + beta s n × n',
+    L = -(1 - beta) a·n - v·n',   s' = -v·(n × n'),
+
+quadratic or cubic in the unknowns, so that each coefficient of the series follows from those before
+it by sums of products. The surface is a tube about a point or a line (see
+`surfaces/rolling_surface.py`), or a plane: n' = v/R across its line. Rings have coordinates of
+their own (`ring_rolling_series.py`). Each step expands the series anew, and puts position, velocity
+and spin back onto the surface: the differential equation alone would leave it exponentially.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from ..contact.ball import Ball
+from ..symbolic.conditionals import absolute, barrier, maximum, minimum
+from ..symbolic.polynomials import horner
+from ..symbolic.symbols import normal, position, spin, t, velocity
+
+ORDER = 8
+"""Order of the series: a power of two, so that the step is a root of roots. A lower order makes
+kernels shorter, a higher one steps longer."""
+
+LAST_TERM_TOLERANCE = sp.Rational(1, 2**46)
+"""Largest last term of a step, relative to the speed; the truncation error is then about 2^-49."""
+
+bent = sp.symbols("bent_x bent_y bent_z", real=True)
+"""1 along the axes across which the surface is curved, else 0."""
+per_reach = sp.Symbol("per_reach", real=True)
+"""1/R of the tube, negative on its inside, 0 of a plane."""
+gap = sp.Symbol("gap", real=True)
+"""Distance of the ball from the surface, m."""
+
+SERIES = ("vx", "vy", "vz", "nx", "ny", "nz", "turn_rate")
+"""The unknowns: velocity, normal, s."""
+WITHIN = ("lift", "tx", "ty", "tz")
+"""The auxiliary series: L, and n × n'."""
+
+
+def term(name: str, order: int) -> sp.Symbol:
+    """Return the symbol of a coefficient of a series."""
+    return sp.Symbol(f"{name}_{order}", real=True)
+
+
+def _row(name: str, order: int) -> list[sp.Symbol]:
+    return [term(name, k) for k in range(order + 1)]
+
+
+def _rows(names: Sequence[str], order: int) -> list[list[sp.Symbol]]:
+    return [_row(name, order) for name in names]
+
+
+def product(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> sp.Expr:
+    """Return the coefficient of the highest common order in the product of two series."""
+    pairs = zip(left, reversed(right), strict=True)
+    return barrier(sp.Add(*(a * b for a, b in pairs)))
+
+
+def start(ball: Ball) -> dict[str, sp.Expr]:
+    """Return the constant terms, for a ball at its place on the surface."""
+    moving = dict(zip(("vx", "vy", "vz", "nx", "ny", "nz"), (*velocity, *normal), strict=True))
+    outputs = moving | {"turn_rate": ball.radius * barrier(spin.dot(normal))}
+    return {f"{name}_0": value for name, value in outputs.items()}
+
+
+def next_terms(order: int, acceleration: Sequence[sp.Expr], ball: Ball) -> dict[str, sp.Expr]:
+    """Return the coefficients of the next order, given those up to this one."""
+    v, n = _rows(SERIES[:3], order), _rows(SERIES[3:6], order)
+    s = _row(SERIES[6], order)
+    turned = [barrier(b * own[order] * per_reach) for b, own in zip(bent, v, strict=True)]
+    turning = [
+        [*(k * n_i[k] for k in range(1, order + 1)), new]
+        for n_i, new in zip(n, turned, strict=True)
+    ]
+    pressed = barrier(sum(product(a, b) for a, b in zip(v, turning, strict=True)))
+    weighed = sum(a * n_i[order] for a, n_i in zip(acceleration, n, strict=True) if a != 0)
+    own = barrier(-ball.moving_share * weighed - pressed)
+    lifts = [*_row("lift", order)[:-1], own]
+    twists = []
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        twists.append(barrier(product(n[j], turning[k]) - product(n[k], turning[j])))
+    twisted = [
+        [*_row(name, order)[:-1], new] for name, new in zip(("tx", "ty", "tz"), twists, strict=True)
+    ]
+    scale = sp.Rational(1, order + 1)
+    outputs: dict[str, sp.Expr] = {f"lift_{order}": own}
+    outputs |= {f"{w}_{order}": new for w, new in zip(WITHIN[1:], twists, strict=True)}
+    for name, a, n_i, m_i in zip(SERIES[:3], acceleration, n, twisted, strict=True):
+        pushed = product(lifts, n_i) + ball.friction_share * product(s, m_i)
+        fallen = ball.moving_share * a if order == 0 else 0
+        outputs[f"{name}_{order + 1}"] = barrier(pushed + fallen) * scale
+    for name, new in zip(SERIES[3:6], turned, strict=True):
+        outputs[f"{name}_{order + 1}"] = new * scale
+    spun = sum(product(a, b) for a, b in zip(v, twisted, strict=True))
+    outputs[f"turn_rate_{order + 1}"] = -barrier(spun) * scale
+    return outputs
+
+
+def moved() -> dict[str, sp.Expr]:
+    """Return position, velocity and s at time t after the start of the step, on the series."""
+    outputs: dict[str, sp.Expr] = {}
+    for place, name in zip(position, SERIES[:3], strict=True):
+        row = _row(name, ORDER)
+        outputs[str(place)] = horner([place, *(c / (k + 1) for k, c in enumerate(row))], t)
+        outputs[name] = horner(row, t)
+    outputs["turn_rate"] = horner(_row("turn_rate", ORDER), t)
+    return outputs
+
+
+def placed(ball: Ball) -> dict[str, sp.Expr]:
+    """Return the state on the surface: no gap, no normal speed, and the spin of rolling."""
+    turn_rate = sp.Symbol("turn_rate", real=True)
+    tangential = [barrier(v) for v in velocity - barrier(velocity.dot(normal)) * normal]
+    turning = normal.cross(sp.Matrix(tangential)) + turn_rate * normal
+    per = barrier(1 / ball.radius)
+    outputs = {str(p): p - gap * n for p, n in zip(position, normal, strict=True)}
+    outputs |= {str(v): own for v, own in zip(velocity, tangential, strict=True)}
+    return outputs | {str(w): barrier(own) * per for w, own in zip(spin, turning, strict=True)}
+
+
+def force(acceleration: Sequence[sp.Expr], ball: Ball) -> list[sp.Expr]:
+    """Return the normal force per unit mass, N, as a series."""
+    rows = [[term(name, k) for name in SERIES[3:6]] for k in range(ORDER)]
+    return [
+        barrier(
+            term("lift", k)
+            - ball.friction_share
+            * sum(a * n for a, n in zip(acceleration, row, strict=True) if a != 0)
+        )
+        for k, row in enumerate(rows)
+    ]
+
+
+def pace(acceleration: Sequence[sp.Expr], strength: sp.Expr, ball: Ball) -> dict[str, sp.Expr]:
+    """Return a step in which the series is as good as rounded, and bounds on the motion in it.
+
+    The first term that is left out is about the last one times the step over the time in which the
+    motion changes: at most an eighth. If the last term happens to be small, the one before it
+    counts.
+    """
+    rows = [[*(term(name, k) for name in (*SERIES[:3], "turn_rate"))] for k in range(ORDER + 1)]
+    sizes = [barrier(sp.Add(*map(absolute, row))) for row in rows]
+    ways = [
+        barrier(sp.Add(*(absolute(term(name, k)) for name in SERIES[3:6])))
+        for k in range(ORDER + 1)
+    ]
+    speed = sizes[0]
+    rate = barrier(speed * absolute(per_reach) + sp.sqrt(barrier(strength * absolute(per_reach))))
+    scale = barrier(speed + strength * sp.Rational(1, 2**6))
+    last = barrier(
+        maximum(barrier(sizes[ORDER] + rate * sizes[ORDER - 1]), barrier(scale * ways[ORDER]))
+    )
+    most = sp.Integer(1)
+    ratio = barrier(LAST_TERM_TOLERANCE * scale / last)
+    root = ratio
+    for _ in range(ORDER.bit_length() - 1):
+        root = barrier(sp.sqrt(root))
+    step = barrier(minimum(most, root))
+    powers = [step**k for k in range(ORDER)]
+    strongest = barrier(sum((k + 1) * sizes[k + 1] * powers[k] for k in range(ORDER)))
+    forces = force(acceleration, ball)
+    braced = [(a, n) for a, n in zip(acceleration, SERIES[3:6], strict=True) if a != 0]
+    bend = barrier(sum(k * (k - 1) * absolute(forces[k]) * powers[k - 2] for k in range(2, ORDER)))
+    return {
+        "stride": step,
+        "missed": barrier(LAST_TERM_TOLERANCE / 8 * scale),
+        "strongest": strongest,
+        "fastest": barrier(speed + step * strongest),
+        "force": forces[0],
+        "force_rate": forces[1],
+        "force_bend": bend,
+        "friction_force_rate": barrier(
+            -2 * ball.friction_share * barrier(sum(a * term(n, 1) for a, n in braced))
+        ),
+    }

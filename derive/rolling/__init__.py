@@ -1,0 +1,1 @@
+"""The contact phase: from accumulated bounces to departure, rest or endless rolling."""

@@ -1,0 +1,295 @@
+"""The kernels of the contact phase that all surfaces share, and the decisions that count and name.
+
+A ball begins to roll, rolls step by step, and leaves, rests or ends its shot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+
+from ..contact.ball import Ball
+from ..errors.propagation import flight_start
+from ..events.predicates import clear, doubt, index, last, when, which
+from ..ir.kernel import Kernel, decision, loop_kernel
+from ..motion import rolling_series
+from ..motion.parabola import Parabola
+from ..state.fields import IN_FLIGHT, NONE
+from ..symbolic.conditionals import (
+    AtMost,
+    Boolean,
+    Choose,
+    Equal,
+    Less,
+    Not,
+    Or,
+    all_of,
+    any_of,
+    barrier,
+    false,
+)
+from ..symbolic.error_terms import clock, earliest_delay, left_normal
+from ..symbolic.rounding import position_error, velocity_error
+from ..symbolic.symbols import normal
+from .departure import departure_kernels
+from .events import step_events
+from .neighbour import neighbour_kernels
+from .settling import settling_kernels
+from .symbols import (
+    BEGINS,
+    LEAVES,
+    ROLLS,
+    EventCodes,
+    assured,
+    began,
+    body,
+    edge,
+    ends,
+    gap,
+    gap_jerk,
+    gap_snap,
+    goes_on,
+    held,
+    lift,
+    lodges,
+    mode,
+    nearly,
+    outcome,
+    reached,
+    rests,
+    rolls,
+    settles,
+    slides,
+    uncertain,
+    unpressed,
+    unsure,
+)
+
+
+def kernels(
+    flight: Parabola,
+    ball: Ball,
+    faces: Sequence[int],
+    codes: EventCodes,
+    outcomes: Mapping[str, int],
+) -> dict[str, Kernel]:
+    """Return the kernels of the contact phase that all surfaces share.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts.
+    ball
+        The ball.
+    faces
+        The body of each surface.
+    codes
+        The indices of events in contact.
+    outcomes
+        The number of each outcome, by name.
+    """
+    strength = barrier(flight.strength)
+    every_kernel = (
+        *_series(flight, ball, strength),
+        *settling_kernels(flight.acceleration, strength, ball),
+        *step_events(strength, ball.radius, codes),
+        *departure_kernels(strength),
+        *neighbour_kernels(ball.radius),
+        *_flight_decisions(),
+        *_contact_decisions(codes),
+        *_results(faces, codes, outcomes),
+    )
+    return {kernel.name: kernel for kernel in every_kernel}
+
+
+def _series(flight: Parabola, ball: Ball, strength: sp.Expr) -> tuple[Kernel, ...]:
+    """Return the kernels of the power series of rolling."""
+    acceleration = flight.acceleration
+    orders = (
+        loop_kernel(
+            f"roll_{k}",
+            rolling_series.next_terms(k, acceleration, ball),
+            f"Coefficients of order {k + 1} of a rolling ball, from those of lower order.",
+            "Newton, Euler and rolling without slip",
+        )
+        for k in range(rolling_series.ORDER)
+    )
+    return (
+        *orders,
+        decision(
+            "anew",
+            {str(n): 0 for n in left_normal},
+            "Start value of the normal where the flight began: another surface.",
+        ),
+        loop_kernel("started", flight_start(flight), "Position at the start of a flight.", "Eq. 3"),
+        loop_kernel(
+            "roll_start",
+            rolling_series.start(ball),
+            "Constant terms of the series.",
+            "rolling",
+        ),
+        loop_kernel(
+            "roll_moved",
+            rolling_series.moved(),
+            "Position, velocity and turn rate of a rolling ball at time t.",
+            "its series",
+        ),
+        loop_kernel(
+            "roll_placed",
+            rolling_series.placed(ball),
+            "State of a ball put onto the surface, rolling.",
+            "v = R_B (w × n)",
+        ),
+        loop_kernel(
+            "roll_pace",
+            rolling_series.pace(acceleration, strength, ball),
+            "Length of a step of the series, bounds of the motion in it, and the normal force.",
+            "the last terms of the series",
+        ),
+    )
+
+
+def _flight_decisions() -> tuple[Kernel, ...]:
+    """Return the decisions that keep balls in contact out of the searches of flights."""
+    return (
+        decision(
+            "in_contact",
+            {
+                "in_contact": Less(0, mode),
+                "when": Choose(Less(0, mode), 0, when),
+                "rests": false,
+                "rolling": false,
+                "began": 0,
+            },
+            "Whether the ball is in contact, and has no flight to search.",
+        ),
+        decision(
+            "opens_in_flight",
+            {"open": all_of(Not(Less(0, clear)), Not(Boolean("in_contact")))},
+            "Whether a ball in flight may hit a surface.",
+        ),
+        decision(
+            "reachable_in_flight",
+            {"reachable": all_of(Boolean("reachable"), Not(Boolean("in_contact")))},
+            "Whether a ball in flight may reach the box of a surface.",
+        ),
+    )
+
+
+def _contact_decisions(codes: EventCodes) -> tuple[Kernel, ...]:
+    """Return the decisions that open a turn in contact and tell which surface holds the ball."""
+    bounded = all_of(Less(position_error, sp.oo), Less(velocity_error, sp.oo))
+    return (
+        decision(
+            "resumed",
+            {
+                "which": NONE,
+                "earliest_delay": 0,
+                "began": clock,
+                "doubt": Choose(bounded, sp.oo, 0),
+                "begins": Equal(mode, BEGINS),
+                "rolling": Equal(mode, ROLLS),
+                "leaves": Equal(mode, LEAVES),
+                **{
+                    str(s): 0
+                    for s in (*normal, gap, *rolling_series.bent, lift, gap_jerk, gap_snap)
+                },
+                str(rolling_series.per_reach): 0,
+            },
+            "Start values of a turn in contact: no event yet.",
+        ),
+        decision(
+            "doubted_in_contact",
+            {
+                "uncertain": Choose(
+                    all_of(
+                        Or(
+                            all_of(Not(Less(when + earliest_delay, doubt)), Less(doubt, sp.oo)),
+                            edge,
+                        ),
+                        Not(all_of(Less(0, assured), Equal(which, last))),
+                    ),
+                    1,
+                    uncertain,
+                )
+            },
+            "1 if a decision lies within its error, unless it only delays bounces on one surface.",
+        ),
+        decision("holding", {"here": Equal(held, index)}, "Whether the ball stays on a surface."),
+        decision(
+            "beside",
+            {"beside": Not(Equal(held, index))},
+            "Whether a surface is another than the one that the ball stays on.",
+        ),
+        decision("unhopped", {"hopped": false}, "Start value: the ball has not departed."),
+        decision(
+            "beginning_contact",
+            {"which": codes.begins, "circled": 0},
+            "Event: the contact begins.",
+        ),
+        decision("take_off", {"which": codes.hops}, "Event: the ball is off the surface."),
+    )
+
+
+def _results(
+    faces: Sequence[int], codes: EventCodes, outcomes: Mapping[str, int]
+) -> tuple[Kernel, ...]:
+    """Return the decisions that record what has happened to a ball in contact."""
+    lodged, capped = outcomes["lodged"], outcomes["capped"]
+    own: sp.Expr = sp.Integer(NONE)
+    for face, of in enumerate(faces):
+        own = Choose(Equal(held, face), of, own)
+    begins, leaves, hops = (Equal(which, code) for code in (codes.begins, codes.leaves, codes.hops))
+    beyond, endless = Less(codes.time, which), Equal(which, codes.endless)
+    stuck = all_of(goes_on, AtMost(clock - began, sp.Rational(1, 2**24)))
+    following = Choose(Or(begins, goes_on), ROLLS, Choose(leaves, LEAVES, 0))
+    stays = any_of(begins, leaves, goes_on)
+    return (
+        decision(
+            "stay_in_contact",
+            {
+                "body": Choose(
+                    begins,
+                    codes.log_row(own, False),
+                    Choose(
+                        leaves,
+                        codes.log_row(own, True),
+                        Choose(hops, NONE, Choose(endless, codes.bodies, body)),
+                    ),
+                ),
+                "reached": Choose(
+                    stuck,
+                    capped,
+                    Choose(
+                        endless,
+                        outcomes["endless"],
+                        Choose(rests, lodged, Choose(Or(beyond, goes_on), IN_FLIGHT, reached)),
+                    ),
+                ),
+                "doubt": Choose(stuck, 0, doubt),
+                "ends": all_of(ends, Not(beyond)),
+                "hopped": hops,
+                "last": Choose(hops, NONE, last),
+                "mode": following,
+                "held": Choose(stays, held, NONE),
+                "rolls": Choose(begins, rolls + 1, rolls),
+            },
+            "Log entry, outcome and mode of a ball in contact after a turn.",
+        ),
+        decision(
+            "settled",
+            {
+                "mode": Choose(nearly, Choose(settles, BEGINS, Choose(unpressed, LEAVES, 0)), 0),
+                "held": Choose(all_of(nearly, Or(settles, unpressed)), index, NONE),
+                "outcome": Choose(
+                    all_of(nearly, Or(lodges, slides), Less(outcome, 0)),
+                    Choose(lodges, lodged, capped),
+                    outcome,
+                ),
+                "slip_left": Choose(all_of(nearly, slides), 1, 0),
+                "uncertain": Choose(Or(lodges, unsure), 1, uncertain),
+            },
+            "Whether the ball stays on the surface, slides, leaves, or is wedged.",
+        ),
+    )

@@ -1,0 +1,104 @@
+"""Tangential departure from a surface: for a while the gap certainly opens.
+
+When the normal force vanishes, gap, rate and second derivative are zero. The third derivative is at
+least `gap_jerk` - |`gap_snap`| t - C t²/2 with a generous C, so it stays positive for a while. A
+ball that is thrown off has a second derivative to begin with. For that while the ball flies without
+a search.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..events.predicates import doubt
+from ..events.root_finder import first_root
+from ..ir.kernel import Kernel, decision, loop_kernel
+from ..motion import rolling_series
+from ..symbolic.conditionals import (
+    AtMost,
+    Choose,
+    Less,
+    absolute,
+    any_of,
+    barrier,
+    maximum,
+    minimum,
+)
+from ..symbolic.rounding import position_error, velocity_error
+from ..symbolic.symbols import velocity
+from .symbols import free_time, gap, gap_curvature, gap_jerk, gap_snap, lift, near, nearing
+
+
+def departure_kernels(strength: sp.Expr) -> tuple[Kernel, ...]:
+    """Return the kernels of the first moment of flight after a tangential departure."""
+    per = barrier(absolute(rolling_series.per_reach))
+    longest = sp.Rational(1, 2**7)
+    speed = barrier(sum(map(absolute, velocity)) + strength * longest)
+    # The ball also stays free of a body that it touches and moves away from.
+    dipping = barrier(strength + gap_curvature * speed**2)
+    away_from = Choose(Less(0, gap), nearing, -nearing)
+    unmet = barrier(minimum(free_time, first_root(barrier(maximum(gap, 0)), nearing, dipping)))
+    # A ball behind an end plane crosses it only after it has come to its front and turned round.
+    returns = barrier(
+        maximum(
+            barrier(first_root(barrier(maximum(-gap, 0)), -nearing, dipping)),
+            barrier(absolute(nearing) / dipping),
+        )
+    )
+    rate = barrier(speed * per + sp.sqrt(barrier(strength * per)) + 1)
+    bends = barrier(64 * rate**3 * barrier(strength + speed**2 * per))
+    fourth = barrier(absolute(gap_snap) + bends * sp.Rational(1, 2**30))
+    opening = minimum(
+        barrier(gap_jerk / (2 * fourth)), barrier(sp.sqrt(barrier(gap_jerk / (2 * bends))))
+    )
+    push = barrier(maximum(0, lift))
+    thrown_off = minimum(
+        barrier(push / barrier(4 * absolute(gap_jerk) + bends * sp.Rational(1, 2**30))),
+        barrier(sp.sqrt(barrier(push / (2 * fourth)))),
+        barrier(sp.sqrt(barrier(push / (bends * longest)))),
+    )
+    away = barrier(Choose(Less(0, gap_jerk), opening, thrown_off))
+    hop = barrier(minimum(longest, away, barrier(free_time / 4)))
+    lift_error = barrier(
+        16
+        * per
+        * barrier(barrier(strength + speed**2 * per) * position_error + speed * velocity_error)
+        + sp.Rational(1, 2**44) * strength
+    )
+    opens = any_of(Less(barrier(lift_error * rate), gap_jerk), Less(lift_error, lift))
+    return (
+        decision("no_contact", {"free_time": sp.oo}, "Start value: no surface beside the ball."),
+        loop_kernel(
+            "neighbour_free_time",
+            {"free_time": unmet},
+            "Time for which a ball that leaves certainly meets no other body.",
+            "a parabola below the distance",
+        ),
+        loop_kernel(
+            "end_plane_free_time",
+            {
+                "free_time": Choose(Less(0, gap), unmet, free_time),
+                "doubt": Choose(any_of(Less(0, gap), Less(longest, returns)), doubt, 0),
+            },
+            "Time for which a ball that leaves crosses no end plane; else it is in doubt.",
+            "a parabola below the distance",
+        ),
+        loop_kernel(
+            "seam_free_time",
+            {
+                "free_time": Choose(
+                    AtMost(absolute(gap), near),
+                    free_time,
+                    barrier(minimum(free_time, first_root(absolute(gap), away_from, strength))),
+                )
+            },
+            "Time for which it certainly reaches no seam, where the distance bends differently.",
+            "a parabola below the distance",
+        ),
+        loop_kernel(
+            "separated",
+            {"when": maximum(0, hop), "doubt": Choose(opens, doubt, 0)},
+            "Time for which a ball that leaves a surface certainly meets neither it nor another.",
+            "Taylor's theorem of the gap",
+        ),
+    )

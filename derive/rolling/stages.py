@@ -1,0 +1,294 @@
+"""The contact phase as nodes of the event loop, from the last bounce to departure or rest.
+
+The turn after the last bounce puts the ball onto the surface. In the same turn it rolls, step by
+step, until it meets something, leaves, rests, or its time is up. A ball that leaves tangentially
+flies for a moment in which it certainly meets nothing; then it is in flight like any other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
+
+from ..events.search import Parts
+from ..ir.event_tree import Call, If, Node, While, given_as
+from ..motion import ring_rolling_series, rolling_series
+from ..state.shared_kernels import LoopSurface, on_surface
+from ..symbolic.symbols import STATE, normal
+
+MAX_STEPS_PER_TURN = 1 << 4
+"""Steps of a ball in contact in one turn of the loop; it goes on in the next turn. Balls that roll
+longer than most wait for others that do, so that the lanes stay busy."""
+
+_NEIGHBOUR = {s.name: f"far_{s.name}" for s in (*STATE, *normal)} | {"gap": "far_gap"}
+"""Variables of the neighbouring motion; it has its own, so that neither waits for the other."""
+
+
+def in_contact(
+    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
+) -> Iterator[Node]:
+    """Yield the nodes that find the next event of balls in contact, and move the balls there."""
+    holders = [surface for surface in contacts if "rolling_surface" in surface.parts]
+    rings = [surface for surface in holders if "round_start" in surface.parts]
+    others = [surface for surface in holders if surface not in rings]
+    yield Call(common["resumed"])
+    begin = (
+        *_on_held(common, holders, "normal"),
+        Call(common["roll_turn_rate"]),
+        Call(common["gripped"]),
+        *_on_held(common, holders, "distance"),
+        Call(
+            common["roll_placed"],
+            {f"v{axis}": f"rolled_{axis}" for axis in "xyz"},
+        ),
+        Call(common["begun_errors"]),
+        Call(common["forget_grip_deficit"]),
+        Call(common["beginning_contact"]),
+    )
+    yield If("begins", begin, rare=True)
+    for ring in rings:
+        yield Call(common["circles"], {"index": ring.index})
+    step = tuple(_step(common, others, contacts, end_planes))
+    yield While("rolling", MAX_STEPS_PER_TURN, step)
+    for ring in rings:
+        step = tuple(_ring_step(common, ring, contacts, end_planes))
+        yield While("circling", MAX_STEPS_PER_TURN, step)
+        yield Call(common["rejoined"])
+    depart = (
+        Call(common["error_bounds"]),
+        *_on_held(common, holders, "rolling_surface", "separation"),
+        *_free_time(common, contacts, end_planes),
+        *_at_seams(common, holders, "seam_free_time"),
+        Call(common["separated"]),
+        Call(common["take_off"]),
+    )
+    yield If("leaves", depart, rare=True)
+
+
+def settled(
+    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
+) -> Iterator[Node]:
+    """Yield the nodes that decide whether a ball that hardly leaves a surface stays on it."""
+    holders = [surface for surface in contacts if "rolling_surface" in surface.parts]
+    if not holders:
+        return
+    nodes: list[Node] = [_part(holders[0], "normal")]
+    for surface in holders[1:]:
+        nodes += on_surface(common, surface.index, _part(surface, "normal"))
+    nodes += [Call(common["nearly"]), Call(common["gripped"])]
+    for surface in holders:
+        own = (
+            _part(surface, "turning"),
+            Call(common["pressed_on"]),
+            *_nearest(common, contacts, end_planes, surface.index),
+            given_as(Call(surface.parts["separation"], wanted=frozenset({"lift"})), surface.sizes),
+            given_as(Call(surface.law["settling"]), surface.law_sizes),
+            Call(common["settled"], {"index": surface.index}),
+        )
+        nodes += on_surface(common, surface.index, *own)
+    yield If("slow", tuple(nodes), rare=True)
+
+
+def _on_held(common: Parts, surfaces: Sequence[LoopSurface], *parts: str) -> Iterator[Node]:
+    """Evaluate kernels of the surface that the ball stays on."""
+    for surface in surfaces:
+        yield Call(common["holding"], {"index": surface.index})
+        yield If("here", tuple(_part(surface, part) for part in parts))
+
+
+def _free_time(
+    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
+) -> Iterator[Node]:
+    """Bound the time for which a ball that leaves a surface certainly meets no other one."""
+    yield Call(common["no_contact"])
+    for surface in contacts:
+        yield Call(common["beside"], {"index": surface.index})
+        yield If("beside", (_part(surface, "beside"), Call(common["neighbour_free_time"])))
+    for end_plane in end_planes:
+        yield _part(end_plane, "beside")
+        yield Call(common["end_plane_free_time"])
+
+
+def _nearest(
+    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface], index: int
+) -> Iterator[Node]:
+    """Evaluate the distance from the nearest other surface."""
+    yield Call(common["isolated"])
+    for surface in contacts:
+        if surface.index != index:
+            yield _part(surface, "closing")
+            yield Call(common["neared_body"])
+    for end_plane in end_planes:
+        beside = Call(end_plane.parts["beside"], wanted=frozenset({"gap"}))
+        yield given_as(beside, end_plane.sizes)
+        yield Call(common["neared"])
+
+
+def _step(
+    common: Parts,
+    holders: Sequence[LoopSurface],
+    contacts: Sequence[LoopSurface],
+    end_planes: Sequence[LoopSurface],
+) -> Iterator[Node]:
+    """Take a step on any surface but a ring."""
+    yield Call(common["error_bounds"])
+    yield from _on_held(common, holders, "normal", "rolling_surface")
+    yield Call(common["roll_start"])
+    yield from _series(common)
+    yield Call(common["roll_pace"])
+    yield from _friction_limit(common, tuple(_friction(common, holders)))
+    yield Call(common["leaving_force"])
+    for surface in contacts:
+        yield Call(common["beside"], {"index": surface.index})
+        yield If("beside", tuple(_beside(common, surface)))
+    yield from _beside_end_planes(common, end_planes)
+    yield from _at_seams(common, holders, "beside_seam")
+    yield Call(common["beside_time"])
+    yield Call(common["neighbour_scale"])
+    yield Call(common["neighbour"])
+    if "passing" in common:
+        yield Call(common["passing_from"])
+    yield from _moved(common, holders, {})
+    if "passing" in common:
+        yield Call(common["passing_in_contact"])
+    yield from _moved_neighbour(common, holders)
+    yield Call(common["compared"])
+    yield Call(common["rolled_on"])
+
+
+def _at_seams(common: Parts, holders: Sequence[LoopSurface], decision: str) -> Iterator[Node]:
+    """Evaluate a decision for each seam of the surface that the ball is on."""
+    for surface in holders:
+        seams = [part for part in surface.parts if part.startswith("seam")]
+        if seams:
+            each = (n for s in seams for n in (_part(surface, s), Call(common[decision])))
+            yield Call(common["holding"], {"index": surface.index})
+            yield If("here", tuple(each))
+
+
+def _friction_limit(common: Parts, friction: Sequence[Node]) -> Iterator[Node]:
+    """Check whether rolling takes more friction than there is, and since when."""
+    yield from friction
+    yield Call(common["losing"])
+    yield If("loses", (Call(common["lost_grip"]),), rare=True)
+    yield Call(common["remember_grip_deficit"])
+
+
+def _friction(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
+    """Evaluate the friction that rolling takes on a surface, and the law's limit."""
+    yield Call(common["pulled"])
+    for surface in holders:
+        yield Call(common["holding"], {"index": surface.index})
+        yield If("here", (given_as(Call(surface.law["grip_deficit"]), surface.law_sizes),))
+
+
+def _beside(common: Parts, surface: LoopSurface) -> Iterator[Node]:
+    yield _part(surface, "beside")
+    yield Call(common["beside_body"], {"index": surface.index})
+
+
+def _beside_end_planes(common: Parts, end_planes: Sequence[LoopSurface]) -> Iterator[Node]:
+    for end_plane in end_planes:
+        yield _part(end_plane, "beside")
+        yield Call(common["beside_gate"], {"index": end_plane.index})
+
+
+def _ring_step(
+    common: Parts,
+    ring: LoopSurface,
+    contacts: Sequence[LoopSurface],
+    end_planes: Sequence[LoopSurface],
+) -> Iterator[Node]:
+    """Take a step on a ring, in its own coordinates."""
+    others = [surface for surface in contacts if surface is not ring]
+    around = [surface for surface in (*others, *end_planes) if "around" in surface.parts]
+    bounded = len(around) == len(others) + len(end_planes)
+
+    def series(names: Mapping[str, str]) -> Iterator[Node]:
+        yield _part(ring, "round_start", names)
+        for k in range(ring_rolling_series.ORDER):
+            yield _part(ring, f"round_{k}", names)
+
+    def clearance(half_step: str) -> Iterator[Node]:
+        for surface in around:
+            yield _part(surface, "around")
+            yield Call(common["cleared"], {"half_step": half_step})
+
+    yield Call(common["error_bounds"])
+    yield _part(ring, "rolling_surface")
+    yield from series({})
+    yield _part(ring, "round_pace")
+    strained = given_as(Call(ring.law["grip_deficit"]), ring.law_sizes)
+    yield from _friction_limit(common, (_part(ring, "round_pulled"), strained))
+    yield Call(common["leaving_force"])
+    for surface in others:
+        yield from _beside(common, surface)
+    yield from _beside_end_planes(common, end_planes)
+    yield Call(common["beside_time"])
+    yield Call(common["neighbour_scale"])
+    yield Call(common["neighbour"])
+    if "passing" in common:
+        yield Call(common["passing_from"])
+    if bounded:
+        yield Call(common["isolated"], {}, {"nearest": "azimuth_clearance"})
+        yield Call(common["half_steps"])
+        yield from clearance("forth")
+    yield given_as(_part(ring, "round_moved"), {"t": "stride"})
+    if "passing" in common:
+        yield Call(common["passing_in_contact"])
+    if bounded:
+        yield from clearance("back")
+        yield _part(ring, "swung")
+        yield Call(common["for_ever"])
+    yield from series(_NEIGHBOUR)
+    yield given_as(_part(ring, "round_moved", _NEIGHBOUR), {"t": "stride"})
+    yield Call(common["compared"])
+    yield Call(common["rolled_on"], {}, {"rolling": "circling"})
+
+
+def _series(common: Parts) -> Iterator[Node]:
+    for k in range(rolling_series.ORDER):
+        yield Call(common[f"roll_{k}"])
+
+
+def _moved(
+    common: Parts, holders: Sequence[LoopSurface], names: Mapping[str, str]
+) -> Iterator[Node]:
+    """Move a ball along its series, and put it back onto the surface."""
+    yield _renamed(Call(common["roll_moved"], {"t": "stride"}), names)
+    yield from _put_back(common, holders, names)
+
+
+def _moved_neighbour(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
+    """Move the neighbouring motion, which begins on the surface, too."""
+    for surface in holders:
+        yield Call(common["holding"], {"index": surface.index})
+        yield If("here", (_part(surface, "normal", _NEIGHBOUR),))
+    yield _renamed(Call(common["roll_turn_rate"]), _NEIGHBOUR)
+    yield from _put_back(common, holders, _NEIGHBOUR)
+    yield _renamed(Call(common["roll_start"]), _NEIGHBOUR)
+    yield from _series(common)
+    yield from _moved(common, holders, _NEIGHBOUR)
+
+
+def _put_back(
+    common: Parts, holders: Sequence[LoopSurface], names: Mapping[str, str]
+) -> Iterator[Node]:
+    for surface in holders:
+        yield Call(common["holding"], {"index": surface.index})
+        parts = (_part(surface, part, names) for part in ("normal", "distance"))
+        yield If("here", tuple(parts))
+    yield _renamed(Call(common["roll_placed"]), names)
+
+
+def _part(surface: LoopSurface, part: str, names: Mapping[str, str] = MappingProxyType({})) -> Call:
+    """Return the evaluation of a kernel of a surface, for a motion whose state has such names."""
+    return given_as(_renamed(Call(surface.parts[part]), names), surface.sizes)
+
+
+def _renamed(node: Call, names: Mapping[str, str]) -> Call:
+    """Return the evaluation for a motion whose state has other names."""
+    arguments = {str(symbol) for symbol in node.kernel.arguments}
+    inputs = {name: own for name, own in names.items() if name in arguments}
+    outputs = {name: own for name, own in names.items() if name in node.kernel.output_names}
+    return Call(node.kernel, {**inputs, **node.inputs}, outputs)

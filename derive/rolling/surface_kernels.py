@@ -1,0 +1,119 @@
+"""The kernels of one surface in the contact phase: beside a rolling ball, and under it."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..errors.derivative import directional
+from ..ir.kernel import Kernel, loop_kernel
+from ..motion import rolling_series
+from ..motion.parabola import Parabola
+from ..surfaces import Surface
+from ..symbolic.conditionals import barrier
+from ..symbolic.symbols import POSITION, VELOCITY, normal
+from .symbols import rolled, rolling_acceleration, turning
+
+
+def allows_rolling(surface: Surface, flight: Parabola) -> bool:
+    """Return True if a ball can stay in contact with the surface; else it bounces on.
+
+    On a ring the motion is known only if gravity acts along the ring's axis.
+    """
+    found = surface.rolling_surface
+    return found is not None and (found.ring == 0 or flight.upright)
+
+
+def contact_phase_kernels(surface: Surface, flight: Parabola) -> dict[str, Kernel]:
+    """Return the kernels of one surface by part: all have those beside it, some those on it."""
+    kernels = _beside(surface)
+    if not allows_rolling(surface, flight):
+        return kernels
+    return kernels | _under(surface, flight)
+
+
+def _beside(surface: Surface) -> dict[str, Kernel]:
+    """Return the distance to the surface of a ball that rolls on another one, and its rates."""
+    along = dict(zip(POSITION, VELOCITY, strict=True))
+    turns = dict(zip(POSITION, rolled, strict=True))
+    pushed = dict(zip(rolled, rolling_acceleration, strict=True))
+    facing_on = dict(zip(POSITION, normal, strict=True))
+    held = _hold_all_parts(surface.distance)
+    rate = directional(held, turns)
+    return {
+        "beside": loop_kernel(
+            f"{surface.name}_beside",
+            {
+                "gap": barrier(surface.distance),
+                "nearing": directional(surface.distance, along),
+                "gap_curvature": surface.max_concavity,
+            },
+            "Distance, its rate, and a bound on how fast it bends down, by the squared speed.",
+            "Table 2",
+        ),
+        "closing": loop_kernel(
+            f"{surface.name}_closing",
+            {
+                "gap": barrier(surface.distance),
+                "nearing": rate,
+                "rolling_gap_acceleration": directional(rate, turns | pushed),
+                "normal_cosine": directional(held, facing_on),
+            },
+            "Distance of a ball that rolls on another surface, and its first two derivatives.",
+            "derivatives of Table 2's distance",
+        ),
+    }
+
+
+def _under(surface: Surface, flight: Parabola) -> dict[str, Kernel]:
+    """Return what the motion on the surface is computed from."""
+    name, rolling_surface = surface.name, surface.rolling_surface
+    assert rolling_surface is not None
+    along = dict(zip(POSITION, VELOCITY, strict=True))
+    rates = along | dict(zip(VELOCITY, flight.acceleration, strict=True))
+    turns = dict(zip(POSITION, rolled, strict=True))
+    derivatives = [_hold_all_parts(surface.distance)]
+    for _ in range(4):
+        derivatives.append(directional(derivatives[-1], rates))
+    named = zip(turning, surface.normal, strict=True)
+    curved = dict(zip(map(str, rolling_series.bent), rolling_surface.curved, strict=True))
+    kernels = {
+        "distance": loop_kernel(
+            f"{name}_distance", {"gap": surface.distance}, "Distance from the surface.", "Table 2"
+        ),
+        "rolling_surface": loop_kernel(
+            f"{name}_rolling_surface",
+            curved | {"per_reach": rolling_surface.per_reach},
+            "Curvature of the surface that the centre of a rolling ball stays on.",
+            "Table 2",
+        ),
+        "turning": loop_kernel(
+            f"{name}_turning",
+            {str(rate): barrier(directional(component, turns)) for rate, component in named},
+            "Rate of the normal.",
+            "derivative of Table 2's normal",
+        ),
+        "separation": loop_kernel(
+            f"{name}_separation",
+            dict(zip(("lift", "gap_jerk", "gap_snap"), derivatives[2:], strict=True)),
+            "Second to fourth derivative of the distance along a flight.",
+            "derivatives of Table 2's distance",
+        ),
+    }
+    seams = {
+        f"seam{k}": loop_kernel(
+            f"{name}_seam{k}",
+            {"gap": barrier(place - value), "nearing": along[place], "near": width},
+            "Distance of the ball from a seam of the surface, its rate, and half the seam's width.",
+            "Table 2",
+        )
+        for k, (place, value, width) in enumerate(rolling_surface.seams)
+    }
+    return kernels | seams
+
+
+def _hold_all_parts(expression: sp.Expr) -> sp.Expr:
+    """Return the expression with its sums and powers held, so that its derivatives share them."""
+    if expression.is_Atom:
+        return expression
+    inner = expression.func(*map(_hold_all_parts, expression.args))
+    return barrier(inner) if inner.is_Add or inner.is_Pow else inner

@@ -1,0 +1,92 @@
+"""Text of the command line: examples, errors, lines, JSON and progress."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import click
+
+from hoopgen.core.extras import explain_import_error
+from hoopgen.text.escape import printable
+
+TRACEBACK = "HOOPGEN_TRACEBACK"
+"""Environment variable: where it is 1, every error comes with Python's traceback."""
+
+NOT_FORESEEN = f"this was not foreseen; {TRACEBACK}=1 in the environment shows where it happened"
+
+OWN_ERROR = 70
+"""Exit status of an error that nobody foresaw: EX_SOFTWARE of sysexits.h."""
+
+# The library raises these when it is asked for something wrong, or something is not there.
+_EXPECTED = (click.ClickException, ImportError, OSError, RuntimeError, ValueError)
+
+
+class OwnError(click.ClickException):
+    """Errors of which some were not foreseen."""
+
+
+def is_expected(error: Exception) -> bool:
+    """Return whether an error says what is wrong with what was asked."""
+    return isinstance(error, _EXPECTED) and not isinstance(error, (OwnError, RecursionError))
+
+
+def error_text(error: Exception) -> str:
+    """Return an error as text, with its type if nobody foresaw it."""
+    if isinstance(error, click.UsageError) and error.ctx is not None:
+        return f"{error.format_message()} (see {error.ctx.command_path} --help)"
+    if isinstance(error, click.ClickException):
+        return error.format_message()
+    if isinstance(error, ImportError):
+        return str(explain_import_error(error))
+    if isinstance(error, OSError) and error.filename is not None:
+        return f"{error.filename}: {error.strerror}"
+    return str(error) if is_expected(error) else f"{type(error).__name__}: {error}"
+
+
+def examples(*lines: str) -> str:
+    """Return example lines for the end of a command's help."""
+    return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
+
+
+def echo_lines(text: str, *, err: bool = False) -> None:
+    """Print lines, some of which may be in the words of a file."""
+    for line in text.splitlines():
+        click.echo(printable(line), err=err)
+
+
+def echo_json(record: Any) -> None:
+    """Print a record as JSON."""
+    click.echo(json.dumps(record, indent=2, allow_nan=False))
+
+
+@contextmanager
+def shown() -> Iterator[Callable[[int, int | None], None]]:
+    """Show on stderr, if that is a terminal, how far work is and the time left.
+
+    Notes on an interruption, which say how to go on, are printed.
+
+    Yields
+    ------
+    callable
+        Function of what is done and of its total (None: not known).
+    """
+    try:
+        if not sys.stderr.isatty():
+            yield lambda done, total: None
+            return
+        with click.progressbar(itertools.count(), file=sys.stderr) as bar:
+
+            def show(done: int, total: int | None) -> None:
+                bar.length = total
+                bar.update(done - bar.pos)
+
+            yield show
+    except KeyboardInterrupt as error:
+        for note in getattr(error, "__notes__", ()):
+            click.echo(f"hoopgen: {printable(note)}", err=True)
+        raise

@@ -1,0 +1,258 @@
+"""Options of releases: the release aimed at and its scatter, or measured releases."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hoopgen.hoop.variables import change_variables
+from hoopgen.simulation.lookup import BUILT_IN
+from hoopgen.study.questions.settings import MeasuredReleases
+
+from .messages import echo_lines
+from .options import (
+    VARIABLE_HELP,
+    override_option,
+    reading_options,
+    scene_options,
+    variable_option,
+)
+from .question_options import setting_options, together
+from .scene_option import (
+    engine_of,
+    given,
+    no_scene_option,
+    own_needs,
+    own_options,
+    state_given,
+    state_is_given,
+)
+from .shot_files import READING, reading_of, simulation_options
+from .types import CORRELATION, DEVIATION, FILE, once
+
+if TYPE_CHECKING:
+    from hoopgen.simulation.engine import Engine
+    from hoopgen.study.models.resample import Resample
+    from hoopgen.study.models.scatter import Scatter
+    from hoopgen.study.tables.invalid import InvalidRows
+    from hoopgen.study.tables.reading import Interpreted, ReadingOptions
+
+_ALTERNATIVES: Mapping[str, tuple[str, ...]] = {
+    "speed": ("aim", "entry"),
+    "elevation": ("entry",),
+    "height": (),
+    "distance": ("x",),
+}
+"""Options that a release requires, and the alternatives to each."""
+
+_REQUIRED: Mapping[str, str] = {
+    "speed": "--speed (or --aim)",
+    "elevation": "--elevation (or --entry)",
+    "distance": "--distance (or --x and --y)",
+}
+"""Texts of those that have alternatives."""
+
+
+def release_needs(typed: Mapping[str, Any]) -> list[str]:
+    """Return what is missing of a release, of a hoop's or one's own scene, without ``--from``."""
+    if "file" in typed or "override" in typed:
+        return []  # a file says it; without one, that is said first
+    varied = {text.partition("=")[0].strip() for text in typed.get("over", ())}
+    if typed.get("scene_name", "hoop") not in BUILT_IN:
+        return own_needs(typed, varied)
+    if state_is_given(typed):
+        return []  # of a shot in a scene of one's own, which is said first
+    known = {*typed, *varied}
+    return [
+        _REQUIRED.get(name, f"--{name}")
+        for name, others in _ALTERNATIVES.items()
+        if not known.intersection((name, *others))
+    ]
+
+
+def place_needs(typed: Mapping[str, Any]) -> list[str]:
+    """Return what is missing of the places from which both ways in are searched."""
+    searched = {"over": ("speed", "elevation"), **({"distance": ""} if "places" in typed else {})}
+    return release_needs({**typed, **searched})
+
+
+@dataclass(frozen=True)
+class Releasing:
+    """The releases that the options describe."""
+
+    values: Mapping[str, float]  # variables of the release that were given, SI
+    sd: Mapping[str, float]  # their standard deviations, --scatter
+    correlation: Mapping[tuple[str, str], float]
+    parameters: Mapping[str, float]
+    engine: Engine
+    measured: Mapping[str, Any] = field(default_factory=dict)  # columns of --from
+    group: Sequence[str | None] | None = None  # label of each row, --group
+
+    def model(
+        self, changes: Mapping[str, float] = MappingProxyType({}), over: Iterable[str] = ()
+    ) -> tuple[Scatter | Resample, Mapping[str, float]]:
+        """Return the release model, of measured releases where there are some, and the scene.
+
+        `changes` may hold variables and parameters of the scene. The components of a state that
+        vary `over` some values are left out.
+        """
+        from hoopgen.study.models.resample import Resample
+        from hoopgen.study.models.scatter import Scatter
+
+        over = tuple(over)
+        values = {**self.measured, **self.values}
+        if self.engine.has_hoop and (twice := [name for name in over if given(name)]):
+            raise click.UsageError(f"--{twice[0]} and --over {twice[0]}: leave one out")
+        if self.engine.has_hoop:
+            values = change_variables(values, changes)
+        else:
+            varied = set() if self.measured else set(over)
+            values = {n: v for n, v in (values | dict(changes)).items() if n not in varied}
+        scene = dict(self.parameters)
+        scene |= {name: values.pop(name) for name in scene if name in changes}
+        if self.measured:
+            return Resample(values, self.group), scene
+        return Scatter(values, self.sd, self.correlation), scene
+
+    def read(
+        self,
+        file: Path,
+        reading: ReadingOptions,
+        asked: Mapping[str, Any],
+        override: bool,
+        group: str | None = None,
+    ) -> tuple[Releasing, Interpreted, InvalidRows]:
+        """Return this with the values of a file, its interpretation, and its invalid rows.
+
+        The column `group` has the labels of the rows' groups.
+        """
+        if self.sd:
+            raise click.UsageError(
+                "--scatter is about a release, and --from has many; leave one out"
+            )
+        source, labels = reading.source(file), None
+        if group is not None:
+            labels = source.labels(source.whole(), group)
+            reading = replace(reading, own=(*reading.own, group))
+        table = reading.interpreted(
+            source, release=self.values, **asked, override=override, scene=self.engine
+        )
+        measured, invalid = table.measured(source)
+        scene, values = table.origin.parameters, table.origin.release
+        model = replace(self, values=values, parameters=scene, measured=measured, group=labels)
+        return model, table, invalid
+
+
+_FROM = together(
+    click.option(
+        "--from",
+        "file",
+        type=FILE,
+        help="Draw from measured releases, .csv, .parquet, .arrow or .xlsx; the options above fill "
+        "in.",
+    ),
+    setting_options(MeasuredReleases, only="group"),
+    override_option,
+    reading_options,
+)
+
+
+def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add ``--from``, measured releases in place of scatter; below `release_options`.
+
+    Releases of a file of results are simulated in its scene and to its limit of contacts.
+    """
+
+    @functools.wraps(command)
+    def collected(
+        *arguments: Any,
+        releasing: Releasing,
+        file: Path | None,
+        group: str | None,
+        override: bool,
+        **options: Any,
+    ) -> Any:
+        reading_values = {name: options.pop(name) for name in READING}
+        if file is None:
+            if group is not None:
+                raise click.UsageError("--group: it is a column of --from; leave it out")
+            if override:
+                raise click.UsageError("--override: there is no file of results; leave it out")
+            stray = [name for name, value in reading_values.items() if value]
+            if stray:
+                raise click.UsageError(f"{_spelled(stray[0])}: there is no table; give --from")
+            return command(*arguments, releasing=releasing, **options)
+        reading = reading_of(reading_values)
+        asked, assumption = simulation_options(releasing.engine, file, reading)
+        releasing, table, invalid = releasing.read(file, reading, asked, override, group)
+        if "max_contacts" in options:
+            options["max_contacts"] = table.origin.max_contacts
+        result = command(*arguments, releasing=releasing, **options)
+        lines = f"\n{table.interpretation}\n{invalid}"
+        echo_lines(lines, err=bool(options.get("as_json")))
+        if assumption:
+            click.echo(assumption, err=True)
+        return result
+
+    decorated: Callable[..., Any] = _FROM(collected)
+    return decorated
+
+
+def _spelled(name: str) -> str:
+    """Return an option as it is written."""
+    options = click.get_current_context().command.params
+    return next(option.opts[0] for option in options if option.name == name)
+
+
+def release_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add the options of a release, its scatter and the scene; give `releasing` to the command."""
+    return _release_options(command, own_options)
+
+
+def hoop_release_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add those of `release_options`, for a command whose question is a hoop's."""
+    return _release_options(command, no_scene_option)
+
+
+def _release_options(command: Callable[..., Any], scene: Any) -> Callable[..., Any]:
+
+    @functools.wraps(command)
+    def collected(*arguments: Any, parameters: Mapping[str, float], **options: Any) -> Any:
+        engine = engine_of()
+        variables = {name: options.pop(name) for name in VARIABLE_HELP}
+        state = {name: options.pop(name, None) for name in ("position", "velocity", "spin")}
+        if engine.has_hoop:
+            values = {name: value for name, value in variables.items() if value is not None}
+        else:
+            values = state_given(tuple(variables), state)
+        sd, correlation = options.pop("scatter"), options.pop("correlation")
+        releasing = Releasing(values, sd, correlation, parameters, engine)
+        return command(*arguments, releasing=releasing, **options)
+
+    options = (*map(variable_option, VARIABLE_HELP), scene, *_SCATTER, scene_options)
+    decorated: Callable[..., Any] = together(*options)(collected)
+    return decorated
+
+
+_SCATTER = (
+    click.option(
+        "--scatter",
+        type=DEVIATION,
+        multiple=True,
+        callback=once,
+        help="Standard deviation of a variable, speed=0.07, elevation=1.3deg; may be repeated.",
+    ),
+    click.option(
+        "--correlation",
+        type=CORRELATION,
+        multiple=True,
+        callback=once,
+        help="Correlation of two that scatter, speed,elevation=-0.3; may be repeated.",
+    ),
+)

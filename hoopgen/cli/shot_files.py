@@ -1,0 +1,94 @@
+"""Simulation of the shots of a file: by the options, the file, and what is assumed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.study.questions.settings import Parsing, TableSettings, settings
+from hoopgen.text.escape import printable
+
+from .scene_option import given, parameters_of
+
+if TYPE_CHECKING:
+    from hoopgen.study.tables.reading import ReadingOptions
+    from hoopgen.study.tables.source import Source
+
+READING = tuple(name for one in (TableSettings, Parsing) for name, *_ in settings(one))
+"""Options of how a table is read: names of fields of `study.tables.reading.ReadingOptions`."""
+
+
+def simulation_options(
+    engine: CompiledScene, file: Path, reading: ReadingOptions
+) -> tuple[dict[str, Any], str]:
+    """Return `parameters` and `max_contacts` as the options of this command ask; None: the file's.
+
+    ``--set`` changes the scene of ``--preset``, or else that of the file. Where nobody names one,
+    a line says which is assumed, for stderr when the work is done; else it is empty.
+    """
+    from hoopgen.report.provenance import describe_scene
+    from hoopgen.study.tables.provenance import OtherScene, names_scene, origin_of
+
+    context = click.get_current_context()
+    settings = dict(context.params["settings"])
+    preset = context.params["preset"] if given("preset") else None
+    base = parameters_of(engine, preset, {}) if preset else None
+    source = reading.source(file)
+    _refuse_columns(engine, source, reading, preset, settings)
+    try:
+        origin = origin_of(source, engine)
+    except OtherScene:
+        if not context.params["override"]:
+            raise
+        origin = None
+    if base is None:
+        base = origin.parameters if origin else engine.parameters
+    parameters = {**base, **settings} if preset or settings else None
+    assumption = ""
+    if engine.is_hoop and not preset and not (origin or names_scene(source, reading.own)):
+        scene = describe_scene(engine, parameters or engine.parameters)
+        text = f"{file.name} names no scene: {scene} is assumed; --preset names another"
+        assumption = f"hoopgen: {printable(text)}"
+    contacts = context.params.get("max_contacts")
+    return {"parameters": parameters, "max_contacts": contacts}, assumption
+
+
+def _refuse_columns(
+    engine: CompiledScene,
+    source: Source,
+    reading: ReadingOptions,
+    preset: str | None,
+    settings: dict[str, float],
+) -> None:
+    """Refuse options that name what columns of the table say."""
+    from hoopgen.study.tables.columns import variable_of
+
+    names = engine.table.defaults
+    spelled = {column: name for name, column in reading.columns.items()}
+    columns = {name: spelled.get(name, name) for name in source.schema().names}
+    columns_by_variable = {
+        variable: name
+        for name, one in columns.items()
+        if name not in reading.own and (variable := variable_of(one, engine)[0]) in names
+    }
+    if preset and len(columns_by_variable) == len(names):
+        raise click.UsageError(
+            f"--preset {preset}: columns of {source.path} say all of the scene; leave it out, or "
+            "list the columns with --own"
+        )
+    for name in settings:
+        if column := columns_by_variable.get(name):
+            raise click.UsageError(
+                f"--set {name}: the column {column} of {source.path} says it; leave it out, "
+                f"or add --own {column}"
+            )
+
+
+def reading_of(options: dict[str, Any]) -> ReadingOptions:
+    """Return how a table is read, from the options of `reading_options`, which are taken out."""
+    from hoopgen.study.tables.reading import ReadingOptions
+
+    return ReadingOptions.of(**{name: options.pop(name) for name in READING})

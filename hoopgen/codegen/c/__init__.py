@@ -1,0 +1,84 @@
+"""C: lanes of shots abreast, and lists of those that do the same."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from importlib.resources.abc import Traversable
+from typing import Any
+
+from hoopgen.derive.state.fields import Result
+
+from ..backend import TEMPLATES, LoweredScene
+from ..identifiers import identifier
+from .hoisted import Hoisted
+from .merging import merged
+from .options import Options
+from .view import CKernel, columns_kernels, loop_view
+
+FILES = {
+    "c/kernels.h.j2": "c/{scene}_kernels.h",
+    "c/lanes.h.j2": "c/lanes.h",
+    "c/loop.h.j2": "c/{scene}_loop.h",
+    "c/engine.h.j2": "c/{scene}_engine.h",
+    "c/environment.h.j2": "c/environment.h",
+    "c/exact.h.j2": "c/exact.h",
+    "c/scene.h.j2": "c/{scene}.h",
+    "c/scene.c.j2": "c/{scene}.c",
+}
+
+C_TYPES = {name: f"{name}_t" for name in ("uint8", "int8", "int16", "int32")} | {"bool": "uint8_t"}
+
+
+@dataclass(frozen=True)
+class ResultView:
+    """A view of a result for templates."""
+
+    result: Result
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.result, name)
+
+    @property
+    def c_type(self) -> str:
+        """Its type in C."""
+        return C_TYPES.get(self.result.dtype, "double")
+
+
+@dataclass(frozen=True)
+class CBackend:
+    """The target C."""
+
+    name: str = "c"
+    options: Options = field(default_factory=Options)
+    templates: Traversable = TEMPLATES
+    files: Mapping[str, str] = field(default_factory=lambda: dict(FILES))
+
+    def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
+        """Return the kernels that the event loop evaluates: the library serves its engine alone."""
+        own = lowered.partial_evaluations
+        called = [p for p in lowered.programs if p.kernel.name in lowered.called]
+        by_columns = columns_kernels(lowered.model.loop)
+        symbols = lowered.model.scene.symbols
+        numbers = {identifier(symbol): k for k, symbol in enumerate(symbols)}
+        kernels = [
+            CKernel(p, own.get(p.kernel.name), numbers if p.kernel.name in by_columns else {})
+            for p in called
+        ]
+        return {"kernels": kernels}
+
+    def loop(self, lowered: LoweredScene, kernels: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Return the event loop in its variants, and the results that it writes."""
+        own = lowered.partial_evaluations
+        hoisted = Hoisted(own)
+        # The last bounds errors, and has all that the first has.
+        views = [loop_view(lowered, v, self.options, hoisted) for v in reversed(lowered.variants)]
+        return {
+            "loops": views[::-1],
+            "fixed": hoisted.counts,
+            "merged": merged,
+            "results": [ResultView(r) for r in lowered.model.results],
+        }
+
+
+C_BACKEND = CBackend()

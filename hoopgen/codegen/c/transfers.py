@@ -1,0 +1,156 @@
+"""Lowering for C how the values of shots get into a list of some of them, and back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from hoopgen.derive.ir import event_tree as ir
+from hoopgen.derive.ir.kernel import Kind
+
+from ..statements import (
+    Apply,
+    Assign,
+    Cast,
+    Choose,
+    Column,
+    Compact,
+    Declare,
+    Expression,
+    For,
+    If,
+    Infix,
+    Item,
+    Name,
+    Operate,
+    Scalar,
+    Statement,
+    Tuple,
+)
+from .hierarchy import GroupContext
+from .masks import Statements
+from .outlining import OutlinedLoop
+from .spelling import (
+    at,
+    both,
+    column_of,
+    is_parameter,
+    load,
+    numbered_column,
+    offset,
+    pack,
+    seldom,
+    zeros,
+)
+
+
+@dataclass
+class TransferLoop(OutlinedLoop):
+    """Transfers between the rows of a list and the columns of another.
+
+    Attributes
+    ----------
+    bases
+        By what is of the row at hand of a table, the array that has its values, as if a parameter.
+    """
+
+    bases: dict[str, Expression] = field(default_factory=dict)
+
+    def _column(self, frame: GroupContext, name: str, kind: Kind) -> None:
+        if is_parameter(name):
+            self.parameter_lists[frame.prefix] = None
+        else:
+            self.columns.setdefault(frame.column(name), kind)
+
+    def _shared(self, name: str) -> Expression:
+        """Return the array of a parameter's values for all shots: one row of lanes, or more."""
+        return self.bases.get(name, Column(column_of("", name)))
+
+    def _parameter(self, frame: GroupContext, name: str) -> Expression:
+        """Return a parameter's values for the row of lanes at hand."""
+        shared = self._shared(name)
+        if not frame.prefix:
+            return load("double", offset(shared, Infix("&", Name("i"), Name("varying"))))
+        return load("double", Choose(Name("varying"), at(frame.column(name), "i"), shared))
+
+    def _taken(self, own: GroupContext, index: str, prefix: str | None = None) -> Expression:
+        """Return the column, in a list or in the one of a prefix, of a parameter that it takes."""
+        number = Item(Name(f"{own.prefix}taken"), Name(index))
+        return numbered_column(own.prefix if prefix is None else prefix, number)
+
+    def _over_taken(
+        self, own: GroupContext, takes: Iterable[str], each: Statement
+    ) -> list[Statement]:
+        """Return what is done for each parameter that a list takes."""
+        many = sum(map(is_parameter, takes))
+        return [For("_p", Scalar(many), (each,))] if many else []
+
+    def _parameter_numbers(self, own: GroupContext, takes: Iterable[str]) -> list[Statement]:
+        """Return the declaration of the numbers of the parameters that a list takes."""
+        numbers = [Scalar(self.parameters.index(name)) for name in takes if is_parameter(name)]
+        if not numbers:
+            return []
+        name, every = f"{own.prefix}taken", Tuple(tuple(numbers))
+        return [Declare(name, "static const int", every, room=(None,))]
+
+    def _pack(
+        self,
+        cut: ir.If | ir.While,
+        frame: GroupContext,
+        own: GroupContext,
+        takes: Sequence[str],
+        known: Mapping[str, Kind],
+    ) -> Statements:
+        """Return what appends the shots that go on to a body to the list of that."""
+        packed = Name("packed")
+        number = Operate("add", (Apply("iota"), Apply("K", (Cast("double", Name("i")),))))
+        moves = [pack("double", at(own.column("row"), own.count), packed, number)]
+        to, source = self._taken(own, "_p"), self._taken(own, "_p", frame.prefix)
+        value = load("double", offset(source, Name("i")))
+        own_row = offset(to, Name(own.count))
+        rare = self._over_taken(own, takes, pack("double", own_row, packed, value))
+        self._column(own, "row", "double")
+        for name in takes:
+            if name in self.job:
+                continue
+            self._column(own, name, known[name])
+            place = at(own.column(name), own.count)
+            if name in self.parameters:
+                if not is_parameter(name):
+                    rare.append(pack("double", place, packed, self._parameter(frame, name)))
+            elif not (isinstance(cut, ir.While) and name == cut.truth):
+                moves.append(pack(known[name], place, packed, Name(name)))
+                own.known[name] = known[name]
+        moves += [If(seldom("varying"), tuple(rare))] if rare else []
+        mask = Declare("packed", "M", both(Name("rows"), Name(cut.truth)), constant=True)
+        return [mask, Compact(own.count, packed, tuple(moves))]
+
+    def _fill(self, own: GroupContext, takes: Sequence[str]) -> Statement:
+        """Return what puts zeros into the lanes behind a list's end, not what memory held."""
+
+        def zero(name: str, kind: Kind) -> Statement:
+            return zeros(kind, at(own.column(name), own.count))
+
+        filled = [zero("row", "double")]
+        filled += [zero(name, own.known[name]) for name in takes if name in own.known]
+        own_row = offset(self._taken(own, "_p"), Name(own.count))
+        rare = self._over_taken(own, takes, zeros("double", own_row))
+        bases = (name for name in takes if name in self.parameters and not is_parameter(name))
+        rare += [zero(name, "double") for name in bases]
+        filled += [If(seldom("varying"), tuple(rare))] if rare else []
+        return If(Name(own.count), tuple(filled))
+
+    def _return(self, frame: GroupContext, own: GroupContext, gives: Sequence[str]) -> Statement:
+        """Return what puts the results of a list back into the rows that its shots came from."""
+        for name in gives:
+            self._column(frame, name, frame.known[name])
+        source = Cast("size_t", Item(Column(own.column("row")), Name("k")))
+        moves = (
+            Assign(
+                Item(Column(frame.column(name)), Name("row")),
+                Item(Column(own.column(name)), Name("k")),
+            )
+            for name in gives
+        )
+        row = Declare("row", "size_t", source, constant=True)
+        return For("k", Name(own.count), (row, *moves))

@@ -1,0 +1,265 @@
+"""The event loop and the kernels as the templates of C see them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import groupby
+from typing import Any
+
+from hoopgen.derive.ir import event_tree as ir
+from hoopgen.derive.ir.event_tree import Node, needed, walk, writes
+from hoopgen.derive.ir.kernel import Kind
+from hoopgen.derive.loop.stages import Loop
+from hoopgen.derive.symbolic.conditionals import Boolean
+from hoopgen.derive.symbolic.symbols import STATE
+
+from ..backend import KernelView, LoweredScene
+from ..cost import describe_cost
+from ..hoisting import PartialEvaluation
+from ..identifiers import identifier
+from ..program import Program
+from ..statements import (
+    Apply,
+    Column,
+    Declare,
+    Execute,
+    Function,
+    If,
+    Infix,
+    Member,
+    Name,
+    Statement,
+)
+from ..straight_line import PrintedBody, formatted, straight_line
+from ..variants import Variant
+from .compaction import CompactedLoop, Insertion
+from .formatter import C_FORMATTER
+from .hierarchy import GroupContext
+from .hoisted import Hoisted
+from .launch import LaunchLoop
+from .masks import CLoop, Statements
+from .options import Options
+from .rerolling import rerolled
+from .spelling import LANES, SINGLES, TYPES, at, column_of, function, load, offset, store
+
+STATE_NAMES = tuple(symbol.name for symbol in STATE)
+
+
+@dataclass(frozen=True)
+class CKernel(KernelView):
+    """A kernel in C.
+
+    Attributes
+    ----------
+    evaluation
+        Its loop invariant part and the rest, if it has one.
+    numbers
+        By name, the numbers of the scene's parameters, if it is given all as columns.
+    """
+
+    evaluation: PartialEvaluation | None
+    numbers: Mapping[str, int] = field(default_factory=dict)
+
+    @property
+    def rest(self) -> Program:
+        """The program that the kernel evaluates itself, without hoisted operations."""
+        return self.evaluation.rest if self.evaluation else self.program
+
+    @property
+    def body(self) -> PrintedBody:
+        """Its statements and results."""
+        if self.numbers:
+            return formatted(rerolled(self.program, self.numbers), C_FORMATTER)
+        return formatted(straight_line(self.rest, SINGLES if self.single else LANES), C_FORMATTER)
+
+    @property
+    def cost(self) -> str:
+        """Its operation count, as a sentence."""
+        return describe_cost(self.rest)
+
+    @property
+    def parameters(self) -> list[str]:
+        """Its parameters, each with its type."""
+        arguments, number = self.program.kernel.arguments, "S" if self.single else "V"
+        own, given = self.evaluation, range(0)
+        if self.numbers:
+            arguments = tuple(a for a in arguments if identifier(a) not in self.numbers)
+        kept: Sequence[int] = range(len(arguments))
+        if own is not None:
+            kept, given = own.kept_arguments, range(len(own.loop_invariant))
+        found = [
+            f"{'M' if isinstance(a, Boolean) else number} {identifier(a)}"
+            for a in (arguments[k] for k in kept)
+        ]
+        columns = ["const LANES(column) *p", "size_t row"] if self.numbers else []
+        return columns + found + [f"{number} _c{k}" for k in given]
+
+    @property
+    def outputs(self) -> list[tuple[str, list[str]]]:
+        """Type and names of the outputs that follow one another and have the same type."""
+        kernel = self.program.kernel
+        pairs = zip(kernel.kinds, kernel.output_names, strict=True)
+        alike = groupby(pairs, lambda pair: pair[0])
+        return [(TYPES[kind], [name for _, name in own]) for kind, own in alike]
+
+
+@dataclass(frozen=True)
+class CVariant:
+    """A variant of the event loop in C.
+
+    Attributes
+    ----------
+    parts
+        `validate`, and `permitted`, where it is asked; `fixed` and `once` for a job; of
+        shots that touch nothing `launch`, and `launching` before it; `start`, and `follow`, what
+        comes after that.
+    columns
+        The columns that those need beside the fields, and what each holds.
+    parameter_lists
+        The prefixes of the lists that have columns for parameters.
+    functions
+        What they do in functions of their own.
+    """
+
+    variant: Variant
+    parts: Mapping[str, Sequence[Statement]] = field(repr=False)
+    columns: Mapping[str, Kind]
+    parameter_lists: Sequence[str]
+    functions: Sequence[Function] = field(repr=False)
+
+    @cached_property
+    def lines(self) -> dict[str, list[str]]:
+        """The lines of each part."""
+        return {name: C_FORMATTER.lines(statements) for name, statements in self.parts.items()}
+
+    def lines_of(self, own: Function) -> list[str]:
+        """Return the lines of a function."""
+        return C_FORMATTER.lines(own.body)
+
+    @property
+    def launched(self) -> int:
+        """Number of components of a state, from the first on, that the launch reads."""
+        read = {part.name for part in self.parts["launch"] if isinstance(part, Declare)}
+        return 1 + max(k for k, name in enumerate(STATE_NAMES) if name in read)
+
+    def column_groups(self, others: Collection[str]) -> Iterator[tuple[str, list[str]]]:
+        """Yield types and names of the columns, those apart that another variant has, too."""
+        for shared in (True, False):
+            for single, kind in ((False, "column"), (True, "singles_column")):
+                names = [
+                    name
+                    for name, held in self.columns.items()
+                    if (name in others) == shared and (held == "single") == single
+                ]
+                if names:
+                    yield kind, sorted(names)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.variant, name)
+
+
+def loop_view(
+    lowered: LoweredScene,
+    variant: Variant,
+    options: Options,
+    hoisted: Hoisted,
+) -> CVariant:
+    """Return a variant of the event loop in C; its loop invariant results join those `hoisted`."""
+    loop, stages = variant.loop, variant.stages
+    common: dict[str, Any] = {
+        "prefix": lowered.prefix,
+        "costs": lowered.costs,
+        "max_inline_cost": options.max_inline_cost,
+    }
+    permitting = needed(stages["validate"][0], {"permitted"})
+    sizes: dict[str, Kind] = dict.fromkeys(loop.parameters, "double")
+    by_columns = frozenset(columns_kernels(loop))
+    permit = CLoop(**common, by_columns=by_columns).body(
+        permitting, sizes, set(), "", {"permitted"}
+    )
+    launcher = LaunchLoop(**common, hoisted=hoisted)
+    common |= {
+        "hoisted": hoisted,
+        "parameters": loop.parameters,
+        "job": loop.job,
+        "min_outlined_cost": options.min_outlined_cost,
+    }
+    measuring = [node for node in stages["validate"][0] if "measured" in writes([node])]
+    admitting = CompactedLoop(**common, columns={"permitted": "double"})
+    admitting.columns |= {"measured": "double"} if measuring else {}
+    fresh = GroupContext("", dict(loop.kinds), Name("fresh"))
+    fields = set(loop.kinds)
+    admit = admitting.passes(stages["start"][0], fresh, fields, _permission(bool(measuring)))
+    (reach, _), (meet, _) = stages["detect"], stages["resolve"]
+    following = CompactedLoop(**common, used=admitting.used, once=admitting.once)
+    begun = Infix("+", Name("begun"), Name("i"))
+    ahead = Apply(function(f"{lowered.prefix}_ahead"), (Name("job"), begun, Name("streams")))
+    following.beside = [Execute(ahead)]
+    record = _record(len(reach), loop)
+    follow = following.passes((*reach, *meet), GroupContext("", dict(loop.kinds)), fields, record)
+    beside: dict[str, Kind] = {"body": "double", **admitting.columns, **following.columns}
+    written = [r for r in lowered.model.results if variant.bounds or not r.is_diagnostic]
+    results = {name for r in written if not r.is_counted for name in r.columns}
+    launching, launch = launcher.launch(loop, stages, results)
+    fixed = hoisted.all
+    given = [
+        Declare(p, "V", load("double", Column(column_of("", p))), constant=True)
+        for p in hoisted.reads(fixed)
+    ]
+    parts = {
+        "validate": permit,
+        "permitted": _permitted(lowered.prefix, measuring),
+        "fixed": [*given, *hoisted.statements(fixed)],
+        "once": following.once,
+        "launching": launching,
+        "launch": launch,
+        "start": admit,
+        "follow": follow,
+    }
+    return CVariant(
+        variant,
+        parts,
+        {name: kind for name, kind in beside.items() if name not in loop.kinds},
+        [p for p in {**admitting.parameter_lists, **following.parameter_lists} if p],
+        [*admitting.functions, *following.functions],
+    )
+
+
+def _permission(measured: bool) -> Insertion:
+    """Return what loads whether the parameters of a row of lanes are permitted."""
+
+    def loaded(name: str, kind: Kind) -> Declare:
+        place = offset(Column(name), Infix("&", Name("i"), Name("varying")))
+        return Declare(name, TYPES[kind], load(kind, place))
+
+    kinds: dict[str, Kind] = {"permitted": "truth"}
+    kinds |= {"measured": "double"} if measured else {}
+    return Insertion(0, tuple(loaded(name, kind) for name, kind in kinds.items()), kinds)
+
+
+def _record(index: int, loop: Loop) -> Insertion:
+    """Return what stores the state before an event, which is recorded if that is wanted."""
+    body = store("double", at("body", "i"), Name("body"))
+    before = (store("double", at(f"{s}_before", "i"), Name(s)) for s in STATE_NAMES)
+    if loop.tallied:
+        return Insertion(index, (body, If(Name("recording"), tuple(before))))
+    return Insertion(index, (If(Name("recording"), (body, *before)),))
+
+
+def columns_kernels(loop: Loop) -> set[str]:
+    """Return the names of the kernels that are given all parameters, as columns."""
+    return {node.kernel.name for node in walk(loop.stages["validate"]) if isinstance(node, ir.Call)}
+
+
+def _permitted(prefix: str, measuring: Iterable[Node]) -> Statements:
+    """Return what looks at the parameters of a row of lanes, `row` being the first."""
+    given = (Column("parameters.columns"), Name("row"))
+    permit = Apply(function(f"{prefix}_validate"), given)
+    found = [store("truth", at("permitted", "row"), permit)]
+    for node in measuring:
+        assert isinstance(node, ir.Call)
+        sizes = Apply(function(f"{prefix}_{node.kernel.name}"), given)
+        found.append(store("double", at("measured", "row"), Member(sizes, "measured")))
+    return found

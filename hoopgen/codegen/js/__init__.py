@@ -1,0 +1,62 @@
+"""JavaScript: the flight alone, for pages that show it in motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from importlib.resources.abc import Traversable
+from typing import Any
+
+from ..backend import TEMPLATES, KernelView, LoweredScene
+from ..formatter import INFIX, Formatter, Spelling
+from ..straight_line import PrintedBody, formatted, straight_line
+
+JS = Spelling(
+    operations=INFIX
+    | {
+        "sqrt": "Math.sqrt({0})",
+        "abs": "Math.abs({0})",
+        "max": "({0} < {1} ? {1} : {0})",
+        "min": "({0} < {1} ? {0} : {1})",
+        "less": "({0} < {1})",
+        "at_most": "({0} <= {1})",
+        "equal": "({0} === {1})",
+        "both": "({0} && {1})",
+        "either": "({0} || {1})",
+        "not": "(!{0})",
+        "nowhere": "false",
+        "select": "({0} ? {1} : {2})",
+    },
+)
+JS_FORMATTER = Formatter(JS, JS, "const {name} = {value};")
+
+
+@dataclass(frozen=True)
+class JsKernel(KernelView):
+    """A kernel in JavaScript."""
+
+    @property
+    def body(self) -> PrintedBody:
+        """Its statements and results."""
+        return formatted(straight_line(self.program, JS), JS_FORMATTER)
+
+
+@dataclass(frozen=True)
+class JsBackend:
+    """The target JavaScript."""
+
+    name: str = "js"
+    options: None = None
+    templates: Traversable = TEMPLATES
+    files: Mapping[str, str] = field(default_factory=lambda: {"js/flight.js.j2": "js/{scene}.js"})
+
+    def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
+        """Return the kernels."""
+        return {"kernels": [JsKernel(program) for program in lowered.programs]}
+
+    def loop(self, lowered: LoweredScene, kernels: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Return nothing: the event loop is not written in JavaScript."""
+        return {}
+
+
+JS_BACKEND = JsBackend()

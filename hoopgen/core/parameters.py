@@ -1,0 +1,206 @@
+"""Parameters of a scene: named numbers, their defaults and callers' values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, KeysView, Mapping, Sequence
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Protocol, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.text.shorten import brief, join_names
+
+from .validation import as_doubles
+
+Value = float | NDArray[np.float64]
+
+ParameterValues = Mapping[str, ArrayLike]
+"""Parameters of a scene as callers give them: names and values, one number each or (n,)."""
+
+
+Held = TypeVar("Held", bound=Value, covariant=True)
+Other = TypeVar("Other", bound=Value)
+
+
+class DerivedInputs(Protocol):
+    """A scene whose kernels take inputs that are computed from its parameters."""
+
+    @property
+    def defaults(self) -> Mapping[str, float]:
+        """The parameters' defaults."""
+
+    @property
+    def key(self) -> str:
+        """The scene's identity as text, the same in any process."""
+
+    def values(self, parameters: ParameterValues | None = None) -> Sequence[Value]:
+        """Return the kernels' inputs, in order."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """The parameters of a scene, in calling order.
+
+    Attributes
+    ----------
+    defaults
+        Their usual values, by name.
+    limits
+        The least and the largest value of those that have a largest.
+    written
+        The scene, where its kernels take more than them.
+    """
+
+    defaults: Mapping[str, float]
+    limits: Mapping[str, tuple[float, float]]
+    written: DerivedInputs | None = None
+
+    @classmethod
+    def of(cls, kernels: ModuleType, written: DerivedInputs | None = None) -> Table:
+        """Return the table of a generated module.
+
+        Parameters
+        ----------
+        kernels
+            The generated module.
+        written
+            The inputs that are computed from parameters; None if there are none.
+        """
+        usual = {name: default for name, (default, _, _) in kernels.PARAMETERS.items()}
+        return cls.made(usual, kernels.LIMITS, written)
+
+    @classmethod
+    def made(
+        cls,
+        taken: Mapping[str, float],
+        limits: Mapping[str, tuple[float, float]],
+        written: DerivedInputs | None,
+    ) -> Table:
+        """Return the table of a scene with derived inputs.
+
+        Parameters
+        ----------
+        taken
+            Defaults of the kernels' inputs by name.
+        limits
+            Lowest and highest allowed value by name.
+        written
+            The inputs that are computed from parameters; None if there are none.
+        """
+        if written is None:
+            return cls(taken, limits)
+        own = written.defaults
+        return cls(own, {name: ends for name, ends in limits.items() if name in own}, written)
+
+    def inputs(self, parameters: Mapping[str, Value]) -> list[Value]:
+        """Return the kernels' inputs, in order, from all parameters in calling order."""
+        if self.written is None:
+            return list(parameters.values())
+        values = self.written.values(parameters)
+        return [np.ascontiguousarray(v, np.float64) if np.ndim(v) else float(v) for v in values]
+
+
+class Parameters(Mapping[str, Held]):
+    """A read-only mapping from parameter names to values that merges with ``|``.
+
+    Parameters
+    ----------
+    values
+        Names and values; SI units.
+    """
+
+    def __init__(self, values: Mapping[str, Held]) -> None:
+        self._values = dict(values)
+
+    def __getitem__(self, name: str) -> Held:
+        return self._values[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def keys(self) -> KeysView[str]:
+        """Return the names."""
+        return self._values.keys()
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __or__(self, other: Mapping[str, Other]) -> Parameters[Held | Other]:
+        """Return these parameters with those of `other` in their place."""
+        return Parameters({**self._values, **other})
+
+    def __ror__(self, other: Mapping[str, Other]) -> Parameters[Held | Other]:
+        return Parameters({**other, **self._values})
+
+    def __repr__(self) -> str:
+        return f"Parameters({self._values!r})"
+
+
+def complete(parameters: ParameterValues | None, table: Table) -> ParameterValues:
+    """Return all parameters of a scene in calling order, with defaults for those left out.
+
+    Parameters
+    ----------
+    parameters
+        Values by name; None for the defaults.
+    table
+        The parameters of the scene.
+
+    Raises
+    ------
+    TypeError
+        If `parameters` is not a mapping.
+    ValueError
+        If a name is unknown; the message lists the right ones.
+    """
+    if parameters is None:
+        return table.defaults
+    if not isinstance(parameters, Mapping):
+        raise TypeError(
+            f"parameters: expected a mapping of names to values, got {brief(parameters)}"
+        )
+    values = {**table.defaults, **parameters}
+    if len(values) > len(table.defaults):
+        named = join_names(name for name in values if name not in table.defaults)
+        names = ", ".join(table.defaults) or "none"
+        raise ValueError(f"parameters: unknown {named}. The names are {names}")
+    return values
+
+
+def resolve(parameters: ParameterValues | None, shots: int, table: Table) -> dict[str, Value]:
+    """Return the parameters by name in calling order, each a number or of shape (shots,).
+
+    Parameters
+    ----------
+    parameters
+        Those that are given; the others have their usual values.
+    table
+        Those of the scene.
+
+    Raises
+    ------
+    TypeError
+        If `parameters` is not a mapping, or a value cannot become float64.
+    ValueError
+        If a name is unknown, a shape is wrong, or a number for all shots is not within its limits.
+    """
+    values: dict[str, Value] = {}
+    for name, given in complete(parameters, table).items():
+        if type(given) is float:  # the common case, without detours
+            values[name] = given
+            continue
+        numbers = as_doubles(f"parameters[{name!r}]", given)
+        if numbers.shape not in ((), (shots,)):
+            raise ValueError(
+                f"parameters[{name!r}]: expected one number or {shots}, one a shot; "
+                f"got shape {numbers.shape}"
+            )
+        values[name] = np.ascontiguousarray(numbers) if numbers.ndim else float(numbers)
+    for name, (low, high) in table.limits.items():
+        value = values[name]
+        if isinstance(value, float) and not low <= value <= high:
+            expected = f"{low:g} to {high:g}" if low > -np.inf else f"at most {high:g}"
+            raise ValueError(f"parameters[{name!r}]: expected {expected}, got {value}")
+    return values

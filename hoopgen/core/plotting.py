@@ -1,0 +1,27 @@
+"""The pictures that results can draw of themselves; the root package registers who draws them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import ModuleType
+
+__all__ = ["plotting_module", "register_plotting"]
+
+_LOADERS: list[Callable[[], ModuleType]] = []
+
+
+def register_plotting(load: Callable[[], ModuleType]) -> None:
+    """Let `load` give the module that draws results; it is called when a picture is asked for."""
+    _LOADERS[:] = [load]
+
+
+def plotting_module() -> ModuleType:
+    """Return the module that draws results, `hoopgen.plots`.
+
+    Raises
+    ------
+    ImportError
+        If matplotlib is missing.
+    """
+    (load,) = _LOADERS
+    return load()

@@ -1,0 +1,327 @@
+"""Checks of what callers give, and its conversion to what the engines take."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator, Mapping
+from typing import Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.generated.numpy import hoop
+from hoopgen.text.shorten import brief
+
+__all__ = [
+    "BackendName",
+    "BACKEND_NAMES",
+    "RUNTIME_BACKENDS",
+    "MAX_CONTACTS",
+    "MAX_SPIN",
+    "check_angles",
+    "check_deviations",
+    "check_contacts",
+    "check_count",
+    "check_leaving",
+    "check_spins",
+    "check_states",
+    "check_threads",
+    "check_time_limit",
+    "as_doubles",
+    "is_whole",
+]
+
+BackendName = Literal["auto", "c", "numpy"]
+"""Name of a backend: a target that runs in this process, or "auto" for the fastest one."""
+
+BACKEND_NAMES: tuple[str, ...] = get_args(BackendName)
+RUNTIME_BACKENDS = BACKEND_NAMES[1:]
+"""Names of the targets that run in this process, the fastest first."""
+
+MAX_CONTACTS = 40
+"""Contacts after which a shot is capped by default, as in the article."""
+
+MAX_THREADS_PER_PROCESSOR = 4
+"""Most threads for each processor."""
+
+
+def as_doubles(name: str, value: ArrayLike, expected: str = "numbers") -> NDArray[np.float64]:
+    """Return `value` as float64, with NaN for masked elements.
+
+    Parameters
+    ----------
+    name
+        The argument, for the error message.
+    value
+        The caller's value.
+    expected
+        A description of the expected value, for the error message.
+
+    Raises
+    ------
+    TypeError
+        If it is not real numbers: text that looks like them, times, None; the message begins with
+        `name`.
+    ValueError
+        If a whole number is too large for a double.
+    """
+    try:
+        array = np.asarray(_fill_masked(value))
+        if array.dtype == object:
+            array = np.array([_as_double(v) for v in array.flat]).reshape(array.shape)
+        # "same_kind" is numbers alone; NumPy would read text, and count a time's units.
+        return array.astype(np.float64, casting="same_kind", copy=False)
+    except OverflowError:
+        raise ValueError(
+            f"{name}: expected {expected} below 1.8e308 in size, got {brief(value)}"
+        ) from None
+    except (TypeError, ValueError, RecursionError):
+        raise TypeError(f"{name}: expected {expected}, got {brief(value)}") from None
+
+
+def _fill_masked(value: Any) -> Any:
+    """Return `value` with NaN for masked elements, which `np.asarray` would reveal."""
+    if isinstance(value, np.ma.MaskedArray):
+        return np.where(np.ma.getmaskarray(value), np.nan, value.data)
+    if isinstance(value, list | tuple) and value and not isinstance(value[0], float | int):
+        return [_fill_masked(one) for one in value]
+    return value
+
+
+def _as_double(value: Any) -> float:
+    """Return an object as a number; float() is stricter than NumPy, which makes a NaN of None."""
+    if np.asarray(value).dtype != object:
+        return np.asarray(value).astype(np.float64, casting="same_kind").item()
+    return float(value)
+
+
+def is_whole(value: Any) -> bool:
+    """Return whether `value` is a whole number; NumPy's spans of time are none."""
+    return isinstance(value, int | np.integer) and not isinstance(value, np.timedelta64)
+
+
+MAX_SPIN = 100.0
+"""rad/s, sixteen turns a second: by it the surface of a basketball is faster than its flight."""
+
+
+def check_angles(name: str, angles: Mapping[str, ArrayLike]) -> None:
+    """Raise an error if angles are degrees by their median: radians are within a turn.
+
+    Parameters
+    ----------
+    name
+        The argument, for the error message.
+    angles
+        Angles by name, rad.
+
+    Raises
+    ------
+    ValueError
+        The message begins with `name`.
+    """
+    for angle, median in _medians_above(2 * np.pi, angles):
+        raise ValueError(
+            f"{name}: {angle} is in radians, and these are more than a turn: {median:.6g}. Degrees "
+            f"would be np.radians(...), or in a table a column {angle}_deg"
+        )
+
+
+def check_spins(name: str, spins: Mapping[str, ArrayLike]) -> None:
+    """Raise an error if spins are rpm or degrees a second by their median.
+
+    Parameters
+    ----------
+    name
+        The argument, for the error message.
+    spins
+        Spins by name, rad/s.
+
+    Raises
+    ------
+    ValueError
+        The message begins with `name`.
+    """
+    for spin, median in _medians_above(MAX_SPIN, spins):
+        raise ValueError(
+            f"{name}: {spin} is in rad/s, and these are more than {MAX_SPIN:g}, "
+            f"{MAX_SPIN / (2 * np.pi):.0f} turns a second: {median:.6g}. In rpm they would be "
+            f"2*np.pi/60 times that, in degrees a second np.radians(...); in a table a column "
+            f"{spin}_rpm or {spin}_deg_s"
+        )
+
+
+def _medians_above(
+    limit: float, given: Mapping[str, ArrayLike]
+) -> Iterator[tuple[str, np.float64]]:
+    """Yield the variables whose median size exceeds a limit, with that median."""
+    for name, value in given.items():
+        sizes = np.abs(np.asarray(value, dtype=np.float64))
+        if not np.any(sizes > limit):
+            continue
+        sizes = sizes[np.isfinite(sizes)]
+        if sizes.size and np.median(sizes) > limit:
+            yield name, np.median(sizes)
+
+
+def check_deviations(name: str, deviations: Mapping[str, ArrayLike]) -> None:
+    """Raise an error if standard deviations of angles are degrees: half a radian or more.
+
+    With 0.5 rad, 28.6 degrees, every third throw would be off by more than that, and a twentieth by
+    twice as much. The smallest deviation that is measured of players is half a degree.
+
+    Parameters
+    ----------
+    name
+        The argument, for the error message.
+    deviations
+        Standard deviations of angles by name, rad.
+
+    Raises
+    ------
+    ValueError
+        The message begins with `name`.
+    """
+    for angle, given in deviations.items():
+        value = float(np.asarray(given))
+        if value >= MAX_DEVIATION:
+            raise ValueError(
+                f"{name}: {angle} is in radians, and {value:.6g} is a standard deviation of "
+                f"{np.degrees(value):.3g} degrees; expected less than {MAX_DEVIATION}. Degrees "
+                f"would be np.radians({value:.6g})"
+            )
+
+
+MAX_DEVIATION = 0.5
+"""rad. Standard deviations of the angle of a release are below; see `check_deviations`."""
+
+
+def check_states(states: ArrayLike) -> NDArray[np.float64]:
+    """Return releases as float64 (n, 9), contiguous by row.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If they are not numbers of shape (n, 9) or (9,).
+    """
+    array = as_doubles("states", states, "numbers of shape (n, 9) or (9,)")
+    if array.ndim == 1:
+        array = array[None]
+    if array.ndim != 2 or array.shape[1] != len(hoop.STATE):
+        raise ValueError(
+            f"states: expected shape (n, 9) or (9,), got {np.shape(states)}; "
+            "a row is x y z vx vy vz wx wy wz"
+        )
+    return np.ascontiguousarray(array)
+
+
+def check_leaving(
+    leaving: ArrayLike | None, shots: int, surfaces: int = len(hoop.BODIES)
+) -> NDArray[np.int8] | None:
+    """Return the surface that each shot leaves at the start, (shots,); None if none is given.
+
+    Parameters
+    ----------
+    surfaces
+        How many the scene has.
+
+    Raises
+    ------
+    ValueError
+        If they are not indices into the surfaces or -1, one or so many.
+    """
+    if leaving is None:
+        return None
+    try:
+        array = np.asarray(leaving)
+    except ValueError:  # rows of different lengths
+        array = np.empty((0, 0))
+    whole = array.dtype.kind in "iu" and not np.ma.is_masked(leaving)
+    if not whole or array.shape not in ((), (shots,)):
+        raise ValueError(f"leaving: expected whole numbers, one or {shots}, got {brief(leaving)}")
+    known = min(surfaces, np.iinfo(np.int8).max + 1)
+    if np.any((array < -1) | (array >= known)):
+        of = f" of {surfaces} surfaces" if known < surfaces else ""
+        raise ValueError(f"leaving: expected -1 to {known - 1}{of}, got {brief(leaving)}")
+    return np.ascontiguousarray(np.broadcast_to(array, shots), dtype=np.int8)
+
+
+def check_contacts(max_contacts: Any) -> int:
+    """Return the number of contacts at which a shot is capped.
+
+    Raises
+    ------
+    ValueError
+        If it is no whole number from 1, or more than the engines count.
+    """
+    return check_count("max_contacts", max_contacts, most=2**31 - 1)
+
+
+def check_time_limit(time_limit: Any) -> float:
+    """Return the time limit of a shot since its release, s; infinity for None.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If it is neither None nor a positive number, or so large that arithmetic could overflow.
+    """
+    if time_limit is None:
+        return math.inf
+    expected = "a positive number of seconds, or None"
+    limit = as_doubles("time_limit", time_limit, expected)
+    if isinstance(time_limit, bool | np.bool_) or limit.ndim or not limit > 0:
+        raise ValueError(f"time_limit: expected {expected}, got {brief(time_limit)}")
+    if hoop.MAX_TIME < limit < math.inf:
+        raise ValueError(
+            f"time_limit: expected at most {hoop.MAX_TIME:g} seconds, or None; got {limit:g}"
+        )
+    return float(limit)
+
+
+def check_count(
+    name: str, value: Any, *, least: int = 1, most: int = 2**63 - 1, expected: str = ""
+) -> int:
+    """Return a whole number from `least` to `most`; truth values and times are refused.
+
+    Parameters
+    ----------
+    name
+        The argument, for the error message.
+    value
+        The caller's value.
+    least, most
+        The lowest and the highest allowed number.
+    expected
+        A description of the expected number; by default its lowest value.
+
+    Raises
+    ------
+    ValueError
+        If it is none; the message begins with `name` and says what is expected, by default the
+        ends.
+    """
+    whole = is_whole(value) and not isinstance(value, bool)
+    if not whole or not least <= value <= most:
+        said = expected or f"a whole number from {least}"
+        # An end that nobody comes near is told only to those who pass it.
+        beyond = f"; at most {most}" if whole and value > most else ""
+        raise ValueError(f"{name}: expected {said}, got {brief(value)}{beyond}")
+    return int(value)
+
+
+def check_threads(threads: Any) -> int:
+    """Return the number of threads; for None the processors of this process.
+
+    Of more than `MAX_THREADS_PER_PROCESSOR` for each of those, so many: none would be done sooner.
+
+    Raises
+    ------
+    ValueError
+        If it is neither None nor a whole number from 1.
+    """
+    own = getattr(os, "sched_getaffinity", None)
+    processors = len(own(0)) if own else os.cpu_count() or 1
+    if threads is None:
+        return processors
+    count = check_count("threads", threads, expected="a whole number from 1, or None")
+    return min(count, MAX_THREADS_PER_PROCESSOR * processors)

@@ -1,0 +1,106 @@
+"""Variables: the named numbers of a shot that a study sets, scatters and maps over."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.generated.numpy import hoop
+from hoopgen.text.shorten import join_names
+
+from .units import UNITS, Kind
+
+__all__ = ["STATE", "STATE_UNITS", "Releases", "Variable", "check_names", "is_state"]
+
+
+@dataclass(frozen=True)
+class Variable:
+    """A named number of a shot.
+
+    Attributes
+    ----------
+    name
+        As it is given.
+    kind
+        What is measured; `hoopgen.core.units.UNITS` has its units.
+    label
+        In words, for axes and tables.
+    infinite
+        Whether it may be infinite.
+    """
+
+    name: str
+    kind: Kind
+    label: str
+    infinite: bool = False
+
+    @property
+    def unit(self) -> str:
+        """SI unit; empty for a plain number."""
+        return next(iter(UNITS[self.kind]))
+
+
+STATE = hoop.STATE
+"""Components of a state, in order."""
+
+STATE_UNITS: Mapping[str, str] = MappingProxyType(
+    dict(zip(STATE, (unit for unit in ("m", "m/s", "rad/s") for _ in "xyz"), strict=True))
+)
+"""The unit of each component of a state."""
+
+
+def is_state(columns: Iterable[str]) -> bool:
+    """Return whether columns of these names are states, which have z or vx, vy, vz."""
+    return not set(STATE[2:]).isdisjoint(columns)
+
+
+@dataclass(frozen=True)
+class Releases:
+    """Shots ready to be simulated.
+
+    Attributes
+    ----------
+    states
+        (n, 9), as for `hoopgen.simulate`.
+    parameters
+        Of the scene: one number, or (n,).
+    columns
+        The arguments of `hoopgen.release` that gave them, each (n,); none for measured states.
+    """
+
+    states: NDArray[np.float64]
+    parameters: Mapping[str, Any]
+    columns: Mapping[str, NDArray[np.float64]]
+
+    def __len__(self) -> int:
+        return len(self.states)
+
+
+def check_names(name: str, given: Iterable[str], allowed: Iterable[str]) -> tuple[str, ...]:
+    """Return the given names, checked against the allowed ones.
+
+    Parameters
+    ----------
+    name
+        The argument, for the error message.
+    given
+        The caller's names.
+    allowed
+        The allowed names.
+
+    Raises
+    ------
+    ValueError
+        The message begins with `name` and lists what is allowed.
+    """
+    names = tuple(given)
+    known = allowed if isinstance(allowed, Mapping) else tuple(allowed)
+    unknown = [key for key in names if key not in known]
+    if unknown:
+        raise ValueError(f"{name}: unknown {join_names(unknown)}. One of {', '.join(known)}")
+    return names

@@ -1,0 +1,360 @@
+"""Verification that a compiled engine gives NumPy's bits on this processor, before its first use.
+
+Compiler flags, compiler errors or a damaged file can change results silently. At first use some
+hundred shots are compared on every vector width of the processor. A stamp file records the verdict
+for one library, one version of NumPy and these sources, so that later loads cost nothing. Without a
+valid stamp the shots are compared again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from types import ModuleType
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.core.lock import read_file
+from hoopgen.core.private_folders import private_folder
+
+from . import numpy_backend, result_arrays
+
+__all__ = [
+    "WIDTHS",
+    "Batch",
+    "batches",
+    "differences",
+    "even_numbers",
+    "verify",
+    "user_cache",
+    "available_widths",
+]
+
+WIDTHS = (1, 4, 8, 16)
+"""Vector widths that the source can be built for; the processor has some of them."""
+
+MAX_CONTACTS = 40
+"""Contacts: enough for a swirl, which makes the most of every rounding."""
+
+TIME_LIMIT = 1.0
+"""s: a time limit in the midst of things."""
+
+ROLL_TIME_LIMIT = 1.5
+"""A time limit for balls that may roll for ever, s; NumPy is slow for few shots."""
+
+# Extreme values: each number of a release takes each of them in turn.
+_ODD_NUMBERS = (np.nan, np.inf, -np.inf, 0.0, -0.0, 5e-324, -1e-310, 1e-160, 1e160, -1e300)
+
+
+Batch = tuple[
+    NDArray[np.float64], Sequence[NDArray[np.float64] | float], NDArray[np.int8] | None, float
+]
+"""Releases, parameters, surfaces that the shots leave, and a time limit, s."""
+
+
+class CompiledEngine(Protocol):
+    """The interface of a compiled scene, such as `native.Library`."""
+
+    def run(
+        self,
+        states: NDArray[np.float64],
+        parameters: Sequence[NDArray[np.float64] | float],
+        leaving: NDArray[np.int8] | None,
+        max_contacts: int,
+        out: result_arrays.ResultArrays,
+        stop: NDArray[np.int32],
+        width: int = 0,
+        time_limit: float = math.inf,
+    ) -> None:
+        """Simulate shots and write what `out` has room for.
+
+        Parameters
+        ----------
+        states
+            Releases, (n, 9).
+        parameters
+            The kernels' inputs in order, each a number or (n,).
+        leaving
+            The surface that each shot leaves, (n,), or -1; None for none.
+        max_contacts
+            The number of contacts at which a shot is capped.
+        out
+            The result arrays, of which each may be None.
+        stop
+            A flag, (1,), that interrupts the call when it is not 0.
+        width
+            The vector width.
+        time_limit
+            The time limit of a shot, s.
+        """
+
+
+def verify(
+    library: Path, engine: CompiledEngine, kernels: ModuleType, shots: Sequence[Batch]
+) -> str:
+    """Return the differences of an engine from NumPy, "" if none; a stamp stores the verdict.
+
+    This thread must compute doubles as IEEE 754 prescribes.
+
+    Parameters
+    ----------
+    library
+        File that the engine was loaded from.
+    kernels
+        The generated NumPy module of its scene.
+    shots
+        Shots that are compared.
+    """
+    key = _key(library, engine, kernels, shots)
+    name = f"{library.name.partition('.')[0]}-{key[:16]}.checked"
+    if key and any(_read(folder / name) == key for folder in _folders(library)):
+        return ""
+    found = differences(engine, kernels, shots)
+    if key and not found:
+        any(_write(folder / name, key) for folder in _folders(library))
+    return found
+
+
+def differences(engine: CompiledEngine, kernels: ModuleType, shots: Iterable[Batch]) -> str:
+    """Return the widths and fields in which an engine differs from NumPy, "" if none.
+
+    This thread must compute doubles as IEEE 754 prescribes.
+
+    Parameters
+    ----------
+    engine
+        The compiled scene.
+    kernels
+        The generated NumPy module of the scene.
+    shots
+        Batches that both simulate.
+    """
+    found: dict[int, list[str]] = {}
+    layout = result_arrays.Layout(kernels)
+    every = layout.fields + layout.bounds
+    path = tuple(name for name in layout.fields if not layout.results[name].is_diagnostic)
+    for states, parameters, leaving, limit in shots:
+        stop = np.zeros(1, np.int32)
+        wanted = _room(len(states), layout, every)
+        numpy_backend.run(
+            kernels, states, parameters, leaving, MAX_CONTACTS, wanted, time_limit=limit
+        )
+        for width in available_widths(engine, kernels):
+            wrong = found.setdefault(width, [])
+            # Without diagnostic results another path through the engine is taken.
+            for fields in (every, path):
+                got = _room(len(states), layout, fields)
+                try:
+                    engine.run(
+                        states,
+                        parameters,
+                        leaving,
+                        MAX_CONTACTS,
+                        got,
+                        stop,
+                        width,
+                        time_limit=limit,
+                    )
+                except RuntimeError:
+                    wrong.append("arithmetic")
+                    continue
+                wrong += _differing_fields(every, wanted, got)
+    return "; ".join(
+        f"width {width}: {', '.join(dict.fromkeys(wrong))}"
+        for width, wrong in found.items()
+        if wrong
+    )
+
+
+# ------------------------------------------------------------------------------------------ shots
+
+
+def even_numbers(rows: int, columns: int) -> NDArray[np.float64]:
+    """Return numbers evenly spread over -1/2 to 1/2, the same with every NumPy.
+
+    Parameters
+    ----------
+    rows, columns
+        The shape of the result.
+    """
+    primes: list[int] = []
+    number = 2
+    while len(primes) < columns:
+        if all(number % prime for prime in primes):
+            primes.append(number)
+        number += 1
+    steps = np.sqrt(np.array(primes, float))
+    fractions: NDArray[np.float64] = np.outer(np.arange(1, rows + 1), steps) % 1.0
+    return fractions - 0.5
+
+
+def batches(kernels: ModuleType, releases: NDArray[np.float64]) -> list[Batch]:
+    """Return batches of shots: with shared parameters, with their own, and leaving surfaces.
+
+    One has shared parameters, one a time limit that ends most shots, and one has parameters for
+    each shot and surfaces that the shots leave.
+
+    Parameters
+    ----------
+    releases
+        States (n, 9). Copies of the first one with extreme values are added.
+    """
+    odd = np.tile(releases[:1], (len(_ODD_NUMBERS) * releases.shape[1], 1))
+    for row, shot in enumerate(odd):
+        shot[row % releases.shape[1]] = _ODD_NUMBERS[row // releases.shape[1]]
+    states = np.concatenate([releases, odd])
+    defaults = [default for default, _, _ in kernels.PARAMETERS.values()]
+    own = np.array(defaults) * (1.0 + 0.2 * even_numbers(len(states), len(defaults)))
+    if defaults:
+        own[:: len(_ODD_NUMBERS), 0] = np.resize(_ODD_NUMBERS, len(own[:: len(_ODD_NUMBERS)]))
+    columns = [np.ascontiguousarray(column) for column in own.T]
+    longest = ROLL_TIME_LIMIT if kernels.LOG_ROWS > 1 else math.inf
+    surfaces = len(kernels.BODIES)
+    leaving = np.arange(len(states)) % (4 * surfaces)
+    known = min(surfaces, np.iinfo(np.int8).max + 1)
+    left = np.where(leaving < known, leaving, -1).astype(np.int8)
+    return [
+        (states, defaults, None, longest),
+        (states, defaults, None, TIME_LIMIT),
+        (states, columns, left, longest),
+    ]
+
+
+def _room(
+    shots: int, layout: result_arrays.Layout, fields: Sequence[str]
+) -> result_arrays.ResultArrays:
+    return layout.allocate(shots, fields).joined(layout.allocate_events(shots, MAX_CONTACTS))
+
+
+def available_widths(engine: CompiledEngine, kernels: ModuleType) -> list[int]:
+    """Return the vector widths of this processor and build.
+
+    Parameters
+    ----------
+    engine
+        The compiled scene.
+    kernels
+        The generated NumPy module of the scene.
+    """
+    nothing = np.empty((0, len(kernels.STATE)))
+    parameters = [0.0] * len(kernels.PARAMETERS)
+    there = []
+    for width in WIDTHS:
+        try:
+            engine.run(
+                nothing,
+                parameters,
+                None,
+                1,
+                result_arrays.ResultArrays(),
+                np.zeros(1, np.int32),
+                width,
+            )
+        except ValueError:
+            continue
+        except RuntimeError:
+            pass  # the width exists, but its arithmetic is wrong
+        there.append(width)
+    return there
+
+
+def _differing_fields(
+    fields: Sequence[str], wanted: result_arrays.ResultArrays, got: result_arrays.ResultArrays
+) -> list[str]:
+    """Return the names of the fields in which results differ; NaN equals NaN."""
+    wrong = []
+    for name in (*fields, "event_counts"):
+        left, right = getattr(wanted, name), getattr(got, name)
+        if right is not None and not _have_same_bits(left, right):
+            wrong.append(name)
+    assert wanted.events is not None
+    assert wanted.event_counts is not None
+    assert got.events is not None
+    if "event_counts" not in wrong:
+        used = np.arange(wanted.events.shape[1]) < wanted.event_counts[:, None]
+        left, right = wanted.events[used], got.events[used]
+        if not all(_have_same_bits(left[name], right[name]) for name in left.dtype.names or ()):
+            wrong.append("events")
+    return wrong
+
+
+def _have_same_bits(left: NDArray[Any], right: NDArray[Any]) -> bool:
+    """Return whether arrays have the same bits, except within NaNs."""
+    if left.dtype.kind != "f":
+        return left.tobytes() == right.tobytes()
+    alike = [np.where(np.isnan(array), np.nan, array) for array in (left, right)]
+    return alike[0].tobytes() == alike[1].tobytes()
+
+
+# ----------------------------------------------------------------------------------------- stamps
+
+
+def _key(library: Path, engine: CompiledEngine, kernels: ModuleType, shots: Sequence[Batch]) -> str:
+    """Return the content of a stamp: a digest of all that is compared; "" if it cannot be read."""
+    import hashlib  # loads OpenSSL, which importing hoopgen need not
+
+    said = f"NumPy {np.__version__}, widths {available_widths(engine, kernels)}"
+    digest = hashlib.sha256(said.encode())
+    for states, *_ in shots:
+        digest.update(states.tobytes())
+    try:
+        for file in (
+            library,
+            kernels.__file__,
+            numpy_backend.__file__,
+            result_arrays.__file__,
+            __file__,
+        ):
+            digest.update(hashlib.sha256(Path(str(file)).read_bytes()).digest())
+    except OSError:
+        return ""
+    return digest.hexdigest()
+
+
+def user_cache() -> Path:
+    """Return hoopgen's folder in the user's cache; it may not exist.
+
+    Raises
+    ------
+    RuntimeError
+        If the user has no home folder.
+    """
+    given = os.environ.get("LOCALAPPDATA" if os.name == "nt" else "XDG_CACHE_HOME", "")
+    folder = Path(given) if Path(given).is_absolute() else Path.home() / ".cache"
+    return folder / "hoopgen"
+
+
+def _folders(library: Path) -> Iterator[Path]:
+    """Yield the folders for stamps: beside the library, else in the user's cache.
+
+    Whoever can write beside the library could change its loader too.
+    """
+    yield library.parent / "__pycache__"
+    with contextlib.suppress(RuntimeError, OSError):  # no home; no folder of one's own
+        yield private_folder(user_cache())
+
+
+def _read(file: Path) -> str:
+    try:
+        return read_file(file).decode("ascii").strip()
+    except (OSError, ValueError):
+        return ""
+
+
+def _write(file: Path, key: str) -> bool:
+    """Write a stamp over an old one; return whether it was written."""
+    part = file.with_name(f"{file.name}.{os.getpid()}")
+    try:
+        file.parent.mkdir(exist_ok=True)
+        part.write_text(key, encoding="ascii")
+        part.replace(file)
+    except OSError:
+        with contextlib.suppress(OSError):
+            part.unlink()
+        return False
+    return True

@@ -1,0 +1,53 @@
+"""The parts of a box for the judge: faces, edges and corners, each with its bounds.
+
+The engines search a box as one surface. That both find the same is what the judge is for.
+"""
+
+from __future__ import annotations
+
+from itertools import product
+
+import sympy as sp
+
+from hoopgen.derive.surfaces import Box, Cylinder, Plane, Sphere, Surface
+from hoopgen.derive.symbolic.symbols import POSITION
+
+
+def box_parts(surface: Surface) -> tuple[Surface, ...]:
+    """Return the parts of a box, each with one polynomial; of any other surface, itself."""
+    if not isinstance(surface, Box):
+        return (surface,)
+    # For each coordinate: beyond the lower face, between both, or beyond the upper one.
+    sides = [side for side in product((-1, 0, 1), repeat=3) if any(side)]
+    return tuple(_part(surface, side) for side in sides)
+
+
+def _part(box: Box, side: tuple[int, ...]) -> Surface:
+    limits: list[sp.Expr] = []
+    corner: list[sp.Expr] = []
+    for place, low, high, beyond in zip(POSITION, box.low, box.high, side, strict=True):
+        corner.append(high if beyond > 0 else low)
+        limits += [] if beyond > 0 else [place - high if beyond == 0 else place - low]
+        limits += [] if beyond < 0 else [low - place if beyond == 0 else high - place]
+    centre, bounds = (corner[0], corner[1], corner[2]), tuple(limits)
+    touching = [k for k, beyond in enumerate(side) if beyond]
+    if len(touching) == 3:
+        return Sphere(box.name, centre, box.radius, bounds)
+    if len(touching) == 2:
+        along = tuple(int(k not in touching) for k in range(3))
+        return Cylinder(box.name, centre, along, box.radius, bounds)
+    (axis,) = touching
+    towards = tuple(int(k == axis) * side[axis] for k in range(3))
+    offset = side[axis] * corner[axis] + box.radius
+    inner = tuple(bound for bound in bounds if POSITION[axis] not in bound.free_symbols)
+    return Plane(box.name, (towards[0], towards[1], towards[2]), offset, box.radius, inner)
+
+
+def box_solid(box: Box) -> tuple[sp.Expr]:
+    """Return the squared distance from a box less R_B², negative if the ball overlaps it."""
+    squares = []
+    for place, low, high in zip(POSITION, box.low, box.high, strict=True):
+        # The larger of q and 0 is (q + |q|)/2, which balls can say; only one of the two is not 0.
+        above, below = ((q + sp.Abs(q)) / 2 for q in (place - high, low - place))
+        squares += [above**2, below**2]
+    return (sp.Add(*squares, -(box.radius**2)),)

@@ -1,0 +1,1 @@
+"""Descriptions of scenes, settings and results, in the units that coaches use."""

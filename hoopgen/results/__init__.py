@@ -1,0 +1,1 @@
+"""Results of a simulation: `Shots`, `Trajectory`, and tables of them."""

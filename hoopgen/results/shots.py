@@ -1,0 +1,244 @@
+"""Results of a batch."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Unpack
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.core.parameters import Value
+from hoopgen.core.plotting import plotting_module
+from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.generated.numpy.hoop import BODIES
+from hoopgen.generated.numpy.hoop import Outcome as Outcome
+from hoopgen.text.numbers import format_count, format_uncertain
+
+from . import frames
+from .drawing import FanOptions
+from .trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from pyarrow import Table as ArrowTable
+    from xarray import Dataset
+
+    from .drawing import Drawn
+
+
+FieldArray = (
+    NDArray[np.float64]
+    | NDArray[np.bool_]
+    | NDArray[np.uint8]
+    | NDArray[np.int8]
+    | NDArray[np.int16]
+    | NDArray[np.int32]
+    | NDArray[np.void]
+)
+"""A field of `Shots`, by shot; the event log is the one with a structure."""
+
+SURFACES: tuple[str, ...] = tuple(BODIES)
+"""Bodies of the hoop, in the order of ``Shots.counts``; the event log numbers the end plane after
+them."""
+
+
+class Shots:
+    """Results of a batch: arrays by shot. A field that was not requested raises AttributeError.
+
+    Attributes
+    ----------
+    outcome
+        uint8 (n,), an `Outcome`.
+    made
+        bool (n,), whether `outcome` is MADE.
+    contacts
+        int32 (n,), contacts before the end.
+    counts
+        int32 (n, k), contacts by surface, in the order of `surfaces`.
+    first
+        int8 (n,), first surface touched, -1 for none; int16 among more than 128 bodies.
+    time
+        float64 (n,), s: time at the end plane; of a capped or short shot, at the last contact.
+    state
+        float64 (n, 9), state at that time.
+    rolls
+        int32 (n,), in a scene where a ball may roll: number of times that it began to roll.
+    slip_left
+        bool (n,), in such a scene: whether the bounces ended with slip that friction could not
+        stop. Such a shot is CAPPED, at its last contact.
+    uncertain
+        bool (n,), some decision of the shot lies within its rounding-error bound.
+    time_error, state_error
+        float64 (n,) and (n, 3), if requested by name: bounds on the errors of `time` and of each
+        component of the position, velocity and spin in `state`, for shots that are not uncertain.
+    grip_lost
+        float64 (n,), s, if requested by name, where a ball may roll: the time at which rolling
+        first needed more friction than the body has; infinite if it never did. The ball rolls on
+        all the same.
+    events
+        With ``record=True``: the event log, rows in order of shot, then time; their ``kind`` is an
+        `Event`. Between a ROLL row and the next one of its shot the ball stays in contact.
+    parameters
+        Parameters of the scene, one number each or (n,).
+    scene
+        The scene of the simulation.
+    """
+
+    outcome: NDArray[np.uint8]
+    made: NDArray[np.bool_]
+    contacts: NDArray[np.int32]
+    counts: NDArray[np.int32]
+    first: NDArray[np.int8]
+    time: NDArray[np.float64]
+    state: NDArray[np.float64]
+    rolls: NDArray[np.int32]
+    slip_left: NDArray[np.bool_]
+    uncertain: NDArray[np.bool_]
+    time_error: NDArray[np.float64]
+    state_error: NDArray[np.float64]
+    grip_lost: NDArray[np.float64]
+    events: NDArray[np.void]
+
+    def __init__(
+        self,
+        fields: dict[str, FieldArray],
+        states: NDArray[np.float64],
+        parameters: Mapping[str, Value],
+        scene: CompiledScene,
+    ) -> None:
+        self._fields = fields
+        self._states = states
+        self.parameters = parameters
+        self.scene = scene
+
+    @property
+    def surfaces(self) -> tuple[str, ...]:
+        """Names of the bodies, in the order of the columns of `counts`."""
+        return self.scene.surfaces
+
+    def _field(self, name: str) -> FieldArray:
+        """Return a field by its name; one that was not requested raises AttributeError."""
+        fields = self.__dict__.get("_fields", {})
+        scene = self.__dict__.get("scene")
+        if name in fields:
+            found: FieldArray = fields[name]
+            return found
+        if name == "made" and fields and "MADE" in self.scene.outcomes.__members__:
+            return np.asarray(self.outcome == self.scene.outcomes["MADE"])
+        if name == "events":
+            raise AttributeError("events: simulate with record=True to keep the event log")
+        if scene is not None and name in scene.layout.absent:
+            why = scene.layout.absent[name].absence
+            raise AttributeError(f"{name}: in the scene {scene.name} {why}")
+        if name in Shots.__annotations__ or (scene is not None and name in scene.layout.results):
+            raise AttributeError(f"{name}: not among the fields asked for: {', '.join(fields)}")
+        raise AttributeError(f"Shots has no attribute {name!r}")
+
+    if not TYPE_CHECKING:  # else every misspelt name would be one of the fields
+        __getattr__ = _field
+
+    def __dir__(self) -> list[str]:
+        made = ["made"] if hasattr(self, "made") else []
+        return sorted({*super().__dir__(), *self._fields, *made})
+
+    def __len__(self) -> int:
+        return len(self._states)
+
+    def __repr__(self) -> str:
+        shots = format_count(len(self), "shot")
+        what = self._counts() if "outcome" in self._fields else ", ".join(self._fields)
+        return f"Shots({shots}{': ' if what else ''}{what}; {frames.scene_of(self)})"
+
+    def _counts(self) -> str:
+        """Return the numbers of shots by outcome, and of uncertain ones, as text."""
+        ended = {
+            one.name.lower(): np.count_nonzero(self.outcome == one) for one in self.scene.outcomes
+        }
+        said = ", ".join(f"{count:,} {name}" for name, count in ended.items() if count)
+        if "uncertain" not in self._fields or not self.uncertain.any():
+            return said
+        capped = self.uncertain & (self.outcome == self.scene.outcomes["CAPPED"])
+        return f"{said}; {format_uncertain(int(self.uncertain.sum()), int(capped.sum()))}"
+
+    def plot(self, *, ax: Drawn | None = None, **options: Unpack[FanOptions]) -> Drawn:
+        """Draw the paths; options, and what is returned and raised, as for `plots.plot_fan`."""
+        drawn: Drawn = plotting_module().plot_fan(self, self.parameters, ax=ax, **options)
+        return drawn
+
+    def to_pandas(self) -> DataFrame:
+        """Return the results as a pandas.DataFrame, a row a shot, units in the columns' names.
+
+        Fields with several numbers a shot are as many columns: ``ring_contacts``, ..., ``x``, ...
+
+        Raises
+        ------
+        ImportError
+            If pandas is missing: what brings it.
+        """
+        return frames.shots_frame(self)
+
+    def events_to_pandas(self) -> DataFrame:
+        """Return the event log as a pandas.DataFrame, a row each event, units in columns' names.
+
+        Its index is the shot, from 0, and the event's number among those of the shot, from 1; the
+        columns are those of `Trajectory.to_pandas`. The shots are simulated with ``record=True``.
+
+        Raises
+        ------
+        AttributeError
+            If they were not.
+        ImportError
+            If pandas is missing: what brings it.
+        """
+        return frames.events_frame(self)
+
+    def events_to_arrow(self) -> ArrowTable:
+        """Return the event log as a pyarrow.Table, which Polars takes too; as `events_to_pandas`.
+
+        Shot and event are columns.
+
+        Raises
+        ------
+        AttributeError
+            If the shots were not simulated with ``record=True``.
+        ImportError
+            If pyarrow is missing: what brings it.
+        """
+        return frames.events_table(self)
+
+    def to_xarray(self) -> Dataset:
+        """Return the results as an xarray.Dataset over ``shot``, with what the codes mean.
+
+        Parameters of the scene are coordinates where they differ from shot to shot, else in its
+        ``attrs``.
+
+        Raises
+        ------
+        ImportError
+            If xarray is missing: what brings it.
+        """
+        return frames.shots_dataset(self)
+
+    def _repr_html_(self) -> str:
+        return frames.shots_html(self)
+
+    def trajectory(self, shot: int) -> Trajectory:
+        """Return the path of one shot; needs ``record=True``.
+
+        Raises
+        ------
+        IndexError
+            If there is no such shot.
+        """
+        if not -len(self) <= shot < len(self):
+            raise IndexError(f"shot {shot}: there are {len(self)}")
+        index = shot % len(self)
+        low, high = np.searchsorted(self.events["shot"], [index, index + 1])
+        own = {
+            name: float(value if np.ndim(value) == 0 else np.asarray(value)[index])
+            for name, value in self.parameters.items()
+        }
+        known = "outcome" in self._fields
+        ended = self.scene.outcomes(int(self.outcome[index])) if known else None
+        return Trajectory(self._states[index], self.events[low:high], own, self.scene, ended)

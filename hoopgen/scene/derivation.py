@@ -1,0 +1,196 @@
+"""Users' scenes for derivation: sizes are symbols, bodies are offset by the ball's radius.
+
+The only module of this package that imports SymPy itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import sympy as sp
+
+from hoopgen.derive.contact.friction import CoulombFriction
+from hoopgen.derive.contact.law import Law
+from hoopgen.derive.contact.no_slip import NoSlip
+from hoopgen.derive.scenes import scene as derive
+from hoopgen.derive.scenes.ends import End
+from hoopgen.derive.surfaces import (
+    Body,
+    Box,
+    Cylinder,
+    ImplicitSurface,
+    Plane,
+    Sphere,
+    Surface,
+    torus,
+)
+from hoopgen.derive.symbolic.symbols import POSITION
+
+from .bounds import Terms
+from .contact_laws import Contact
+from .formulas import Formula
+from .inputs import SceneError
+from .scene_reader import ParsedScene, Shape
+
+__all__ = ["derivation_scene"]
+
+Point = tuple[sp.Expr, sp.Expr, sp.Expr]
+
+
+def derivation_scene(read: ParsedScene, axes: str, remarks: str) -> derive.Scene:
+    """Return a scene for derivation. Its parameters are the scene's inputs, in order.
+
+    Parameters
+    ----------
+    read
+        The scene.
+    axes, remarks
+        What it says to readers.
+
+    Raises
+    ------
+    SceneError
+        If a name is taken.
+    """
+    try:
+        return _Builder(read).scene(axes, remarks)
+    except ValueError as error:  # of names that derivation has taken
+        raise SceneError(str(error)) from None
+
+
+class _Builder:
+    def __init__(self, read: ParsedScene) -> None:
+        self._read = read
+        self._parameters = tuple(
+            derive.parameter(
+                i.name,
+                i.unit,
+                i.summary,
+                i.default,
+                i.sign,
+                i.upper,
+                i.latex,
+                i.lower,
+                i.infinite,
+            )
+            for i in read.inputs
+        )
+        self._symbols = {p.name: p.symbol for p in self._parameters}
+        self._requirements: list[sp.Expr] = []
+        self._laws: dict[Contact | None, Law] = {}
+        self._ball = self._sympy(read.ball_radius)
+
+    def scene(self, axes: str, remarks: str) -> derive.Scene:
+        """Return the scene."""
+        read = self._read
+        bodies = tuple(self._body(shape) for shape in read.bodies)
+        ends = tuple(self._end(shape) for shape in read.ends)
+        return derive.Scene(
+            name=read.name,
+            parameters=self._parameters,
+            bodies=bodies,
+            ends=ends,
+            ball_radius=self._ball,
+            gravity=self._sympy(read.gravity),
+            inertia=self._sympy(read.inertia),
+            requirements=tuple(dict.fromkeys(self._requirements)),
+            axes=axes,
+            remarks=remarks,
+            gravity_axis=_direction(read.down),
+            rolls=read.rolls,
+        )
+
+    def _sympy(self, formula: Formula) -> sp.Expr:
+        return formula.fold(
+            self._symbols, lambda value: sp.Rational(value.numerator, value.denominator), sp.sqrt
+        )
+
+    def _body(self, shape: Shape) -> Body:
+        make: dict[str, Callable[[Shape], tuple[Surface, ...]]] = {
+            "plane": self._plane,
+            "sphere": self._sphere,
+            "cylinder": self._cylinder,
+            "torus": self._torus,
+            "box": self._box,
+            "surface": self._surface,
+        }
+        return Body(shape.name, make[shape.kind](shape), self._law(shape))
+
+    def _law(self, shape: Shape) -> Law:
+        """Return the law of a body, the article's if possible; bodies with equal ones share it."""
+        shared = {body.law for body in self._read.bodies}
+        name = "impact" if len(shared) == 1 else f"{shape.name}_impact"
+        return self._laws.setdefault(shape.law, self._named(name, shape.law))
+
+    def _named(self, name: str, given: Contact | None) -> Law:
+        assert given is not None  # an end has none, and no law
+        restitution = self._sympy(given.restitution)
+        if given == Contact(given.restitution):
+            return NoSlip(name, restitution)
+        friction, speed = (
+            sp.oo if size is None else self._sympy(size) for size in (given.friction, given.speed)
+        )
+        return CoulombFriction(name, restitution, friction, self._sympy(given.tangential), speed)
+
+    def _plane(self, shape: Shape) -> tuple[Surface, ...]:
+        offset = self._sympy(shape["at"]) + self._ball
+        bounds = self._bounds(shape)
+        return (Plane(shape.name, _direction(shape.axis), offset, self._ball, bounds),)
+
+    def _sphere(self, shape: Shape) -> tuple[Surface, ...]:
+        bounds, radius, shell = self._curved(shape)
+        return (Sphere(shape.name, self._centre(shape), radius, bounds, shape.inside, shell),)
+
+    def _cylinder(self, shape: Shape) -> tuple[Surface, ...]:
+        bounds, radius, shell = self._curved(shape)
+        centre, direction = self._centre(shape), _direction(shape.axis)
+        return (Cylinder(shape.name, centre, direction, radius, bounds, shape.inside, shell),)
+
+    def _curved(self, shape: Shape) -> tuple[tuple[sp.Expr, ...], sp.Expr, sp.Expr | None]:
+        """Return bounds, the offset radius, and the thickness of a shell."""
+        radius, bounds = self._sympy(shape["radius"]), self._bounds(shape)
+        if not shape.inside:
+            return bounds, radius + self._ball, None
+        self._requirements.append(radius - self._ball)
+        return bounds, radius - self._ball, self._ball if bounds else None
+
+    def _torus(self, shape: Shape) -> tuple[Surface, ...]:
+        radius, reach = self._sympy(shape["radius"]), self._sympy(shape["wire"]) + self._ball
+        self._requirements.append(radius - reach)
+        return (torus(shape.name, self._centre(shape), _direction(shape.axis), radius, reach),)
+
+    def _box(self, shape: Shape) -> tuple[Surface, ...]:
+        low, high = (
+            tuple(self._sympy(shape[f"{end} {axis}"]) for axis in "xyz") for end in ("from", "to")
+        )
+        self._requirements += [b - a for a, b in zip(low, high, strict=True)]
+        return (Box(shape.name, (low[0], low[1], low[2]), (high[0], high[1], high[2]), self._ball),)
+
+    def _surface(self, shape: Shape) -> tuple[Surface, ...]:
+        condition = self._polynomial(shape.condition)
+        return (ImplicitSurface(shape.name, condition, self._bounds(shape)),)
+
+    def _centre(self, shape: Shape) -> Point:
+        sizes = dict(shape.sizes)
+        x, y, z = (
+            self._sympy(sizes[f"centre {axis}"]) if f"centre {axis}" in sizes else sp.Integer(0)
+            for axis in "xyz"
+        )
+        return x, y, z
+
+    def _bounds(self, shape: Shape) -> tuple[sp.Expr, ...]:
+        return tuple(self._polynomial(bound) for bound in shape.bounds)
+
+    def _polynomial(self, terms: Terms) -> sp.Expr:
+        x, y, z = POSITION
+        return sp.Add(*(self._sympy(factor) * x**i * y**j * z**k for (i, j, k), factor in terms))
+
+    def _end(self, shape: Shape) -> End:
+        direction, at = _direction(shape.axis), self._sympy(shape["at"])
+        plane = Plane(f"{shape.name}_end", direction, at, sp.Integer(0), self._bounds(shape))
+        return End(shape.name, plane)
+
+
+def _direction(axis: tuple[int, int]) -> tuple[int, int, int]:
+    parts = [axis[1] * (k == axis[0]) for k in range(3)]
+    return parts[0], parts[1], parts[2]

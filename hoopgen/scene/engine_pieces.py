@@ -1,0 +1,70 @@
+"""The pieces from which a scene is drawn: its author's, or those of `COURT`."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING
+
+from .pieces import Body, Box, End, Parameter, Torus
+from .scene import Scene
+
+if TYPE_CHECKING:
+    from hoopgen.engine.compiled_scene import CompiledScene
+
+__all__ = ["scene_pieces"]
+
+
+def scene_pieces(engine: CompiledScene) -> Scene:
+    """Return the pieces of a scene.
+
+    Raises
+    ------
+    ValueError
+        If it has none.
+    """
+    written = engine.table.written
+    if isinstance(written, Scene):
+        return written
+    from hoopgen.generated.numpy import court  # which has many kernels
+
+    if engine.name == court.SCENE and engine.kernels is court:
+        return _court()
+    raise ValueError(
+        f"scene: {engine.name} is written for derivation; drawn are the hoop, and scenes "
+        "of the pieces of hoopgen.scene"
+    )
+
+
+@cache
+def _court() -> Scene:
+    """Return the bodies of `COURT`, without laws of contact, which are not drawn."""
+    from hoopgen.generated.numpy import court
+
+    front, bottom, top = "board_distance", "board_bottom", "board_top"
+    bodies: tuple[Body, ...] = (
+        Torus("ring", radius="ring_radius", wire="wire_radius"),
+        Box(
+            "backboard",
+            size=("board_thickness", "2*board_half_width", f"{top} - {bottom}"),
+            centre=(f"-{front} - board_thickness/2", 0, f"({top} + {bottom})/2"),
+        ),
+        Box(
+            "bridge",
+            size=(f"{front} - ring_radius", "2*bridge_half_width", "bridge_depth"),
+            centre=(f"-({front} + ring_radius)/2", 0, "wire_radius - bridge_depth/2"),
+        ),
+    )
+    within = "x**2 + y**2 - ring_radius**2"
+    return Scene(
+        court.SCENE,
+        parameters=[
+            Parameter(name, default, unit, summary, sign="any", infinite=default == float("inf"))
+            for name, (default, unit, summary) in court.PARAMETERS.items()
+        ],
+        ball_radius="ball_radius",
+        gravity="gravity",
+        inertia="inertia",
+        restitution="ring_restitution",
+        bodies=bodies,
+        ends={"made": End(at="-end_depth", within=[within]), "missed": End(at="-end_depth")},
+    )

@@ -1,0 +1,395 @@
+"""Bodies and ends of any scene as triangles and lines, from the scene's own data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.engine.compiled_scene import CompiledScene
+
+from .bounds import Terms
+from .engine_pieces import scene_pieces
+from .formulas import Formula
+from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, level_set, walls
+from .polynomials import derivative, evaluate
+from .scene import Scene
+from .scene_reader import Shape
+
+__all__ = ["Body", "SceneGeometry", "upright"]
+
+_TURN_PIECES, _HALF_TURN_PIECES, _WIRE_PIECES, _SECTOR_PIECES = 48, 24, 12, 4
+"""Pieces of a turn, of a half one, of a wire's, and of a ring's that are drawn together."""
+
+_PATH_MARGIN = 1.25  # visible room around a path, ball radii
+
+# Shares of a path's length: the visible margin of a plane, and the distance of a visible plane.
+_PLANE_MARGIN, _PLANE_DISTANCE = 0.06, 0.25
+
+
+@dataclass(frozen=True)
+class Body:
+    """The geometry of a body or an end.
+
+    Attributes
+    ----------
+    name
+        Its own.
+    mesh
+        Its triangles.
+    behind
+        Whether what faces the eye hides no ball: a plane, or what is touched from inside.
+    lines
+        Edges without a thickness, (k, 2, 3).
+    """
+
+    name: str
+    mesh: Mesh
+    behind: bool
+    lines: Floats
+
+
+def upright(way: tuple[int, int]) -> tuple[NDArray[np.int64], tuple[str, str, str]]:
+    """Return the rotation that turns gravity down, and the names of the axes after it.
+
+    Parameters
+    ----------
+    way
+        Where gravity points: which coordinate, and which way.
+
+    Returns
+    -------
+    tuple
+        The matrix (3, 3), of which each row has one entry, 1 or -1; and three names, with a minus
+        where an axis is seen the other way round.
+    """
+    axis, sign = way
+    turn = np.roll(np.eye(3, dtype=np.int64), axis - 2, axis=1)
+    if sign > 0:
+        turn = np.array([[1, 0, 0], [0, -1, 0], [0, 0, -1]]) @ turn
+    names = []
+    for row in turn:
+        k = int(np.flatnonzero(row)[0])
+        names.append(f"{chr(0x2212) if row[k] < 0 else ''}{'xyz'[k]}")
+    return turn, (names[0], names[1], names[2])
+
+
+@dataclass(frozen=True)
+class SceneGeometry:
+    """The visible geometry of a scene, at one value of each parameter.
+
+    Attributes
+    ----------
+    scene
+        As its author wrote it.
+    values
+        Of the inputs, by name.
+    """
+
+    scene: Scene
+    values: Mapping[str, float]
+
+    @classmethod
+    def of(cls, engine: CompiledScene, parameters: Mapping[str, Any]) -> SceneGeometry:
+        """Return the geometry of a scene, at the means of parameters that differ by shot.
+
+        Parameters
+        ----------
+        engine
+            The compiled scene.
+        parameters
+            Its parameters, each a number or (n,).
+
+        Raises
+        ------
+        ValueError
+            If the scene has no pieces that could be drawn.
+        """
+        scene = scene_pieces(engine)
+        means = {name: float(np.mean(value)) for name, value in parameters.items()}
+        own = zip(scene.inputs, scene.values(means), strict=True)
+        return cls(scene, {one.name: float(value) for one, value in own})
+
+    @property
+    def ball_radius(self) -> float:
+        """The ball's radius, m."""
+        return self._number(self.scene.read.ball_radius)
+
+    @property
+    def gravity(self) -> float:
+        """The size of gravity, m/s²."""
+        return self._number(self.scene.read.gravity)
+
+    @cached_property
+    def axis(self) -> int | None:
+        """The common axis of all cylinders, when upright; None if there is none."""
+        axes = {shape.axis[0] for shape in self.scene.read.bodies if shape.kind == "cylinder"}
+        turn, _ = upright(self.scene.read.down)
+        return int(np.flatnonzero(turn[:, axes.pop()])[0]) if len(axes) == 1 else None
+
+    @cached_property
+    def planar(self) -> bool:
+        """True if nothing changes along that axis: all curved bodies are cylinders."""
+        kinds = {shape.kind for shape in self.scene.read.bodies} - {"plane", "box"}
+        return kinds == {"cylinder"} and self.axis is not None
+
+    def side(self, size: Floats) -> int:
+        """Return which axis a side view looks along, 0 or 1, when upright.
+
+        It is that of the cylinders, else that along which paths, of a size (3,), are shorter.
+        """
+        axis = self.axis
+        return axis if axis is not None and axis < 2 else int(size[1] <= size[0])
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """The names of the bodies."""
+        return tuple(shape.name for shape in self.scene.read.bodies)
+
+    def _number(self, formula: Formula) -> float:
+        return float(formula.evaluate(self.values))
+
+    def room(self, low: Floats, high: Floats) -> Box:
+        """Return the room that contains paths between two corners, and the bodies near them.
+
+        Parameters
+        ----------
+        low, high
+            The lowest and highest coordinates of the paths, (3,) each, m.
+        """
+        air = _PATH_MARGIN * self.ball_radius
+        low, high = low - air, high + air
+        reach = float((high - low).max())
+        corners = [low, high]
+        for shape in self.scene.read.bodies:
+            first, last = (np.array(side) for side in self._extent(shape))
+            within = np.all((first <= high + reach) & (last >= low - reach))
+            if shape.kind not in ("plane", "surface") and within:
+                first = np.where(np.isfinite(first), np.maximum(first, low - reach), low)
+                last = np.where(np.isfinite(last), np.minimum(last, high + reach), high)
+                corners += [first, last]
+        low, high = np.min(corners, axis=0), np.max(corners, axis=0)
+        planes = [shape for shape in self.scene.read.bodies if shape.kind == "plane"]
+        if planes:
+            low, high = low - _PLANE_MARGIN * reach, high + _PLANE_MARGIN * reach
+        for shape in planes:
+            axis, way = shape.axis
+            at = way * self._number(shape["at"])
+            if low[axis] - _PLANE_DISTANCE * reach <= at <= high[axis] + _PLANE_DISTANCE * reach:
+                low[axis], high[axis] = min(low[axis], at), max(high[axis], at)
+        return low, high
+
+    def bodies(self, room: Box) -> list[Body]:
+        """Return the bodies, cut to a room."""
+        return [self._body(shape, room) for shape in self.scene.read.bodies]
+
+    def ends(self, room: Box) -> list[Body]:
+        """Return the ends; a plane without bounds reaches through the room."""
+        found = []
+        for shape in self.scene.read.ends:
+            axis, way = shape.axis
+            at = way * self._number(shape["at"])
+            if room[0][axis] <= at <= room[1][axis]:
+                mesh = flat(axis, way, at, room, 0.0, self._bounds(shape.bounds))
+                found.append(Body(shape.name, mesh, behind=True, lines=np.empty((0, 2, 3))))
+        return found
+
+    # One body
+
+    def _body(self, shape: Shape, room: Box) -> Body:
+        made = {
+            "plane": self._plane,
+            "sphere": self._sphere,
+            "cylinder": self._cylinder,
+            "torus": self._torus,
+            "box": self._box,
+            "surface": self._surface,
+        }[shape.kind](shape, room)
+        lines = np.empty((0, 2, 3))
+        if shape.kind == "torus" and self._number(shape["wire"]) == 0.0:
+            line = self._circle(shape)
+            lines = np.stack([line, np.roll(line, -1, axis=0)], 1)
+        return Body(shape.name, made, shape.kind == "plane" or shape.inside, lines)
+
+    def _plane(self, shape: Shape, room: Box) -> Mesh:
+        axis, way = shape.axis
+        at = way * self._number(shape["at"])
+        if not room[0][axis] <= at <= room[1][axis]:
+            return Mesh.of(np.empty((0, 3, 6)))
+        return flat(axis, way, at, room, self.ball_radius, self._bounds(shape.bounds))
+
+    def _sphere(self, shape: Shape, room: Box) -> Mesh:
+        u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+        v = np.linspace(0.0, np.pi, _HALF_TURN_PIECES + 1)
+        unit = np.stack(
+            [
+                np.sin(v)[:, None] * np.cos(u),
+                np.sin(v)[:, None] * np.sin(u),
+                np.broadcast_to(np.cos(v)[:, None], (len(v), len(u))),
+            ],
+            -1,
+        )
+        unit[0], unit[-1] = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)
+        points = self._centre(shape) + self._number(shape["radius"]) * unit
+        return self._curved(shape, room, points, unit, (False, True))
+
+    def _cylinder(self, shape: Shape, room: Box) -> Mesh:
+        axis, radius = shape.axis[0], self._number(shape["radius"])
+        across = [(axis + 1) % 3, (axis + 2) % 3]
+        u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+        low, high = float(room[0][axis]), float(room[1][axis])
+        count = int(np.clip(np.ceil((high - low) / radius), 1, 60))
+        along = np.linspace(high, low, count + 1)
+        unit = np.zeros((count + 1, _TURN_PIECES, 3))
+        unit[..., across[0]], unit[..., across[1]] = np.cos(u), np.sin(u)
+        points = self._centre(shape) + radius * unit
+        points[..., axis] = along[:, None]
+        side = self._curved(shape, room, points, unit, (False, True))
+        return side if shape.inside else join(side, *self._caps(shape, room))
+
+    def _caps(self, shape: Shape, room: Box) -> list[Mesh]:
+        """Return the visible end faces of a cylinder, which would else look like a hollow tube.
+
+        Nothing touches them; a cylinder without ends is cut where the room ends.
+        """
+        axis, radius, ball = shape.axis[0], self._number(shape["radius"]), self.ball_radius
+        across = [(axis + 1) % 3, (axis + 2) % 3]
+        u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+        extent = self._extent(shape)
+        low, high = max(extent[0][axis], room[0][axis]), min(extent[1][axis], room[1][axis])
+        found: list[Mesh] = []
+        for way, at in ((-1, low), (1, high)):
+            if not low < high:
+                break
+            rim = np.tile(self._centre(shape), (_TURN_PIECES, 1))
+            rim[:, axis] = at
+            middle = rim.copy()
+            rim[:, across[0]] += radius * np.cos(u)
+            rim[:, across[1]] += radius * np.sin(u)
+            turn = (rim, np.roll(rim, -1, axis=0))
+            corners = np.stack([middle, *turn[::way]], 1)
+            # Bounds other than those along the axis hold for a ball beside the rim.
+            beside = corners + ball / radius * (corners - middle[:, None])
+            whole = Mesh.of(np.concatenate([corners, beside], -1))
+            others = [b for b in shape.bounds if not _is_along(b, axis)]
+            left = cut(whole, self._bounds(others), walls(room)).corners
+            left[..., 3:] = left[..., :3]
+            left[..., 3 + axis] += way * ball
+            found.append(Mesh.of(left))
+        return found
+
+    def _curved(
+        self, shape: Shape, room: Box, points: Floats, unit: Floats, around: tuple[bool, bool]
+    ) -> Mesh:
+        normals = -unit if shape.inside else unit
+        corners = grid(contact_mesh(points, normals, self.ball_radius), around)
+        if shape.inside:
+            corners = corners[:, ::-1]
+        parts = np.zeros(len(corners), np.int64)
+        if shape.kind == "cylinder":
+            parts = np.arange(len(corners)) // (2 * _TURN_PIECES)
+        real = ~np.all(corners == np.roll(corners, -1, axis=1), axis=2).any(axis=1)
+        whole = Mesh.of(corners[real], parts[real])
+        return cut(whole, self._bounds(shape.bounds), walls(room))
+
+    def _torus(self, shape: Shape, room: Box) -> Mesh:
+        wire = self._number(shape["wire"])
+        if wire == 0.0:
+            return Mesh.of(np.empty((0, 3, 6)))
+        circle, centre = self._circle(shape), self._centre(shape)
+        out = (circle - centre) / self._number(shape["radius"])
+        along = np.zeros(3)
+        along[shape.axis[0]] = 1.0
+        v = np.linspace(0.0, 2.0 * np.pi, _WIRE_PIECES, endpoint=False)
+        unit = np.cos(v)[:, None] * out[:, None] + np.sin(v)[:, None] * along
+        corners = grid(
+            contact_mesh(circle[:, None] + wire * unit, unit, self.ball_radius), (True, True)
+        )
+        parts = np.arange(len(corners)) // (2 * _WIRE_PIECES * _SECTOR_PIECES)
+        return cut(Mesh.of(corners, parts), (), walls(room))
+
+    def _circle(self, shape: Shape) -> Floats:
+        axis = shape.axis[0]
+        u = np.linspace(0.0, 2.0 * np.pi, 2 * _TURN_PIECES, endpoint=False)
+        unit = np.zeros((len(u), 3))
+        unit[:, (axis + 1) % 3], unit[:, (axis + 2) % 3] = np.cos(u), np.sin(u)
+        return self._centre(shape) + self._number(shape["radius"]) * unit
+
+    def _box(self, shape: Shape, room: Box) -> Mesh:
+        low, high = (np.array(side) for side in self._extent(shape))
+        ball, nothing = self.ball_radius, ()
+        faces = [
+            flat(axis, way, float((high if way > 0 else low)[axis]), (low, high), ball, nothing)
+            for axis in range(3)
+            for way in (-1, 1)
+        ]
+        whole = Mesh.of(np.concatenate([face.corners for face in faces]))
+        return cut(whole, (), walls(room))
+
+    def _surface(self, shape: Shape, room: Box) -> Mesh:
+        condition = self._bounds([shape.condition])[0]
+        terms = [(powers, self._number(factor)) for powers, factor in shape.condition]
+
+        def gradient(points: Floats) -> Floats:
+            return np.stack([evaluate(derivative(terms, k), points) for k in range(3)], -1)
+
+        whole = level_set(condition, gradient, room, self.ball_radius)
+        return cut(whole, self._bounds(shape.bounds), walls(room))
+
+    # Its data
+
+    def _centre(self, shape: Shape) -> Floats:
+        sizes = dict(shape.sizes)
+        return np.array(
+            [
+                self._number(sizes[f"centre {axis}"]) if f"centre {axis}" in sizes else 0.0
+                for axis in "xyz"
+            ]
+        )
+
+    def _extent(self, shape: Shape) -> tuple[list[float], list[float]]:
+        """Return the corners of the box that contains a body."""
+        if shape.kind == "box":
+            return tuple(  # type: ignore[return-value]
+                [self._number(shape[f"{end} {axis}"]) for axis in "xyz"] for end in ("from", "to")
+            )
+        if shape.kind in ("plane", "surface"):
+            return [-np.inf] * 3, [np.inf] * 3
+        centre, reach = self._centre(shape), np.full(3, self._number(shape["radius"]))
+        if shape.kind == "torus":
+            reach += self._number(shape["wire"])
+            reach[shape.axis[0]] -= self._number(shape["radius"])
+        low, high = centre - reach, centre + reach
+        if shape.kind == "cylinder":
+            axis = shape.axis[0]
+            low[axis], high[axis] = -np.inf, np.inf
+            for terms in shape.bounds:
+                found = {powers: self._number(factor) for powers, factor in terms}
+                steep = found.get(_linear(axis), 0.0)
+                if steep and _is_along(terms, axis):
+                    end = -found.get((0, 0, 0), 0.0) / steep
+                    if steep > 0:
+                        high[axis] = min(high[axis], end)
+                    else:
+                        low[axis] = max(low[axis], end)
+        return low.tolist(), high.tolist()
+
+    def _bounds(self, bounds: Sequence[Terms]) -> list[Bound]:
+        def bound(terms: Terms) -> Bound:
+            numbers = [(powers, self._number(factor)) for powers, factor in terms]
+            return lambda points: evaluate(numbers, points)
+
+        return [bound(terms) for terms in bounds]
+
+
+def _linear(axis: int) -> tuple[int, int, int]:
+    return int(axis == 0), int(axis == 1), int(axis == 2)
+
+
+def _is_along(terms: Terms, axis: int) -> bool:
+    """Return whether a bound only limits a body along an axis."""
+    return {powers for powers, _ in terms} - {(0, 0, 0)} == {_linear(axis)}

@@ -1,0 +1,1 @@
+"""Engines: `simulate`, `HOOP`, `COURT`, scenes by name, compiled scenes, the article's shots."""

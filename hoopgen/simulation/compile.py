@@ -1,0 +1,318 @@
+"""`compile`: a scene is derived, printed, compiled, compared with NumPy and cached.
+
+What is kept is found again by all that it is made from: the printed sources, the flags, the
+compiler and its version, the lanes of the processor, Python, NumPy and hoopgen. A scene of the
+pieces of `hoopgen.scene` is found by what they say, and then nothing is derived.
+"""
+
+from __future__ import annotations
+
+import builtins
+import gzip
+import hashlib
+import importlib.util
+import json
+import marshal
+import shutil
+import sys
+from collections.abc import Mapping
+from functools import cache, partial
+from pathlib import Path
+from sysconfig import get_platform
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from hoopgen.core.validation import RUNTIME_BACKENDS
+from hoopgen.engine import native, verification
+from hoopgen.engine.loading import load
+from hoopgen.scene import compilers
+from hoopgen.scene.cache import (
+    MODULE,
+    SOURCES,
+    Entry,
+    SceneStore,
+    digest,
+    process_store,
+    user_store,
+)
+from hoopgen.scene.lookup import SceneLike
+from hoopgen.scene.scene import Scene
+from hoopgen.scene.trial_shots import trial_shots
+
+from .engine import Engine
+from .hoop import HOOP
+
+__all__ = ["compile", "scene_store"]
+
+_MAX_MESSAGE_LINES = 20
+"""Most lines of a compiler's words."""
+
+_ENGINES: dict[str, Engine] = {}
+"""Compiled engines, by key."""
+
+_KEY_BY_IDENTITY: dict[int, tuple[Any, Engine]] = {}
+"""Keys and engines, by the identity of a scene, which is held so that the identity stays."""
+
+_MAX_IDENTITIES = 64
+
+
+def compile(scene: SceneLike) -> Engine:
+    """Derive a scene, compile it for this processor, and compare it with NumPy.
+
+    It takes seconds once. What was made is kept in a folder of the user's own, and found there by
+    any later process.
+
+    Parameters
+    ----------
+    scene
+        A `hoopgen.scene.Scene`; or what has been compiled, which is returned.
+
+    Returns
+    -------
+    Engine
+        With ``simulate``, ``certify``, ``parameters``, ``surfaces``, ``outcomes``, ``backend`` and
+        ``source``. Where there is no C compiler, or it fails, NumPy serves, and one line says so
+        when it first does.
+
+    Raises
+    ------
+    TypeError
+        If it is no scene.
+    ValueError
+        If it is one that cannot be derived; the message says what is wrong.
+    ImportError
+        If SymPy or Jinja2 is missing: what brings them.
+    RuntimeError
+        If this thread does not compute doubles as IEEE 754 says, and `HOOP` has no C engine that
+        could make it.
+    """
+    if scene is None:
+        return HOOP
+    if isinstance(scene, Engine):
+        return scene
+    shipped = sys.modules.get("hoopgen.derive.scenes")  # imported already, if it is one of these
+    if shipped is not None and scene == shipped.HOOP:
+        return HOOP
+    if shipped is not None and scene == shipped.COURT:
+        from .court import COURT  # whose kernels are many
+
+        return COURT
+    known, engine = _KEY_BY_IDENTITY.get(id(scene), (None, None))
+    if engine is None or known is not scene:
+        engine = _find_entry(scene)
+        if len(_KEY_BY_IDENTITY) >= _MAX_IDENTITIES:
+            _KEY_BY_IDENTITY.clear()
+        _KEY_BY_IDENTITY[id(scene)] = (scene, engine)
+    return engine
+
+
+def scene_store() -> SceneStore:
+    """Return the store of compiled scenes: the user's folder, or the memory of the process."""
+    there = user_store()
+    return process_store(there) if isinstance(there, str) else there
+
+
+def _find_entry(scene: Any) -> Engine:
+    tools = _Tools()
+    there = scene_store()
+    written = isinstance(scene, Scene)
+    name = digest(f"{tools.identity} {_source_digest()} {scene.key}".encode()) if written else ""
+    entry = there.pointed(name) if name else None
+    if entry is None:
+        with HOOP.exact_arithmetic():
+            entry = _generate_files(scene, tools, there)
+        if name:
+            there.point(name, entry.record["key"])
+    key = entry.record["key"]
+    if key not in _ENGINES:
+        _ENGINES.setdefault(key, _engine(entry, scene, there))
+    return _ENGINES[key]
+
+
+def _generate_files(scene: Any, tools: _Tools, there: SceneStore) -> Entry:
+    """Return a scene's files, newly generated."""
+    try:
+        # Here, and not above: what has been compiled needs neither SymPy nor Jinja2.
+        from hoopgen.codegen.render import render_scene
+        from hoopgen.scene.definition import definition
+    except ImportError as error:
+        from hoopgen.core import extras
+
+        raise extras.explain_import_error(error, "hoopgen.compile") from None
+    derived = definition(scene)
+    files = render_scene(derived, page=False, targets=RUNTIME_BACKENDS)
+    key = digest(json.dumps([files, tools.whole], sort_keys=True).encode())
+    build = partial(_build, key, derived.name, files, tools)
+    found = there.entry(key)
+    if found is not None:
+        return found
+    try:
+        return there.built(key, build)
+    except OSError as error:
+        why = _explain(error)
+    try:
+        return process_store(why).built(key, build)
+    except OSError as error:
+        return build(_explain(error))
+
+
+def _explain(error: OSError) -> str:
+    said = error.strerror or str(error)
+    return f"{error.filename}: {said}" if error.filename else said
+
+
+class _Tools:
+    """The compiler, its flags and the vector width with which scenes are compiled."""
+
+    def __init__(self) -> None:
+        self.compiler = compilers.compiler()
+        self.width = compilers.processor_width()
+
+    @property
+    def identity(self) -> str:
+        """The identity that is known without running the compiler."""
+        return self._said(self.compiler.identity if self.compiler else "none")
+
+    @property
+    def whole(self) -> str:
+        """The identity with the compiler's version."""
+        from hoopgen.core.extras import version  # reads metadata, which takes its time
+
+        compiler = self.compiler
+        called = f"{compiler.command} {compiler.version()}" if compiler else "none"
+        return f"{self._said(called)}, hoopgen {version()}"
+
+    def _said(self, compiler: str) -> str:
+        python = importlib.util.MAGIC_NUMBER.hex()
+        versions = f"NumPy {np.__version__}, Python {python}"
+        return f"{compiler}; {compilers.FLAGS}; {self.width} lanes, {get_platform()}; {versions}"
+
+
+def _build(
+    key: str, scene: str, files: Mapping[str, str], tools: _Tools, folder: Path | str
+) -> Entry:
+    """Return the entry of a scene, compiled in a folder; without C if that fails, with the reason.
+
+    Parameters
+    ----------
+    folder
+        An empty one that nobody else can change; or why there is no such folder.
+    """
+    code = _compile_source(files[f"numpy/{scene}.py"], scene)
+    packed = gzip.compress(json.dumps(files).encode(), 6, mtime=0)
+    made = {MODULE: marshal.dumps(code), SOURCES: packed}
+    record: dict[str, Any] = {"key": key, "scene": scene, "refused": None}
+    without = record | {"compiler": "", "width": 0}
+    if tools.compiler is None:
+        why = f"of the scene {scene} was not compiled: no C compiler was found"
+        return Entry(without | {"refused": [why, "install one, or `pip install ziglang`"]}, made)
+    if isinstance(folder, str):
+        why = f"of the scene {scene} was not compiled: {folder}"
+        remedy = "set TMPDIR to a folder that you alone can write"
+        return Entry(without | {"refused": [why, remedy]}, made)
+    record |= {"compiler": tools.compiler.name, "width": tools.width}
+    sources = folder / "c"
+    sources.mkdir()
+    try:
+        for name, content in files.items():
+            if name.startswith("c/"):
+                (folder / name).write_text(content, encoding="utf-8")
+        words, passing = tools.compiler.run(sources, scene, tools.width)
+        if words:
+            print(_compiler_message(tools.compiler.name, scene, words), file=sys.stderr)
+            reason = f"of the scene {scene} could not be compiled by {tools.compiler.name}"
+            remedy = "`hoopgen cache --clear` lets it be tried again"
+            return Entry(record | {"refused": [reason, remedy], "passing": passing}, made)
+        library = (sources / compilers.library_name()).read_bytes()
+        refused = _differences(library, _module(code, scene))
+    finally:
+        shutil.rmtree(sources)
+    if refused:
+        record |= {"refused": [f"of the scene {scene} {refused}", "report it, with the scene"]}
+        return Entry(record, made)
+    return Entry(record, made | {compilers.library_name(): library})
+
+
+def _compiler_message(compiler: str, scene: str, words: str) -> str:
+    lines = words.splitlines()
+    more = (
+        [f"... and {len(lines) - _MAX_MESSAGE_LINES} lines more"]
+        if len(lines) > _MAX_MESSAGE_LINES
+        else []
+    )
+    said = "\n".join(["", *lines[:_MAX_MESSAGE_LINES], *more]).replace("\n", "\n    ")
+    return f"hoopgen: {compiler} does not compile the scene {scene}:{said}"
+
+
+def _differences(content: bytes, kernels: ModuleType) -> str:
+    """Return why a library cannot be trusted, "" if it can."""
+    try:
+        library = load(content, None, lambda path: native.Library(path, kernels))
+    except (OSError, AttributeError) as error:
+        return f"cannot be loaded: {error}"
+    if not verification.available_widths(library, kernels):
+        return "is not for this processor"
+    found = verification.differences(
+        library, kernels, verification.batches(kernels, trial_shots(kernels))
+    )
+    return f"does not give NumPy's results ({found})" if found else ""
+
+
+def _engine(entry: Entry, scene: Any, there: SceneStore) -> Engine:
+    """Return the engine of a scene from its files."""
+    name = entry.record["scene"]
+    kernels = _module(marshal.loads(entry.files[MODULE]), name)
+    found: native.Library | native.Rejection
+    if entry.record["refused"]:
+        found = native.Rejection(*entry.record["refused"])
+    else:
+        file = compilers.library_name()
+        path = there.path(entry.record["key"], file)
+        try:
+            found = load(entry.files[file], path, lambda path: native.Library(path, kernels))
+        except (OSError, AttributeError) as error:
+            again = "`hoopgen cache --clear` lets it be compiled again"
+            found = native.Rejection(f"of the scene {name} cannot be loaded: {error}", again)
+    packed = entry.files[SOURCES]
+    return Engine(
+        kernels,
+        find=lambda: found,
+        sources=lambda: json.loads(gzip.decompress(packed)),
+        scene=partial(_definition, scene),
+        rebuild=(compile, (scene,)),
+        written=scene if isinstance(scene, Scene) else None,
+    )
+
+
+def _definition(scene: Any) -> Any:
+    from hoopgen.scene.definition import definition
+
+    return definition(scene)
+
+
+def _compile_source(text: str, scene: str) -> Any:
+    return builtins.compile(text, f"<hoopgen's scene {scene}>", "exec", dont_inherit=True)
+
+
+def _module(code: Any, scene: str) -> ModuleType:
+    module = ModuleType(f"hoopgen_scene_{scene}")
+    exec(code, module.__dict__)  # printed by hoopgen, and the digest is the one on record
+    return module
+
+
+@cache
+def _source_digest() -> str:
+    """Return a digest of what generates a scene's sources: hoopgen's version and edited files."""
+    total = hashlib.sha256()
+    package = Path(__file__).resolve().parent.parent
+    rooms = [package / name for name in ("codegen", "scene", "engine", "simulation")]
+    for name in ("derive", "templates"):
+        found = importlib.util.find_spec(f"hoopgen.{name}")
+        rooms += [Path(folder) for folder in (found and found.submodule_search_locations) or ()]
+    for room in rooms:
+        for file in sorted(room.rglob("*")):
+            if file.suffix in (".py", ".j2"):
+                total.update(file.name.encode() + digest(file.read_bytes()).encode())
+    return total.hexdigest()

@@ -1,0 +1,45 @@
+"""`Engine`: a scene that is ready to be simulated and proved."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Unpack
+
+from numpy.typing import ArrayLike
+
+from hoopgen.core.parameters import ParameterValues
+from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.results.shots import Shots
+
+from .run import SimulationOptions, run
+
+if TYPE_CHECKING:
+    from hoopgen.judge import Certificate, CertificationOptions
+
+__all__ = ["Engine"]
+
+
+class Engine(CompiledScene):
+    """A scene, compiled: `hoopgen.compile` returns one, and `hoopgen.HOOP` is the article's.
+
+    All else that it has is that of a `CompiledScene`.
+    """
+
+    def simulate(
+        self,
+        states: ArrayLike,
+        parameters: ParameterValues | None = None,
+        **options: Unpack[SimulationOptions],
+    ) -> Shots:
+        """Simulate shots in this scene; all else as for `hoopgen.simulate`."""
+        return run(self, states, parameters, **options)
+
+    def certify(
+        self,
+        states: ArrayLike,
+        parameters: ParameterValues | None = None,
+        **options: Unpack[CertificationOptions],
+    ) -> Certificate:
+        """Prove what shots do in this scene; all else as for `hoopgen.certify`."""
+        from hoopgen import judge  # which needs SymPy and python-flint
+
+        return judge.certify(states, parameters, scene=self, **options)

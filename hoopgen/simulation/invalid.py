@@ -1,0 +1,173 @@
+"""Reasons for invalid shots, as text."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.core.parameters import ParameterValues, resolve
+from hoopgen.core.validation import check_leaving, check_states
+from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.scene.lookup import SceneLike
+from hoopgen.simulation.lookup import engine_of
+
+from .run import run
+
+__all__ = ["allowed", "not_allowed", "out_of_range", "reason", "why_invalid"]
+
+RADII = {"ball_radius", "ring_radius", "wire_radius"}
+"""Parameters of a hoop that limit each other: the ball must fit through the ring."""
+
+
+def why_invalid(
+    states: ArrayLike,
+    parameters: ParameterValues | None = None,
+    *,
+    scene: SceneLike = None,
+    leaving: ArrayLike | None = None,
+) -> list[str]:
+    """Return the reason why each shot is INVALID, as text.
+
+    Parameters
+    ----------
+    states, parameters, scene, leaving
+        As in `simulate`; SI units.
+
+    Returns
+    -------
+    list of str
+        One text for each shot, empty where the shot can be simulated.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not as described; the message says what is expected.
+
+    Examples
+    --------
+    >>> import hoopgen
+    >>> hoopgen.why_invalid([0, 0, 1, 1e20, 0, 0, 0, 0, 0])
+    ['out of range: vx 1e+20; in a release at most 1.07374e+09']
+    """
+    releases = check_states(states)
+    engine = engine_of(scene)
+    left = check_leaving(leaving, len(releases), len(engine.surfaces))
+    shots = run(engine, releases, parameters, leaving=leaving, max_contacts=1, fields=("outcome",))
+    values = resolve(parameters, len(releases), engine.table)
+    texts = [""] * len(releases)
+    for row in np.flatnonzero(shots.outcome == engine.outcomes["INVALID"]):
+        own = {
+            name: np.float64(np.broadcast_to(value, len(releases))[row])
+            for name, value in values.items()
+        }
+        last = -1 if left is None else int(left[row])
+        texts[row] = reason(releases[row], own, engine, last)
+    return texts
+
+
+def reason(
+    state: NDArray[np.float64],
+    parameters: Mapping[str, float],
+    scene: CompiledScene,
+    leaving: int = -1,
+) -> str:
+    """Return the reason why an invalid shot is invalid.
+
+    Parameters
+    ----------
+    state
+        State of its release, (9,).
+    parameters
+        All parameters of the scene, one number each.
+    scene
+        The scene of the shot.
+    leaving
+        The body that the ball leaves at the start, -1 for none.
+    """
+    wrong = [
+        name
+        for name, value in parameters.items()
+        if not np.isfinite(value) and not (name in scene.infinite and value == np.inf)
+    ]
+    if wrong:
+        return f"not finite: {', '.join(wrong)}"
+    if not allowed(scene, parameters):
+        names = not_allowed(scene, parameters)
+        named = ", ".join(f"{name} {parameters[name]:g}" for name in names) or "several"
+        positive = {name for name in names if parameters[name] > 0}
+        fits = not (scene.has_hoop and names and positive == set(names) <= RADII)
+        return (
+            f"parameter not allowed: {named}{'' if fits else '; the ball is too big for the ring'}"
+        )
+    if sizes := out_of_range(scene, parameters):
+        return f"out of range: {'; '.join(sizes)}"
+    if not np.isfinite(state).all():
+        return "not finite: the release"
+    largest = scene.kernels.MAX_SIZE
+    large = [
+        f"{name} {value:g}"
+        for name, value in zip(scene.kernels.STATE, state, strict=True)
+        if abs(value) > largest
+    ]
+    if large:
+        return f"out of range: {', '.join(large)}; in a release at most {largest:g}"
+    bodies = np.arange(len(scene.surfaces))
+    own = {name: float(value) for name, value in parameters.items()}
+    # A ball that is inside one body alone could start by leaving that body.
+    shots = run(
+        scene,
+        np.tile(state, (len(bodies), 1)),
+        own,
+        leaving=bodies,
+        max_contacts=1,
+        fields=("outcome",),
+    )
+    left = np.flatnonzero(shots.outcome != scene.outcomes["INVALID"])
+    inside = [scene.surfaces[index] for index in left if index != leaving]
+    return f"inside the {inside[0]}" if len(inside) == 1 else "inside several surfaces"
+
+
+def allowed(scene: CompiledScene, parameters: Mapping[str, float]) -> bool:
+    """Return whether a scene allows these parameters: all of its own in order, one number each."""
+    found: bool = _evaluate(scene, "allowed", scene.table.inputs(parameters)) > 0
+    return found
+
+
+def not_allowed(scene: CompiledScene, parameters: Mapping[str, float]) -> list[str]:
+    """Return the parameters that make the others allowed if their default replaces them."""
+    usual = scene.table.defaults
+    return [n for n in parameters if allowed(scene, {**parameters, n: np.float64(usual[n])})]
+
+
+def out_of_range(scene: CompiledScene, parameters: Mapping[str, float]) -> list[str]:
+    """Return the sizes with which arithmetic could over- or underflow, and the expected range.
+
+    Parameters
+    ----------
+    scene
+        The scene of the parameters.
+    parameters
+        All of its parameters, one finite number each, which are allowed.
+    """
+    inputs = scene.table.inputs(parameters)
+    if _evaluate(scene, "parameters_in_range", inputs, allowed=1.0):
+        return []
+    said = []
+    for (name, (least, most)), value in zip(scene.kernels.SIZE_LIMITS.items(), inputs, strict=True):
+        if not least <= abs(value) <= most:
+            expected = f"{least:g} to {most:g}" if least else f"at most {most:g}"
+            said.append(f"{name} {value:g}, expected a size of {expected}")
+    return said or ["all coefficients of a surface's formula, which are too small"]
+
+
+def _evaluate(scene: CompiledScene, kernel: str, inputs: Any, **more: Any) -> Any:
+    """Return the first output of a kernel for the scene's inputs and further arguments."""
+    given = dict(zip(scene.kernels.VARIABLES.values(), map(np.float64, inputs), strict=True)) | more
+    with np.errstate(all="ignore"):
+        outputs = getattr(scene.kernels, kernel)(
+            *(given[name] for name in scene.kernels.ARGUMENTS[kernel])
+        )
+    return outputs[0]

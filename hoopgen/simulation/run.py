@@ -1,0 +1,383 @@
+"""`run`: check the input, share the shots among threads, and gather the results."""
+
+from __future__ import annotations
+
+import math
+import sys
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Executor
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import cache, partial, wraps
+from typing import Any, Concatenate, Literal, ParamSpec, TypedDict
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.core.memory import check_room
+from hoopgen.core.parameters import ParameterValues, Value, resolve
+from hoopgen.core.validation import (
+    BACKEND_NAMES,
+    BackendName,
+    check_contacts,
+    check_leaving,
+    check_states,
+    check_threads,
+    check_time_limit,
+)
+from hoopgen.engine import native, numpy_backend, thread_pools
+from hoopgen.engine.arithmetic import is_exact
+from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.engine.result_arrays import ResultArrays
+from hoopgen.results.shots import Shots
+from hoopgen.text.shorten import brief, join_names
+
+P = ParamSpec("P")
+
+SHARE_DIVISOR = 4
+"""Divisor of a thread's share: in C a thread takes one part of its share at a time. So the
+threads end together, and lanes are idle only at the end of each thread's last shots."""
+
+LOG_ROWS_AT_ONCE = 1 << 16
+"""Rows of the event log that a thread allocates at a time."""
+
+FIRST_LOG_CONTACTS = 40
+"""Contacts of a shot that the log has rows for at first. Shots with more contacts are simulated
+again with `LOG_GROWTH` times as many rows."""
+
+LOG_GROWTH = 8
+
+MIN_SHOTS_PER_THREAD = 1 << 12
+"""Smallest number of shots that a thread takes at a time in NumPy, where each operation is a
+call."""
+
+MAX_CONTACTS_WITHOUT_THREADS = 1 << 17
+"""Largest number of possible contacts that are simulated without threads: some hundredths of a
+second in NumPy. In C each further multiple of it adds a thread."""
+
+MAX_CONTACTS_WITHOUT_THREADS_IN_C = 1 << 20
+"""The same for one thread in C, counted by `_is_brief`. Up to it, the calling thread is one of the
+threads."""
+
+MAX_ROLL_STEPS_PER_SECOND = 1 << 8
+"""Upper bound of the steps in a second of rolling: a few times those of swirls in the ring. A step
+costs about as much as a contact."""
+
+BODIES_PER_CONTACT = 3
+"""Number of bodies for which `MAX_CONTACTS_WITHOUT_THREADS_IN_C` assumes a contact's cost: each
+body may have to be searched."""
+
+
+@dataclass(slots=True)
+class _Batch:
+    scene: CompiledScene
+    states: NDArray[np.float64]
+    parameters: list[Value]
+    leaving: NDArray[np.int8] | None
+    max_contacts: int
+    time_limit: float
+    library: native.Library | None
+    stop: NDArray[np.int32]
+
+    def stopped(self) -> bool:
+        """Return whether the run is to end early."""
+        return bool(self.stop[0])
+
+    def part(self, rows: slice | NDArray[np.intp]) -> _Batch:
+        """Return some of the shots."""
+        parameters = [p if isinstance(p, float) else p[rows] for p in self.parameters]
+        leaving = None if self.leaving is None else self.leaving[rows]
+        return replace(self, states=self.states[rows], parameters=parameters, leaving=leaving)
+
+    def run(
+        self,
+        out: ResultArrays,
+        most: int,
+        share: native.Share | None = None,
+        first: int = 0,
+        last: numpy_backend.SharedTail | None = None,
+    ) -> None:
+        """Simulate the shots into `out`, with at most so many contacts.
+
+        In C these are the shots of a share; in NumPy they may be the rows of `out` from `first` on.
+        """
+        given = (self.states, self.parameters, self.leaving, most, out)
+        if self.library is not None:
+            self.library.run(*given, self.stop, time_limit=self.time_limit, share=share)
+        else:
+            rest = (self.stopped, self.time_limit, first, last)
+            with self.scene.exact_arithmetic():  # in C a call sets it itself
+                numpy_backend.run(self.scene.kernels, *given, *rest)
+
+    def record(self, out: ResultArrays, most: int) -> NDArray[Any]:
+        """Simulate the shots into `out` and return their event log, in order.
+
+        The log has rows for `most` contacts of each; shots with more are simulated again.
+        """
+        layout, shots = self.scene.layout, len(self.states)
+        log = layout.allocate_events(shots, most)
+        ended = layout.allocate(shots, {"outcome", "contacts"} - out.arrays.keys())
+        whole = out.joined(ended).joined(log)
+        self.run(whole, most)
+        assert whole.outcome is not None
+        assert whole.contacts is not None
+        again = np.zeros(shots, np.bool_)
+        if most < self.max_contacts and not self.stopped():
+            # A shot with fewer contacts ended for another reason, and would do so again.
+            again = (whole.outcome == self.scene.outcomes["CAPPED"]) & (whole.contacts >= most)
+        used = np.arange(layout.log_rows(most)) < log.arrays["event_counts"][:, None]
+        logs = [log.arrays["events"][used & ~again[:, None]]]
+        more = min(LOG_GROWTH * most, self.max_contacts)
+        rows, size = np.flatnonzero(again), max(1, LOG_ROWS_AT_ONCE // (more + 1))
+        for some in (rows[k : k + size] for k in range(0, len(rows), size)):
+            longer = layout.allocate(len(some), out.arrays)
+            logs.append(self.part(some).record(longer, more))
+            logs[-1]["shot"] = some[logs[-1]["shot"]]
+            for name, array in longer.arrays.items():
+                out.arrays[name][some] = array
+        events = np.concatenate(logs)
+        return events[np.argsort(events["shot"], kind="stable")] if len(logs) > 1 else events
+
+
+class SimulationOptions(TypedDict, total=False):
+    """Keywords of `run`, which are those of `hoopgen.simulate` but for the scene."""
+
+    max_contacts: int | None
+    backend: BackendName
+    threads: int | None
+    fields: Literal["all"] | Iterable[str]
+    record: bool
+    leaving: ArrayLike | None
+    settle: bool
+    time_limit: float | None
+
+
+def _in_exact_arithmetic(
+    run: Callable[Concatenate[CompiledScene, P], Shots],
+) -> Callable[Concatenate[CompiledScene, P], Shots]:
+    """Return the function with exact arithmetic in the calling thread, which checks the input."""
+
+    @wraps(run)
+    def exact(engine: CompiledScene, /, *given: P.args, **options: P.kwargs) -> Shots:
+        if is_exact():  # at once, since a call takes microseconds
+            return run(engine, *given, **options)
+        with engine.exact_arithmetic():
+            return run(engine, *given, **options)
+
+    return exact
+
+
+@_in_exact_arithmetic
+def run(
+    engine: CompiledScene,
+    states: ArrayLike,
+    parameters: ParameterValues | None = None,
+    *,
+    max_contacts: int | None = None,
+    backend: BackendName = "auto",
+    threads: int | None = None,
+    fields: Literal["all"] | Iterable[str] = "all",
+    record: bool = False,
+    leaving: ArrayLike | None = None,
+    settle: bool = False,
+    time_limit: float | None = None,
+) -> Shots:
+    """Simulate shots in a compiled scene; all else as for `hoopgen.simulate`."""
+    releases = check_states(states)
+    shots = len(releases)
+    named = resolve(parameters, shots, engine.table)
+    most = engine.max_contacts if max_contacts is None else check_contacts(max_contacts)
+    wanted = _fields(fields, engine)
+    workers = check_threads(threads)
+    if record:
+        check_log(shots, most, workers, scene=engine)
+    batch = _Batch(
+        engine,
+        releases,
+        engine.table.inputs(named),
+        check_leaving(leaving, shots, len(engine.surfaces)),
+        most,
+        _limit(time_limit, engine),
+        _library(backend, engine),
+        np.zeros(1, np.int32),
+    )
+    computed = tuple(dict.fromkeys((*wanted, "uncertain"))) if settle else wanted
+    out = engine.layout.allocate(shots, computed)
+    results = dict(out.arrays)
+    if not record and batch.library is not None:
+        _share(batch, out, workers)
+    else:
+        logs = _run(batch, out, workers, record)
+    if record:
+        results["events"] = np.concatenate([np.empty(0, engine.layout.event), *logs])
+    if settle:
+        # Imported here, because the judge needs SymPy and python-flint.
+        from hoopgen.judge.settle import settle as decide
+
+        left, limit = batch.leaving, batch.time_limit
+        decide(results, releases, named, most, scene=engine, leaving=left, time_limit=limit)
+        results = {name: array for name, array in results.items() if name in (*wanted, "events")}
+    return Shots(results, releases, named, engine)
+
+
+def _limit(time_limit: float | None, engine: CompiledScene) -> float:
+    limit = engine.time_limit if time_limit is None else check_time_limit(time_limit)
+    if engine.rolls and not math.isfinite(limit):
+        raise ValueError(
+            f"time_limit: expected a finite time in the scene {engine.name}, where a ball may roll "
+            f"for ever; got {brief(time_limit)}"
+        )
+    return limit
+
+
+def check_log(
+    shots: int, max_contacts: int, threads: int | None = None, *, scene: CompiledScene
+) -> None:
+    """Refuse an event log that does not fit in memory; arguments as of `simulate`.
+
+    Raises
+    ------
+    ValueError
+        If it would take too much memory.
+    """
+    # Each thread allocates rows for every possible contact of its shots.
+    layout = scene.layout
+    each = layout.log_rows(max_contacts)
+    at_once = min(shots, check_threads(threads) * max(1, LOG_ROWS_AT_ONCE // each))
+    row = layout.event.itemsize + 16
+    check_room("max_contacts", at_once * each, "events to be recorded at once", row)
+
+
+def _share(batch: _Batch, out: ResultArrays, threads: int) -> None:
+    """Run the batch in C; the threads share its shots."""
+    contacts = len(batch.states) * batch.max_contacts
+    # The calling thread starts at once, while another one has to wake up.
+    here = _is_brief(batch) or not _interruptible()
+    others = min(threads, contacts // MAX_CONTACTS_WITHOUT_THREADS + 1) - here
+    if not others:
+        batch.run(out, batch.max_contacts)
+        return
+    share = native.Share(SHARE_DIVISOR * (others + here))
+    with _pool(batch, others) as pool:
+        work = partial(batch.run, out, batch.max_contacts, share)
+        asked = [pool.submit(work) for _ in range(others)]
+        if here:
+            work()
+        for one in asked:
+            one.result()
+
+
+def _run(batch: _Batch, out: ResultArrays, threads: int, record: bool) -> list[NDArray[Any]]:
+    """Run the batch in chunks; return the chunks' event logs, in order."""
+    shots = len(batch.states)
+
+    def work(start: int) -> NDArray[Any] | None:
+        stop = min(start + size, shots)
+        part = batch.part(slice(start, stop))
+        if not record:
+            part.run(out, batch.max_contacts, first=start, last=last)
+            return None
+        log = part.record(out.rows(start, stop), first)
+        log["shot"] += start
+        return log
+
+    in_c = batch.library is not None
+    size = max(-(-shots // threads), 1 if in_c else MIN_SHOTS_PER_THREAD)
+    first = min(FIRST_LOG_CONTACTS, batch.max_contacts)
+    if record:
+        size = max(1, min(size, LOG_ROWS_AT_ONCE // (first + 1)))
+    starts = range(0, shots, size)
+    last = numpy_backend.SharedTail(len(starts), shots)
+    contacts = shots * batch.max_contacts
+    if in_c:
+        here = _is_brief(batch) and (threads == 1 or contacts <= MAX_CONTACTS_WITHOUT_THREADS)
+    else:
+        here = contacts <= MAX_CONTACTS_WITHOUT_THREADS
+    if here or (threads == 1 and not _interruptible()):
+        logs = [work(start) for start in starts]
+    else:
+        with _pool(batch, threads) as pool:
+            logs = list(pool.map(work, starts))
+    return [log for log in logs if log is not None]
+
+
+def _is_brief(batch: _Batch) -> bool:
+    """Return whether one thread in C takes at most some hundredths of a second.
+
+    Few shots take as long as a full vector of lanes. A shot may have many contacts, many bodies,
+    and many seconds of rolling.
+    """
+    lanes = len(batch.states) + native.WIDTHS[-1] - 1
+    steps = batch.max_contacts + (
+        MAX_ROLL_STEPS_PER_SECOND * batch.time_limit if batch.scene.rolls else 0
+    )
+    bodies = max(1, len(batch.scene.surfaces) / BODIES_PER_CONTACT)
+    return lanes * steps * bodies <= MAX_CONTACTS_WITHOUT_THREADS_IN_C
+
+
+def _interruptible() -> bool:
+    """Return whether this thread receives Ctrl-C; Python does not handle it during a call of C."""
+    return threading.current_thread() is threading.main_thread()
+
+
+@contextmanager
+def _pool(batch: _Batch, threads: int) -> Iterator[Executor]:
+    """Yield a pool of threads for a batch; they stop if an error is raised."""
+    pool = thread_pools.take(threads)
+    try:
+        yield pool
+    except BaseException:
+        batch.stop[0] = 1
+        pool.shutdown(wait=False, cancel_futures=True)
+        raise
+    thread_pools.leave(pool, threads)
+
+
+def _fields(fields: str | Iterable[str], scene: CompiledScene) -> tuple[str, ...]:
+    if isinstance(fields, str):
+        if fields == "all":
+            return scene.layout.fields
+        fields = (fields,)
+    if not isinstance(fields, Iterable):
+        raise TypeError(f"fields: expected 'all' or names, got {brief(fields)}")
+    wanted = tuple(fields)  # once: they may be an iterator
+    unknown = [name for name in wanted if name not in scene.layout.results]
+    if unknown:
+        names = ", ".join(scene.layout.fields + scene.layout.bounds)
+        raise ValueError(f"fields: unknown {join_names(unknown)}. 'all', or some of {names}")
+    return wanted
+
+
+def _library(backend: str, scene: CompiledScene) -> native.Library | None:
+    if backend not in BACKEND_NAMES:
+        *names, last = map(repr, BACKEND_NAMES)
+        raise ValueError(f"backend: expected {', '.join(names)} or {last}, got {brief(backend)}")
+    if backend == "numpy":
+        return None
+    found = scene.found
+    if not isinstance(found, native.Rejection):
+        if isinstance(found, native.Library) and found.missing_width:
+            _warn_of_one_lane(scene.name, found.missing_width)
+        return found
+    if backend == "c":
+        raise RuntimeError(f"backend: 'c' {found.reason}; {found.remedy}, or use 'numpy'")
+    _warn_once(found)
+    return None
+
+
+@cache
+def _warn_once(refused: native.Rejection) -> None:
+    print(
+        f"hoopgen: the C engine {refused.reason}; {refused.remedy}. NumPy serves, slower.",
+        file=sys.stderr,
+    )
+
+
+@cache
+def _warn_of_one_lane(scene: str, width: int) -> None:
+    print(
+        f"hoopgen: the C engine of {scene} was compiled for a processor with {width} lanes, which "
+        "this one has not. One lane serves, slower; install hoopgen again on this machine.",
+        file=sys.stderr,
+    )

@@ -1,0 +1,327 @@
+"""Shots thrown in one setting or in two: tallied in chunks, until their number or a precision."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import closing
+from dataclasses import dataclass
+from math import ceil, sqrt
+from os import PathLike
+from typing import Any, TypeAlias
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import NDArray
+
+from hoopgen.core.memory import format_whole
+from hoopgen.core.parameters import ParameterValues
+from hoopgen.core.validation import BackendName, check_count
+from hoopgen.core.variables import STATE, Releases, is_state
+from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.results.shots import Outcome, Shots
+from hoopgen.scene.lookup import SceneLike, variables_of
+from hoopgen.simulation.engine import Engine
+from hoopgen.simulation.hoop import HOOP
+from hoopgen.simulation.lookup import engine_of
+from hoopgen.simulation.simulate import simulate
+from hoopgen.study.measures.measures import MEASURES
+from hoopgen.study.measures.rebounds import CATCHING_HEIGHT, caught_at
+from hoopgen.study.models.grid import Grid
+from hoopgen.study.models.release_model import ReleaseModel
+from hoopgen.study.models.resample import Resample
+from hoopgen.study.models.scatter import Scatter
+from hoopgen.study.statistics.distributions import counts_of
+from hoopgen.study.statistics.intervals import least_shots
+from hoopgen.study.statistics.sample import Rows, sampled_rows
+from hoopgen.study.statistics.tally import (
+    Tally,
+    blocks,
+    check_scene,
+    check_share,
+    fields_of,
+    width_of,
+)
+from hoopgen.text.shorten import brief
+
+from .chunks import ShotsJob, run
+
+CHUNK = 1 << 17
+"""Shots in a chunk: after each one the precision is looked at, and a folder has one file."""
+
+SHOTS = 100_000
+"""Without a precision."""
+
+MOST = 1_000_000_000
+"""Largest number of shots of an estimate that runs to a precision."""
+
+SettingLike: TypeAlias = ReleaseModel | tuple[ReleaseModel, ParameterValues]
+"""A release model in the article's scene, or with parameters of its own."""
+
+Progress = Callable[[int, int | None], None]
+
+
+@dataclass(frozen=True)
+class ResolvedSetting:
+    """A release model, and its scene with the parameters."""
+
+    model: ReleaseModel
+    parameters: Mapping[str, float]
+    scene: Engine
+
+    def identity(self) -> dict[str, object]:
+        """Return what tells this setting from others, in types that JSON knows."""
+        parameters = dict(self.parameters)
+        return {**self.model.identity(), "parameters": parameters, **scene_identity(self.scene)}
+
+
+def scene_identity(scene: CompiledScene) -> dict[str, Any]:
+    """Return the scene's part of an identity, which is empty for the article's scene."""
+    return {} if scene is HOOP else {"scene": scene.identity}
+
+
+@dataclass(frozen=True)
+class MonteCarloJob(ShotsJob):
+    """A job of `chunks.run`: the tallies of one or two settings, and how their shots pair.
+
+    How many shots there are only cuts the last chunk, so that a folder can be asked for more.
+
+    Attributes
+    ----------
+    measures
+        Names of those of which it is counted, of one setting, how they are spread.
+    """
+
+    settings: tuple[ResolvedSetting, ...]
+    shots: int
+    seed: int
+    max_contacts: int
+    backend: BackendName
+    by: int = Outcome.MADE  # the outcome by which they pair
+    measures: tuple[str, ...] = ()
+    catching_height: float = CATCHING_HEIGHT  # of rebounds
+
+    @property
+    def scene(self) -> Engine:
+        """The scene of the settings."""
+        return self.settings[0].scene
+
+    @property
+    def chunks(self) -> int:
+        """The number of chunks."""
+        return chunks_of(self.shots)
+
+    def identity(self) -> dict[str, object]:
+        """Return what the chunks depend on."""
+        return {
+            # First, so that what differs names it.
+            **scene_identity(self.scene),
+            "settings": [setting.identity() for setting in self.settings],
+            "seed": self.seed,
+            "max_contacts": self.max_contacts,
+            **({} if self.by == Outcome.MADE else {"by": int(self.by)}),
+            **({"measures": list(self.measures)} if self.measures else {}),
+            **caught_at(self.measures, self.catching_height),
+        }
+
+    def shots_in(self, kept: pa.Table) -> int:
+        """Return how many shots a chunk has that is kept."""
+        return int(tally_of(numbers_of(kept), 0, self.scene).shots)
+
+    def shots_of(self, chunk: int) -> tuple[int, int]:
+        """Return the first shot of a chunk, and the one after its last."""
+        start = chunk * CHUNK
+        return start, min(start + CHUNK, self.shots)
+
+    def counted(
+        self, chunk: int, start: int, stop: int, before: pa.Table | None = None
+    ) -> pa.Table:
+        """Return the numbers of some shots, one row, and of those before them."""
+        counts = [self.count(*block) for block in blocks(start, stop)]
+        counts += [] if before is None else [numbers_of(before)]
+        return pa.table({"numbers": pa.array([np.sum(counts, axis=0)], pa.list_(pa.int64()))})
+
+    def count(self, start: int, stop: int) -> NDArray[np.int64]:
+        """Return the tally of each setting, and of two the pairs, of some shots."""
+        sampled = [self._simulate(setting, start, stop) for setting in self.settings]
+        results = [shots for _, shots in sampled]
+        rows = [Tally.of(shots, 1).row()[0] for shots in results]
+        rows += [self._pairs(*results)] if len(results) == 2 else []
+        if self.measures:
+            rows.append(counts_of(*sampled[0], self.measures, self.catching_height))
+        return np.concatenate(rows)
+
+    def rows(self, which: int, threads: int | None) -> Rows | None:
+        """Return what becomes of each measured release of a setting; None of another model."""
+        setting = self.settings[which]
+        if not isinstance(setting.model, Resample):
+            return None
+        return sampled_rows(
+            setting,
+            self.max_contacts,
+            self.backend,
+            threads,
+            self.measures,
+            self.catching_height,
+        )
+
+    def _simulate(self, setting: ResolvedSetting, start: int, stop: int) -> tuple[Releases, Shots]:
+        releases = setting.model.draw(start, stop, self.seed, setting.parameters)
+        contacts, scene = self.max_contacts, setting.scene
+        return releases, simulated(releases, contacts, self.backend, scene, self.measures)
+
+    def _pairs(self, first: Shots, second: Shots) -> NDArray[np.int64]:
+        """Return how many pairs end so both, the first only, the second only, neither."""
+        outcomes = np.stack([first.outcome, second.outcome])
+        invalid = self.scene.outcomes["INVALID"]
+        others = (outcomes != self.by)[:, (outcomes != invalid).all(axis=0)]
+        return np.bincount(2 * others[0] + others[1], minlength=4)
+
+
+def numbers_of(table: pa.Table) -> NDArray[np.int64]:
+    """Return the numbers of a chunk."""
+    numbers: NDArray[np.int64] = table["numbers"][0].values.to_numpy()
+    return numbers
+
+
+def chunks_of(shots: int) -> int:
+    """Return in how many chunks so many shots are."""
+    return -(-shots // CHUNK)
+
+
+def simulated(
+    releases: Releases,
+    max_contacts: int,
+    backend: BackendName,
+    scene: Engine,
+    measures: Sequence[str] = (),
+) -> Shots:
+    """Simulate releases, as far as a tally and measures need it; the chunks have the threads."""
+    needed = {*fields_of(scene), *(field for name in measures for field in MEASURES[name].fields)}
+    return simulate(
+        releases.states,
+        releases.parameters,
+        scene=scene,
+        max_contacts=max_contacts,
+        backend=backend,
+        threads=1,
+        fields=sorted(needed),
+    )
+
+
+@dataclass(frozen=True)
+class StoppingRule:
+    """The rule that sums chunks in their order until a precision is reached."""
+
+    precision: float | None
+    half_width: Callable[[NDArray[np.int64]], float]
+    progress: Progress | None
+
+    def total(
+        self,
+        work: MonteCarloJob,
+        folder: str | PathLike[str] | None,
+        scheduler: str | None,
+        threads: int | None,
+    ) -> NDArray[np.int64]:
+        """Return the sum of as many chunks as it takes."""
+        total = work.count(0, 1) * 0  # what is wrong shows before a folder is made
+        note = self.progress or (lambda done, of: None)
+        note(0, None if self.precision else work.chunks)
+        tables = run(work, folder, scheduler=scheduler, threads=threads)
+        with closing(tables):
+            for done, table in enumerate(tables, 1):
+                total += numbers_of(table)
+                needed = self._needed(done, total, work)
+                note(done, needed)
+                if done == needed:
+                    break
+        return total
+
+    def _needed(self, done: int, total: NDArray[np.int64], work: MonteCarloJob) -> int:
+        """Return how many chunks it will take, as far as can be told."""
+        most = work.chunks
+        if self.precision is None:
+            return most
+        tallies = (tally_of(total, which, work.scene) for which in range(len(work.settings)))
+        if done == 1 and not all(tally.valid for tally in tallies):
+            raise ValueError(
+                f"model: none of the first {CHUNK:,} shots is valid, so no precision is reached: "
+                "they are not finite, start inside a surface, or have parameters out of range"
+            )
+        # The width falls with the square root of the shots.
+        half_width = self.half_width(total)
+        if half_width <= self.precision:
+            return min(most, done)
+        # More than all: the quotient of doubles may be larger than any.
+        if half_width >= self.precision * sqrt(most / done):
+            return most
+        return min(most, max(done + 1, ceil(done * (half_width / self.precision) ** 2)))
+
+
+def tally_of(total: NDArray[np.int64], which: int, scene: Engine) -> Tally:
+    """Return the tally of one setting."""
+    columns = width_of(scene)
+    return Tally.read(total[which * columns : (which + 1) * columns], scene)
+
+
+def setting_of(
+    model: ReleaseModel, parameters: ParameterValues | None, scene: SceneLike = None
+) -> ResolvedSetting:
+    """Return a setting; refuse a model that does not draw at random, or not in this scene."""
+    if isinstance(model, Grid) or not isinstance(model, ReleaseModel):
+        raise TypeError(
+            "model: expected a Scatter, a Resample, or what else draws at random (it has draw and "
+            f"identity), got {brief(model)}"
+        )
+    engine = engine_of(scene)
+    check_states(model, engine)
+    return ResolvedSetting(model, check_scene(parameters, engine), engine)
+
+
+def check_states(model: Any, scene: Engine, over: Iterable[str] = ()) -> None:
+    """Refuse releases at a hoop in a scene that has none.
+
+    Parameters
+    ----------
+    over
+        Variables that are given apart from the model.
+    """
+    variables_of(scene)
+    if scene.has_hoop or not isinstance(model, Scatter | Resample):
+        return
+    if not (model.is_state or is_state(over)):
+        raise ValueError(
+            f"model: the scene {scene.name} has no hoop at which shots are released; give states, "
+            f"{' '.join(STATE)}, and what scatters of them"
+        )
+
+
+def outcome_by(scene: Engine, by: str | None) -> int:
+    """Return the outcome that counts: made, or in a scene of one's own an end, the first one."""
+    ends: tuple[str, ...] = scene.kernels.ENDS
+    if not ends:
+        raise ValueError(f"by: the scene {scene.name} has no ends, so none can count")
+    if by is None:
+        return 0
+    if by not in ends:
+        raise ValueError(f"by: expected {' or '.join(ends)}, got {brief(by)}")
+    return ends.index(by)
+
+
+def most_shots(
+    shots: int | None, precision: float | None, level: float, *, paired: bool = False
+) -> int:
+    """Return the number of shots, or the most of them."""
+    if precision is not None:
+        check_share("precision", precision)
+    if shots is not None:
+        return check_count("shots", shots)
+    if precision is None:
+        return SHOTS
+    if (least := least_shots(precision, level, paired=paired)) > MOST:
+        raise ValueError(
+            f"precision: {precision} takes {format_whole(least)} shots at least, whatever "
+            "becomes of "
+            f"them, and no more than {format_whole(MOST)} are thrown unless shots says so"
+        )
+    return MOST

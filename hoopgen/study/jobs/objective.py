@@ -1,0 +1,296 @@
+"""A player throws candidates with common random numbers: what differs is the release alone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import partial
+from math import nan
+from typing import Any, Literal
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.core.parameters import complete
+from hoopgen.core.validation import as_doubles
+from hoopgen.core.variables import check_names
+from hoopgen.hoop.kinds import Kind, kinds
+from hoopgen.hoop.presets import NAMES, PAPER
+from hoopgen.hoop.variables import ARGUMENTS, VARIABLES, check_angles, release_arguments
+from hoopgen.results.shots import SURFACES, Outcome, Shots
+from hoopgen.simulation.engine import Engine
+from hoopgen.simulation.hoop import HOOP
+from hoopgen.simulation.simulate import simulate
+from hoopgen.study.models.resample import EachRow, Resample
+from hoopgen.study.models.scatter import Scatter
+from hoopgen.study.statistics.intervals import newcombe
+from hoopgen.study.statistics.tally import check_scene
+from hoopgen.text.shorten import brief
+
+from .monte_carlo import outcome_by
+from .process_pool import TaskRunner, run_serially
+
+Bounds = tuple[float, float]
+"""Bounds of a variable: low, high."""
+
+By = Literal["any", "direct", "bank"]
+
+BY: Mapping[str, str] = {
+    "any": "made",
+    "direct": "made, the board not touched first",
+    "bank": "made, the board touched first",
+}
+"""The definitions of success."""
+
+WAYS_IN = ("swish", "rim", "bank")
+"""Ways in which a made shot goes in: it touches nothing, the ring or the bridge first, the board
+first."""
+
+_BACKBOARD = SURFACES.index("backboard")
+
+TASK = 1 << 14
+"""Shots of a task: some hundredths of a second."""
+
+
+@dataclass(frozen=True)
+class Successes:
+    """The successes among shots.
+
+    Attributes
+    ----------
+    kind
+        Of single shots, where there is a hoop: the `Kind` of each.
+    """
+
+    made: NDArray[Any]  # how many succeeded, or of single shots which did
+    valid: NDArray[Any]  # how many could be simulated, or which. An invalid shot is no trial
+    kind: NDArray[np.uint8] = field(default_factory=lambda: np.zeros(0, np.uint8))
+
+    @property
+    def share(self) -> NDArray[np.float64]:
+        """Share of the valid shots that succeeded; NaN if there are none."""
+        share = np.full(self.valid.shape, np.nan)
+        np.divide(self.made, self.valid, out=share, where=self.valid > 0)
+        return share
+
+
+@dataclass(frozen=True)
+class Player:
+    """A scatter, the scene, and what counts.
+
+    Attributes
+    ----------
+    model
+        How shots lie about a candidate; without scatter it is one shot.
+    parameters
+        Of the scene, one number each.
+    by
+        One of `BY`; where there is no hoop, an end of the scene.
+    runner
+        Runs the tasks that simulate.
+    scene
+        The scene itself.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If one is not as described.
+    """
+
+    model: Scatter | Resample = field(default_factory=lambda: Scatter({}))
+    parameters: Mapping[str, Any] = field(default_factory=lambda: PAPER)
+    by: str = "any"
+    runner: TaskRunner = field(default=run_serially, compare=False)
+    scene: Engine = HOOP
+
+    def __post_init__(self) -> None:
+        if not self.scene.has_hoop:
+            outcome_by(self.scene, self.by)
+        elif self.by not in BY:
+            raise ValueError(f"by: expected {', '.join(BY)}, got {brief(self.by)}")
+        check_scene(self.parameters, self.scene)
+        object.__setattr__(self, "parameters", complete(self.parameters, self.scene.table))
+
+    def at(self, values: Mapping[str, float]) -> Player:
+        """Return the player in the scene whose parameters are among the values, or as they were."""
+        scene = {name: value for name, value in values.items() if name in self.parameters}
+        return replace(self, parameters={**self.parameters, **scene})
+
+    def sampled(self, values: Mapping[str, ArrayLike], shots: int, seed: int = 0) -> Successes:
+        """Return how many of the first shots of a seed succeed, and how many are valid.
+
+        Parameters
+        ----------
+        values
+            Variables of the candidates, one number or (m,).
+
+        Returns
+        -------
+        Successes
+            Counts, (m,). The shots of each are those that the model's `draw` gives; of an
+            `EachRow` no more than it has.
+        """
+        shots = self._at_most(shots)
+        given = {name: np.atleast_1d(as_doubles(name, value)) for name, value in values.items()}
+        names, columns = tuple(given), np.broadcast_arrays(*given.values())
+        count, many = columns[0].size, min(shots, TASK)
+        few = TASK // many
+        worker, work = replace(self, runner=run_serially), []
+        for low in range(0, count, few):
+            some = {n: c[low : low + few] for n, c in zip(names, columns, strict=True)}
+            work += [
+                partial(worker.count, some, start, min(start + many, shots), seed)
+                for start in range(0, shots, many)
+            ]
+        # One alone is done in less time than it takes to keep it.
+        tables = self.runner(work) if len(work) > 1 else run_serially(work)
+        total = np.zeros((2, count), np.int64)
+        blocks = len(range(0, shots, many))
+        for place, table in enumerate(tables):
+            low = place // blocks * few
+            counts = [table[name].to_numpy() for name in ("made", "valid")]
+            total[:, low : low + few] += np.stack(counts)
+        return Successes(*total)
+
+    def count(
+        self, values: Mapping[str, NDArray[np.float64]], start: int, stop: int, seed: int
+    ) -> pa.Table:
+        """Return how many of shots `start` to `stop` - 1 of candidates (m,) succeed, are valid."""
+        made, valid = self._judged(self._simulated(values, start, stop, seed))
+        counts = [one.reshape(-1, stop - start).sum(axis=-1) for one in (made, valid)]
+        return pa.table(dict(zip(("made", "valid"), counts, strict=True)))
+
+    def scored(self, values: Mapping[str, float], shots: int = 1, seed: int = 0) -> Successes:
+        """Return which shots of one candidate succeed, which are valid, their kinds, (shots,)."""
+        shots = self._at_most(shots)
+        blocks = [
+            self._scored(values, start, min(start + TASK, shots), seed)
+            for start in range(0, shots, TASK)
+        ]
+        columns = [(one.made, one.valid, one.kind) for one in blocks]
+        return Successes(*map(np.concatenate, zip(*columns, strict=True)))
+
+    def tally(
+        self, values: Mapping[str, float], shots: int, seed: int = 0
+    ) -> tuple[Successes, dict[str, int]]:
+        """Return how many of one candidate's shots succeed, are valid, and succeed in which way.
+
+        The ways are those of `ways_of`; there are none without a hoop.
+        """
+        worker, shots = replace(self, runner=run_serially), self._at_most(shots)
+        starts = range(0, shots, TASK)
+        work = [
+            partial(worker.tallied, values, one, min(one + TASK, shots), seed) for one in starts
+        ]
+        total = pa.concat_tables(self.runner(work) if len(work) > 1 else run_serially(work))
+        sums = {name: int(np.sum(total[name].to_numpy())) for name in total.column_names}
+        successes = Successes(np.array(sums.pop("made")), np.array(sums.pop("valid")))
+        return successes, sums
+
+    def tallied(self, values: Mapping[str, float], start: int, stop: int, seed: int) -> pa.Table:
+        """Return the row of a table of what `tally` counts of shots `start` to `stop` - 1."""
+        one = self._scored(values, start, stop, seed)
+        found = {"made": int(one.made.sum()), "valid": int(one.valid.sum())}
+        found |= ways_of(one.made, one.kind) if self.scene.has_hoop else {}
+        return pa.table({name: [count] for name, count in found.items()})
+
+    def _scored(self, values: Mapping[str, float], start: int, stop: int, seed: int) -> Successes:
+        """Return which of shots `start` to `stop` - 1 succeed, are valid, and their kinds."""
+        one = {name: np.atleast_1d(as_doubles(name, value)) for name, value in values.items()}
+        simulated = self._simulated(one, start, stop, seed, ("counts",))
+        kind = np.zeros(stop - start, np.uint8)
+        if self.scene.has_hoop:
+            kind = kinds(simulated.outcome, simulated.counts, simulated.first)
+        return Successes(*self._judged(simulated), kind)
+
+    def _at_most(self, shots: int) -> int:
+        """Return how many shots are thrown: of measured releases in their order, all at most."""
+        return min(shots, self.model.most) if isinstance(self.model, EachRow) else shots
+
+    def _judged(self, shots: Shots) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Return which shots succeed, and which are valid."""
+        if self.scene.has_hoop:
+            made = shots.outcome == Outcome.MADE
+            if self.by != "any":
+                made &= (shots.first == _BACKBOARD) == (self.by == "bank")
+        else:
+            made = shots.outcome == outcome_by(self.scene, self.by)
+        return made, np.asarray(shots.outcome != self.scene.outcomes["INVALID"])
+
+    def _simulated(
+        self,
+        values: Mapping[str, NDArray[np.float64]],
+        start: int,
+        stop: int,
+        seed: int,
+        more: tuple[str, ...] = (),
+    ) -> Shots:
+        """Simulate shots `start` to `stop` - 1 of each candidate, one candidate after the other."""
+        releases = self.model.around(
+            {name: value[:, None] for name, value in values.items()},
+            self.model.noise(start, stop, seed),
+            self.parameters,
+            stop - start,
+        )
+        return simulate(
+            releases.states,
+            releases.parameters,
+            scene=self.scene,
+            threads=1,
+            fields=("outcome", "first", *(more if self.scene.has_hoop else ())),
+        )
+
+
+def ways_of(made: NDArray[np.bool_], kind: NDArray[np.uint8]) -> dict[str, int]:
+    """Return how many made shots touch nothing, touch the board first, and the others.
+
+    Parameters
+    ----------
+    made
+        Which count, (n,).
+    kind
+        The `Kind` of each, (n,).
+    """
+    swish, bank = kind == Kind.SWISH, np.isin(kind, (Kind.BANK, Kind.BANK_RIM))
+    found = made & swish, made & ~swish & ~bank, made & bank
+    return dict(zip(WAYS_IN, (int(one.sum()) for one in found), strict=True))
+
+
+def paired(mine: Successes, others: Successes, confidence: float) -> tuple[float, float, float]:
+    """Return by how much the share of the first shots is above that of the second, and interval.
+
+    Of the pairs in which both are valid; the difference is NaN if there are none.
+    """
+    valid = mine.valid & others.valid
+    first, second = mine.made[valid], others.made[valid]
+    both, only_first, only_second, neither = (
+        int((a & b).sum()) for a in (first, ~first) for b in (second, ~second)
+    )
+    difference = (only_first - only_second) / len(first) if len(first) else nan
+    return difference, *newcombe(both, only_first, only_second, neither, confidence)
+
+
+def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:
+    """Return the values of variables, each one number."""
+    check_names(argument, values, VARIABLES)
+    plain = {}
+    for name, value in values.items():
+        number = as_doubles(f"{argument}[{name!r}]", value)
+        if number.ndim:
+            raise ValueError(f"{argument}[{name!r}]: expected one number, got {brief(value)}")
+        plain[name] = float(number)
+    check_angles(argument, plain)
+    return plain
+
+
+def arguments_of(
+    values: Mapping[str, float], parameters: Mapping[str, float] = PAPER
+) -> dict[str, float]:
+    """Return variables of one release as arguments of `hoopgen.release`.
+
+    The parameters of the scene are not taken from the values; see `Player.at`.
+    """
+    given = {name: as_doubles(name, value) for name, value in values.items() if name not in NAMES}
+    columns = release_arguments(given, parameters["gravity"])
+    return {name: columns[name].item() for name in ARGUMENTS}

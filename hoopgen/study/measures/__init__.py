@@ -1,0 +1,1 @@
+"""Quantities measured of shots beside their outcome: entry, clearance, rebounds."""

@@ -1,0 +1,74 @@
+"""Random numbers by counter: what shot i draws depends on the seed, on what it is for, and on i.
+
+Philox (Salmon et al. 2011, *Parallel random numbers: as easy as 1, 2, 3*) is keyed by the seed and
+a stream, one for each variable, and counts shots. So a shot is the same whatever the chunks and
+threads, and two settings drawn from one seed share their random numbers.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import ndtri
+
+from hoopgen.core.validation import check_count
+
+ROW_OF_RELEASES, ROW_OF_SAMPLE, ORDER_OF_ROWS = 1 << 32, 2 << 32, 3 << 32
+SMOOTHING = 4 << 32
+"""Streams that choose rows, of measured releases and of a table to look at, that shuffle measured
+releases, and from here on smooth them; those of variables are far below. A choice by the numbers
+that made the rows would not be a random one."""
+
+_WORDS = 4
+"""64-bit words that one step of Philox's counter gives."""
+
+
+def uniforms(seed: int, stream: int, start: int, stop: int) -> NDArray[np.float64]:
+    """Return numbers of shots `start` to `stop` - 1, uniform in the open interval (0, 1).
+
+    Parameters
+    ----------
+    seed
+        From 0 to 2^64 - 1; the key's lower half.
+
+    Returns
+    -------
+    ndarray
+        (stop - start,), odd multiples of 2^-53.
+    """
+    skip = start % _WORDS
+    generator = np.random.Philox(key=check_seed(seed) + (stream << 64), counter=start // _WORDS)
+    words = np.asarray(generator.random_raw(skip + stop - start))[skip:]
+    words >>= np.uint64(12)
+    # 52 bits and a half: exact, and neither 0 nor 1.
+    numbers = words.astype(np.float64)
+    numbers += 0.5
+    numbers *= 2.0**-52
+    return numbers
+
+
+def normals(seed: int, stream: int, start: int, stop: int) -> NDArray[np.float64]:
+    """Return standard normal numbers of shots `start` to `stop` - 1, one from each uniform one.
+
+    The inverse of the distribution, which takes one number for one: nothing is rejected, so that
+    the counter stays the shot's index.
+    """
+    numbers = uniforms(seed, stream, start, stop)
+    ndtri(numbers, out=numbers)
+    return numbers
+
+
+def check_two_seeds(seed: int) -> int:
+    """Return a seed as an int: that of a search, after which there is one for fresh shots."""
+    if check_seed(seed) == 2**64 - 1:
+        raise ValueError(
+            f"seed: expected 2**64 - 2 at most, as the one after it is used too, got {seed}"
+        )
+    return int(seed)
+
+
+def check_seed(seed: int) -> int:
+    """Return the seed as an int."""
+    return check_count(
+        "seed", seed, least=0, most=2**64 - 1, expected="a whole number from 0 to 2**64 - 1"
+    )

@@ -1,0 +1,1 @@
+"""The questions of a study: estimate, compare, solve, map, optimum, bank, aim, margins, batch."""

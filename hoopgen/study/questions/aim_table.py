@@ -1,0 +1,198 @@
+"""A table for a machine that shoots: the release for each distance, and what it forgives."""
+
+from __future__ import annotations
+
+import csv
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from math import ceil
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.core.files import atomic_text_file
+from hoopgen.core.units import DEGREE, TURN, column_name
+from hoopgen.core.validation import as_doubles, check_spins
+from hoopgen.hoop.presets import PAPER
+from hoopgen.study.jobs.chunks import run
+from hoopgen.study.jobs.objective import By, Player
+from hoopgen.study.named_units import UNIT_OF
+from hoopgen.study.statistics.tally import check_scene
+
+from .aim import NUMBERS, Arc, aim
+from .margins import margins_about
+from .specification import TOLERANCES
+
+_SPINS = ("backspin", "sidespin")
+
+TABLE: Mapping[str, str] = {
+    name: UNIT_OF[name]
+    for name in (
+        *("distance", "angle", "height"),
+        *_SPINS,
+        *("speed", "elevation", "entry_angle", "time"),
+        *(f"{end}_{name}" for name in TOLERANCES for end in ("low", "high")),
+    )
+}
+"""Columns of a table and their units. From `low_speed` to `high_speed`, and so on, this one alone
+may be off, and the ball still goes in."""
+
+
+def aim_table(
+    distances: ArrayLike,
+    *,
+    height: ArrayLike,
+    angle: ArrayLike = 0.0,
+    entry: ArrayLike | None = None,
+    elevation: ArrayLike | None = None,
+    speed: ArrayLike | None = None,
+    arc: Arc = "high",
+    depth: ArrayLike = 0.0,
+    backspin: ArrayLike = 0.0,
+    sidespin: ArrayLike = 0.0,
+    by: By = "any",
+    parameters: Mapping[str, Any] = PAPER,
+    threads: int | None = None,
+    folder: str | os.PathLike[str] | None = None,
+    scheduler: str | None = None,
+    progress: Callable[[int, int | None], None] | None = None,
+) -> dict[str, NDArray[np.float64]]:
+    """Return the release for each distance, and how far it may be off.
+
+    Parameters
+    ----------
+    distances
+        From the ring's centre on the floor plan, m, (n,).
+    height, angle, entry, elevation, speed, arc, depth
+        As for `aim`: one number, or (n,).
+    backspin, sidespin
+        rad/s: one number, or (n,).
+    by
+        What counts: "any" shot made, "direct" if the board is not touched first, "bank" if it is.
+    parameters
+        Of the scene, one number each.
+    threads, folder, scheduler, progress
+        As for `hoopgen.estimate`.
+
+    Returns
+    -------
+    dict
+        The columns of `TABLE`, (n,) each. The ends of a tolerance are those of the connected
+        interval about the aim, found by simulation as `margins` does: looked for up to 25% of the
+        speed and 25° away, in steps of a 2000th of that, within which a gap may be overlooked, and
+        then bisected. They are NaN where the aimed shot does not go in itself; speed, angles and
+        time too where there is no such aim.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not as described.
+    """
+    places = np.atleast_1d(as_doubles("distances", distances))
+    if places.ndim != 1:
+        raise ValueError(f"distances: expected shape (n,), got {places.shape}")
+    found = aim(
+        height=height,
+        distance=places,
+        angle=angle,
+        entry=entry,
+        elevation=elevation,
+        speed=speed,
+        arc=arc,
+        depth=depth,
+        parameters=parameters,
+    )
+    columns = {
+        "backspin": as_doubles("backspin", backspin),
+        "sidespin": as_doubles("sidespin", sidespin),
+    }
+    check_spins("aim", columns)
+    columns |= {name: np.asarray(getattr(found, name)) for name in NUMBERS}
+    count = len(places)
+    for name, column in columns.items():
+        if column.shape not in ((), (count,)):
+            raise ValueError(f"{name}: expected one number or {count}; got shape {column.shape}")
+    table = {name: np.full(count, np.nan) for name in TABLE}
+    for name, column in columns.items():
+        table[name][:] = column
+    scene = check_scene(parameters)
+    Player(parameters=scene, by=by)  # what is wrong shows before a folder is made
+    rows = np.flatnonzero(np.isfinite(table["speed"]))
+    job = _TableJob({name: table[name][rows] for name in (*found.arguments, *_SPINS)}, scene, by)
+    done = run(job, folder, scheduler=scheduler, threads=threads, progress=progress)
+    for chunk, ends in enumerate(done):
+        some = rows[chunk * ROWS : (chunk + 1) * ROWS]
+        for name in ends.column_names:
+            table[name][some] = ends[name].to_numpy()
+    return table
+
+
+ROWS = 16
+"""Rows in a chunk: a small part of a second."""
+
+
+@dataclass(frozen=True)
+class _TableJob:
+    """A job of `chunks.run`: how far the releases of a table may be off, some rows a chunk."""
+
+    releases: Mapping[str, NDArray[np.float64]]
+    parameters: Mapping[str, float]
+    by: By
+
+    @property
+    def chunks(self) -> int:
+        """The number of chunks."""
+        return ceil(len(self.releases["speed"]) / ROWS)
+
+    def identity(self) -> dict[str, Any]:
+        """Return what the chunks depend on."""
+        releases = {name: column.tolist() for name, column in self.releases.items()}
+        return {"aim": releases, "parameters": dict(self.parameters), "by": self.by}
+
+    def compute(self, chunk: int) -> pa.Table:
+        """Return the ends of each row's tolerances, by the names of `TABLE`."""
+        start = chunk * ROWS
+        some = {name: c[start : start + ROWS] for name, c in self.releases.items()}
+        columns = [f"{end}_{name}" for name in TOLERANCES for end in ("low", "high")]
+        ends: dict[str, list[float]] = {name: [] for name in columns}
+        player = Player(parameters=self.parameters, by=self.by)
+        for row in range(len(some["speed"])):
+            aimed = {name: column[row].item() for name, column in some.items()} | {"azimuth": 0.0}
+            for name, margin in margins_about(aimed, TOLERANCES, player, 1, 0, 0.5).items():
+                ends[f"low_{name}"].append(margin.low)
+                ends[f"high_{name}"].append(margin.high)
+        return pa.table(ends)
+
+
+_SHOWN: Mapping[str, tuple[str, float]] = {"rad": ("deg", DEGREE), "rad/s": ("Hz", TURN)}
+"""Units of files, whose numbers are set on a machine, in place of others, and their sizes."""
+
+
+def write_csv(
+    path: str | os.PathLike[str],
+    table: Mapping[str, NDArray[np.float64]],
+    parameters: Mapping[str, float] = PAPER,
+) -> None:
+    """Write a table of `aim_table`: degrees and Hz, the unit in each column's name.
+
+    What is NaN is left empty. The last columns are the parameters of the scene, so that
+    `hoopgen.batch` flies the releases in it; SI.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be written; what was there before stays.
+    """
+    shown = {name: _SHOWN.get(TABLE[name], (TABLE[name], 1.0)) for name in table}
+    columns = [table[name] / size for name, (_, size) in shown.items()]
+    with atomic_text_file(path) as file:
+        writer = csv.writer(file, lineterminator="\n")
+        names = (column_name(name, unit) for name, (unit, _) in shown.items())
+        writer.writerow([*names, *parameters])
+        for row in zip(*columns, strict=True):
+            # Ten digits: more than a machine holds, and no traces of the conversion.
+            cells = ["" if np.isnan(cell) else f"{cell:.10g}" for cell in row]
+            writer.writerow([*cells, *map(float, parameters.values())])

@@ -1,0 +1,1 @@
+"""Statistics of shots: tallies, confidence intervals, distributions."""

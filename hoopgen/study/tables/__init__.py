@@ -1,0 +1,1 @@
+"""Tables of releases and of results: read, interpreted, filtered, written."""

@@ -1,0 +1,231 @@
+"""A slow reference for any scene of pieces: it steps along the flight and looks at distances.
+
+It shares nothing with hoopgen but the pieces a user writes: Python evaluates sizes, distances
+are geometry, a step is no longer than the nearest body allows, and where a distance changes its
+sign Brent's method finds the time. In doubles, so times agree to rounding errors that each bounce
+multiplies; where a decision is closer than `CLOSE`, the shot is said to be close.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from hoopgen.scene import Box, Cylinder, End, Plane, Scene, Sphere, Torus
+from hoopgen.scene.pieces import Body
+
+Vector = NDArray[np.float64]
+
+CLOSE = 1e-7
+"""Metres within which the reference trusts no decision of its own."""
+
+SHORTEST, LONGEST = 1e-4, 0.05
+"""Steps, s. What begins and ends within the shortest is seen as a root of the distance over time,
+or as close."""
+
+
+@dataclass
+class Flown:
+    """The path of a shot: body and time of each contact, its end, and whether it was ever close."""
+
+    contacts: list[tuple[int, float]] = field(default_factory=list)
+    outcome: str = "capped"
+    time: float = 0.0
+    close: bool = False
+    state: list[float] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Face:
+    """Distance from the ball to a whole surface, the point of it that is nearest, its bounds."""
+
+    index: int
+    distance: Callable[[Vector], float]
+    nearest: Callable[[Vector], Vector]
+    within: Callable[[Vector], float]
+    restitution: float
+
+
+class Slow:
+    """Shots of a scene, one at a time.
+
+    Parameters
+    ----------
+    scene
+        Of pieces.
+    parameters
+        Names and numbers; what is left out has its default.
+    """
+
+    def __init__(self, scene: Scene, parameters: Mapping[str, float] | None = None) -> None:
+        defaults = {p.name: p.default for p in scene.parameters}
+        self._values = defaults | dict(parameters or {})
+        self._ball, self._inertia = self._size(scene.ball_radius), self._size(scene.inertia)
+        axis, way = _axis(scene.down)
+        self._fall = np.zeros(3)
+        self._fall[axis] = way * self._size(scene.gravity)
+        self._scene = scene
+        self._faces = [self._face(k, body) for k, body in enumerate(scene.bodies)]
+        self._ends = [(name, *self._end(end)) for name, end in scene.ends.items()]
+
+    def _size(self, written: Any, **place: float) -> float:
+        """Return what a test's own text says: it is Python's to evaluate."""
+        return float(eval(str(written), {"sqrt": math.sqrt, **self._values, **place}))
+
+    def _within(self, written: Sequence[Any]) -> Callable[[Vector], float]:
+        """Return the largest of the bounds at a point: not above 0 where the body is there."""
+
+        def worst(point: Vector) -> float:
+            place = dict(zip("xyz", point.tolist(), strict=True))
+            return max((self._size(one, **place) for one in written), default=-math.inf)
+
+        return worst
+
+    def _face(self, index: int, body: Body) -> Face:
+        distance, nearest = self._geometry(body)
+        within = self._within(body.within)
+        if isinstance(body, Cylinder):
+            axis = "xyz".index(body.axis[-1])
+            low, high = (
+                way * math.inf if end is None else self._size(end)
+                for way, end in zip((-1, 1), body.span, strict=True)
+            )
+            flat = within
+            within = lambda q: max(low - q[axis], q[axis] - high, flat(q))  # noqa: E731
+        own = self._scene.restitution if body.restitution is None else body.restitution
+        return Face(index, distance, nearest, within, self._size(own))
+
+    def _geometry(self, body: Body) -> tuple[Callable[[Vector], float], Callable[[Vector], Vector]]:
+        """Return the ball's distance from a body's surface, and the point of it that is nearest."""
+        ball = self._ball
+        if isinstance(body, Plane):
+            axis, way = _axis(body.axis)
+            at = self._size(body.at)
+            unit = np.eye(3)[axis] * way
+            return (lambda p: p @ unit - at - ball), (lambda p: p - (p @ unit - at) * unit)
+        if isinstance(body, Box):
+            middle, size = (np.array([*map(self._size, v)]) for v in (body.centre, body.size))
+            low, high = middle - size / 2, middle + size / 2
+            nearest = lambda p: np.clip(p, low, high)  # noqa: E731
+            return (lambda p: np.linalg.norm(p - nearest(p)) - ball), nearest
+        assert isinstance(body, Sphere | Cylinder | Torus)
+        centre = np.array([*map(self._size, body.centre)])
+        radius = self._size(body.radius)
+        kept = np.ones(3)
+        if not isinstance(body, Sphere):
+            kept["xyz".index(body.axis[-1])] = 0.0
+        if isinstance(body, Torus):
+            wire = self._size(body.wire)
+
+            def on_circle(p: Vector) -> Vector:
+                across = (p - centre) * kept
+                return centre + across * (radius / np.linalg.norm(across))
+
+            def on_wire(p: Vector) -> Vector:
+                core = on_circle(p)
+                return core + (p - core) * (wire / np.linalg.norm(p - core))
+
+            return (lambda p: np.linalg.norm(p - on_circle(p)) - wire - ball), on_wire
+        side = -1 if body.inside else 1
+
+        def on_side(p: Vector) -> Vector:
+            across = (p - centre) * kept
+            return p - across + across * (radius / np.linalg.norm(across))
+
+        return (lambda p: side * (np.linalg.norm((p - centre) * kept) - radius) - ball), on_side
+
+    def _end(self, end: End) -> tuple[Callable[[Vector], float], Callable[[Vector], float]]:
+        axis, way = _axis(end.axis)
+        at = self._size(end.at)
+        return (lambda p: p[axis] * way - at), self._within(end.within)
+
+    def fly(self, start: Sequence[float], max_contacts: int, time_limit: float = 60.0) -> Flown:
+        """Return what a shot does."""
+        x, v, w = (np.array(start[k : k + 3], float) for k in (0, 3, 6))
+        flown, last = Flown(), -1
+        while len(flown.contacts) < max_contacts:
+            found = self._next(x, v, last, time_limit - flown.time, flown)
+            if found is None:
+                flown.outcome = "endless"
+                return flown
+            time, what = found
+            flown.time += time
+            x, v = self._there(time, x, v)
+            flown.state = [*x, *v, *w]
+            if isinstance(what, str):
+                flown.outcome = what
+                return flown
+            last = what
+            flown.contacts.append((what, flown.time))
+            v, w = self._bounce(self._faces[what], x, v, w)
+        flown.state = [*x, *v, *w]
+        return flown
+
+    def _there(self, t: float, x: Vector, v: Vector) -> tuple[Vector, Vector]:
+        return x + v * t + self._fall * (t * t / 2), v + self._fall * t
+
+    def _next(
+        self, x: Vector, v: Vector, last: int, room: float, flown: Flown
+    ) -> tuple[float, int | str] | None:
+        """Return time and body, or name, of the first contact or end."""
+        time = 0.0
+        gaps = [*(f.distance for f in self._faces), *(gap for _, gap, _ in self._ends)]
+        before = [1.0 if k == last else gap(x) for k, gap in enumerate(gaps)]
+        while time < room:
+            place, velocity = self._there(time, x, v)
+            speed = np.linalg.norm(velocity) + np.linalg.norm(self._fall) * LONGEST
+            free = min(abs(gap(place)) for gap in gaps) / speed
+            step = min(max(SHORTEST, free), LONGEST)
+            after = [gap(self._there(time + step, x, v)[0]) for gap in gaps]
+            found = []
+            for k, (gap, was, now) in enumerate(zip(gaps, before, after, strict=True)):
+                if was > 0.0 >= now:
+                    begin = 1e-9 if k == last and time == 0.0 else time
+                    at = lambda t, gap=gap: gap(self._there(t, x, v)[0])  # noqa: E731
+                    if at(begin) <= 0.0:
+                        flown.close = True
+                        continue
+                    found.append((brentq(at, begin, time + step, xtol=1e-15, rtol=1e-14), k))
+                elif 0.0 < now < CLOSE or (0.0 < was < CLOSE and k != last):
+                    flown.close = True
+            arrival = self._first(sorted(found), x, v, flown)
+            if arrival is not None:
+                return arrival
+            time, before = time + step, after
+        return None
+
+    def _first(
+        self, found: list[tuple[float, int]], x: Vector, v: Vector, flown: Flown
+    ) -> tuple[float, int | str] | None:
+        """Return the first arrival that is within its bounds."""
+        for place, (time, k) in enumerate(found):
+            there, velocity = self._there(time, x, v)
+            ends = k >= len(self._faces)
+            point = there if ends else self._faces[k].nearest(there)
+            within = self._ends[k - len(self._faces)][2] if ends else self._faces[k].within
+            side = within(point)
+            # A bound that is square changes faster than a length, or slower.
+            flown.close |= abs(side) < CLOSE
+            if side <= 0.0:
+                later = [t for t, other in found[place + 1 :] if not (ends and other > k)]
+                flown.close |= any((t - time) * np.linalg.norm(velocity) < CLOSE for t in later)
+                return time, self._ends[k - len(self._faces)][0] if ends else k
+        return None
+
+    def _bounce(self, face: Face, x: Vector, v: Vector, w: Vector) -> tuple[Vector, Vector]:
+        """Return velocity and spin after the impulse that stops the slip."""
+        normal = (x - face.nearest(x)) / self._ball
+        slip = v - (v @ normal) * normal + np.cross(w, -self._ball * normal)
+        push = -self._inertia / (1 + self._inertia) * slip
+        turn = -1 / (self._inertia * self._ball) * np.cross(normal, push)
+        return v + push - (1 + face.restitution) * (v @ normal) * normal, w + turn
+
+
+def _axis(written: str) -> tuple[int, int]:
+    return "xyz".index(written[-1]), -1 if written[0] == "-" else 1

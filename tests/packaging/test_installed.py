@@ -1,0 +1,209 @@
+"""The installed package: what `import hoopgen` gives anywhere, and hints that work there."""
+
+from __future__ import annotations
+
+import shlex
+import shutil
+import subprocess
+import sys
+import sysconfig
+from importlib.metadata import requires
+from pathlib import Path
+
+import pytest
+
+import hoopgen
+from hoopgen.core import extras
+from tests.helpers import ROOT
+
+ROOMS = ("hoopgen", "derive", "generated", "templates")
+SITE = sysconfig.get_paths()["purelib"]
+
+
+def python(code: str, *arguments: str | Path, cwd: Path = ROOT) -> str:
+    """Run code without site-packages, so without the finder of an editable installation."""
+    done = subprocess.run(
+        [sys.executable, "-S", "-c", code, *arguments],
+        cwd=cwd,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Sources with no compiled library and no installation that knows of them."""
+    root = tmp_path_factory.mktemp("checkout")
+    for room in ROOMS:
+        ignored = shutil.ignore_patterns("__pycache__", "_hoop.*", "_court.*")
+        shutil.copytree(ROOT / room, root / room, ignore=ignored)
+    shutil.copy(ROOT / "pyproject.toml", root)
+    return root
+
+
+# --------------------------------------------------------------------------------- in a checkout
+
+# After ``-S`` other packages are found, hoopgen's own installation is not: no .pth file is read.
+_IN_CHECKOUT = f"""
+import sys
+sys.path[:0] = [sys.argv[1]]
+sys.path.append({SITE!r})
+"""
+
+
+def test_hoopgen_is_imported_in_a_checkout_that_shadows_an_installation(checkout: Path) -> None:
+    code = f"""{_IN_CHECKOUT}
+import hoopgen, hoopgen.derive, hoopgen.generated, hoopgen.templates
+print(hoopgen.__file__, hoopgen.generated.__file__)
+print(hoopgen.simulate(hoopgen.release(7.17, 0.89, height=2.13, distance=4.19)).outcome[0])
+"""
+    where, outcome = python(code, checkout).splitlines()
+    assert where.split() == [str(checkout / room / "__init__.py") for room in ("hoopgen", ROOMS[2])]
+    assert outcome == "0"
+
+
+def test_a_checkout_that_is_not_installed_knows_its_version(checkout: Path) -> None:
+    code = f"""{_IN_CHECKOUT}
+from importlib import metadata
+from hoopgen.core import extras
+def nothing(name):
+    raise metadata.PackageNotFoundError(name)
+extras.distribution = nothing
+import hoopgen
+print(hoopgen.__version__)
+"""
+    assert python(code, checkout) == f"{hoopgen.__version__}\n"
+
+
+# ------------------------------------------------------------------------------------ what is shown
+
+
+def test_tab_completion_shows_the_interface_and_nothing_else() -> None:
+    shown = {name for name in dir(hoopgen) if not name.startswith("__")}
+    assert shown == {
+        *("simulate", "certify", "release", "Outcome", "SURFACES", "Shots", "Trajectory"),
+        *("PAPER", "NBA", "FIBA", "Scatter", "Resample", "Grid", "estimate", "compare", "map"),
+        *("solve", "optimum", "margins", "bank_or_direct", "aim", "measure", "batch", "run_study"),
+        *("view", "plots", "HOOP", "Scene", "compile", "load_scene", "scene"),
+        *("why_invalid", "COURT", "Event", "PAPER_COURT", "NBA_COURT", "FIBA_COURT"),
+    }
+    assert {"__version__", "__doc__", "__path__"} <= set(dir(hoopgen))
+
+
+def test_all_that_is_shown_is_there() -> None:
+    for extra in ("matplotlib", "xarray", "scipy", "pyarrow", "pydantic", "flint", "sympy"):
+        pytest.importorskip(extra)
+    for name in dir(hoopgen):
+        assert getattr(hoopgen, name) is not None
+
+
+def test_plots_are_there_after_import_and_nothing_is_loaded_before() -> None:
+    pytest.importorskip("matplotlib")
+    code = """
+import sys, hoopgen
+from hoopgen.core.validation import as_doubles  # modules that are not shown are still there
+assert not {"matplotlib", "sympy", "hoopgen.plots"} & set(sys.modules)
+print(hoopgen.plots.plot_fan.__name__)
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "plot_fan\n"
+
+
+def test_what_there_is_not_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="module 'hoopgen' has no attribute 'estimates'"):
+        _ = hoopgen.estimates
+
+
+# ------------------------------------------------------------------------------------------- hints
+
+
+class Away:
+    """An installation that is no checkout's."""
+
+    version = "0.1.0"
+    requires = requires("hoopgen")
+
+    @staticmethod
+    def read_text(name: str) -> None:
+        return None
+
+
+def hint(missing: str) -> list[str]:
+    """Return the command of the hint, as a shell takes it."""
+    error = extras.explain_import_error(ModuleNotFoundError(name=missing), "a picture")
+    said, _, command = str(error).partition(": ")
+    assert said == f"a picture needs {missing}"
+    return shlex.split(command)
+
+
+@pytest.mark.parametrize("missing", extras.EXTRAS)
+def test_away_from_a_checkout_the_packages_themselves_are_named(
+    missing: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(extras, "checkout", lambda: None)
+    monkeypatch.setattr(extras, "distribution", lambda name: Away)
+    pip, install, *packages = hint(missing)
+    assert (pip, install) == ("pip", "install")
+    assert packages
+    others = {"flint": "python-flint", "distributed": "dask", "markdown_it": "markdown-it-py"}
+    package = others.get(missing, missing)
+    assert any(one.startswith(package) for one in packages)
+    assert not any("hoopgen" in one or ";" in one for one in packages)
+
+
+def test_in_a_checkout_its_folder_is_named_with_the_extra(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(extras, "checkout", lambda: Path("/my work/hoopgen"))
+    monkeypatch.setattr(extras, "distribution", lambda name: Away)
+    assert hint("pyarrow") == ["pip", "install", "/my work/hoopgen[study]"]
+    assert hint("pandas") == ["pip", "install", "pandas"]
+
+
+def test_an_editable_installation_stays_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(extras, "checkout", lambda: Path("/home/ann/hoopgen"))
+    monkeypatch.setattr(extras, "distribution", lambda name: Away)
+    told = '{"url": "file:///home/ann/hoopgen", "dir_info": {"editable": true}}'
+    monkeypatch.setattr(Away, "read_text", lambda name: told)
+    assert hint("flint") == ["pip", "install", "-e", "/home/ann/hoopgen[certify]"]
+
+
+def test_other_import_errors_stay_as_they_are() -> None:
+    error = ImportError("no", name="hoopgen.nothing")
+    assert extras.explain_import_error(error) is error
+
+
+@pytest.mark.parametrize(
+    ("name", "missing"),
+    [("plots", "matplotlib"), ("estimate", "pyarrow"), ("map", "xarray"), ("certify", "flint")],
+)
+def test_what_lacks_something_says_how_to_get_it(name: str, missing: str) -> None:
+    code = f"""
+import sys
+sys.modules[{missing!r}] = None
+import hoopgen
+try:
+    hoopgen.{name}
+except ImportError as error:
+    print(error)
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert f"{name} needs {missing}: pip install " in done.stdout
+
+
+def test_aiming_needs_no_extra() -> None:
+    code = """
+import sys
+for missing in ("matplotlib", "pandas", "pyarrow", "pydantic", "scipy", "xarray"):
+    sys.modules[missing] = None
+import hoopgen
+print(hoopgen.aim(height=2.0, distance=4.0)._repr_html_().count("<tr>"))
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "2\n"
+
+
+def test_no_hint_names_an_index_that_has_no_hoopgen() -> None:
+    for path in (*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("hoopgen/**/*.py")):
+        assert "install 'hoopgen[" not in path.read_text(encoding="utf-8"), path

@@ -1,0 +1,509 @@
+"""Any scene is drawn from its own data: its bodies in pictures and on pages, and its ends."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from tests.helpers import ROOT
+from tests.helpers.commands import run, succeed
+
+pytest.importorskip("matplotlib")
+
+from matplotlib.axes import Axes
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
+from matplotlib.patches import PathPatch
+
+import hoopgen
+from benchmarks import pictures
+from hoopgen.core.colours import body_colours
+from hoopgen.plots.scenery import scenery_of
+from hoopgen.plots.views import SIDE, TOP, oblique
+from hoopgen.scene import (
+    Box,
+    Cylinder,
+    End,
+    Parameter,
+    Plane,
+    Scene,
+    Sphere,
+    Surface,
+    Torus,
+    load_scene,
+)
+from hoopgen.scene.geometry import SceneGeometry, upright
+from hoopgen.scene.meshes import chains, clip, loops
+from hoopgen.simulation.engine import Engine
+from hoopgen.viewer import page
+from tests.scene.test_example_scenes import numpy_engine
+from tests.viewer.test_page import Tab, browser, data_of, drawn, show  # noqa: F401
+
+pytestmark = pytest.mark.xdist_group("view")  # one browser
+
+EXAMPLES = ROOT / "examples" / "scenes"
+Points = NDArray[np.float64]
+ROOM = np.full(3, -0.5), np.full(3, 0.5)
+ALL_AXES = ("x", "y", "z")
+BALL = 0.05
+
+KINDS = [
+    Sphere("ball", radius=0.2, centre=(0.1, 0, 0)),
+    Sphere("bowl", radius=0.3, inside=True, within=["z"]),
+    Box("crate", size=(0.1, 0.2, 0.3)),
+    Surface("ramp", condition="z - x**2 - y/4"),
+    *(Torus(f"ring_{a}", radius=0.3, wire=0.02, axis=a) for a in ALL_AXES),
+    *(Cylinder(f"post_{a}", radius=0.1, axis=a, span=(-0.2, 0.3)) for a in ALL_AXES),
+    *(Cylinder(f"pipe_{a}", radius=0.3, axis=a, inside=True) for a in ALL_AXES),
+    *(Plane(f"wall_{a}", axis=a, within=["0.04 - x**2 - y**2 - z**2"]) for a in ALL_AXES),
+    *(Plane(f"lid_{a}", axis=f"-{a}", at=0.1) for a in ALL_AXES),
+]
+
+
+def seen(*bodies: Any, ends: dict[str, End] | None = None) -> SceneGeometry:
+    scene = Scene(
+        "zoo", bodies=bodies, ball_radius=BALL, gravity=9.81, restitution=0.5, ends=ends or {}
+    )
+    return SceneGeometry(
+        scene, dict(zip((i.name for i in scene.inputs), scene.values(), strict=True))
+    )
+
+
+def area(corners: Points) -> float:
+    a, b, c = np.moveaxis(corners[..., :3], 1, 0)
+    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+
+
+# Bodies as triangles
+
+
+@pytest.mark.parametrize("body", KINDS, ids=lambda body: body.name)
+def test_every_triangle_faces_the_ball_that_touches_it(body: Any) -> None:
+    (one,) = seen(body).bodies(ROOM)
+    corners = one.mesh.corners
+    a, b, c = np.moveaxis(corners[..., :3], 1, 0)
+    towards = (corners[..., 3:] - corners[..., :3]).mean(axis=1)
+    assert len(corners)
+    assert (np.einsum("ij,ij->i", np.cross(b - a, c - a), towards) > -1e-15).all()
+    ways = corners[..., 3:] - corners[..., :3]
+    assert np.allclose(np.linalg.norm(ways, axis=-1), BALL, rtol=0.02, atol=0.0)
+
+
+def test_a_plane_with_a_round_hole_has_that_hole() -> None:
+    (green,) = seen(Plane("green", within=["0.01 - x**2 - y**2"])).bodies(ROOM)
+    assert area(green.mesh.corners) == pytest.approx(1.0 - 0.01 * np.pi, rel=1e-4)
+    assert np.hypot(*green.mesh.rims[..., :2].T) == pytest.approx(0.1, rel=1e-3)
+    (rim,) = chains(green.mesh.rims)
+    assert (rim[0] == rim[-1]).all()
+
+
+def test_bounds_cut_a_sphere_and_a_span_a_cylinder() -> None:
+    cap, post = seen(
+        Sphere("cap", radius=0.2, within=["0.1 - z"]), Cylinder("post", radius=0.1, span=(-0.2, 0))
+    ).bodies(ROOM)
+    assert cap.mesh.corners[..., 2].min() == pytest.approx(0.1, abs=1e-3)
+    assert area(cap.mesh.corners) == pytest.approx(2 * np.pi * 0.2 * 0.1, rel=0.01)
+    assert np.ptp(post.mesh.corners[..., 2]) == pytest.approx(0.2, abs=1e-12)
+    side, ends = 2 * np.pi * 0.1 * 0.2, 2 * np.pi * 0.1**2
+    assert area(post.mesh.corners) == pytest.approx(side + ends, rel=0.01)
+
+
+def test_a_surface_of_ones_own_lies_a_ball_below_its_condition() -> None:
+    (ramp,) = seen(Surface("ramp", condition="z - x**2 - y/4")).bodies(ROOM)
+    x, y, z = np.moveaxis(ramp.mesh.corners[..., 3:], -1, 0)
+    step = 1.1 / 40
+    assert np.abs(z - x**2 - y / 4).max() < step**2  # half the second derivative, at most
+    assert area(ramp.mesh.corners) > 0.8
+
+
+def test_a_body_far_away_and_one_without_end_leave_the_room_small() -> None:
+    there = seen(
+        Sphere("earth", radius=6.4e6, centre=(0, 0, -6.4e6)),
+        Cylinder("post", radius=0.1),
+        Plane("wall", axis="x", at=-0.6),
+    )
+    low, high = there.room(np.full(3, -0.5), np.full(3, 0.5))
+    assert (high - low < 4.0).all()
+    assert low[0] <= -0.6
+
+
+@pytest.mark.parametrize("way", [(k, sign) for k in range(3) for sign in (1, -1)])
+def test_gravity_is_turned_down(way: tuple[int, int]) -> None:
+    turn, names = upright(way)
+    gravity = np.zeros(3)
+    gravity[way[0]] = way[1]
+    assert (turn @ gravity).tolist() == [0, 0, -1]
+    assert np.linalg.det(turn) == 1.0
+    assert sorted(name[-1] for name in names) == ["x", "y", "z"]
+    for row, name in zip(turn, names, strict=True):
+        assert row["xyz".index(name[-1])] == (-1 if len(name) > 1 else 1)
+
+
+def test_a_corner_exactly_on_a_cut_leaves_no_line_behind() -> None:
+    square = np.array([[[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0], [0, 1, 0]]], float)
+    left, _, _ = clip(square, (square[..., 0] + square[..., 1] - 1.0))
+    assert len(left) == 1
+    (line,) = loops(left)
+    assert len(line) == 4
+
+
+def test_a_corner_all_but_on_a_cut_costs_no_outline() -> None:
+    """The first triangle keeps its side to the corner, whatever is left of the second."""
+    square = np.array([[[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0], [0, 1, 0]]], float)
+    for off in (0.0, 1e-20, 1e-17):
+        # Below 0 at all corners but (0, 1), where it is 0 or as good as that.
+        values = np.where(square[..., 1] > square[..., 0], off, -1.0)
+        left, _, _ = clip(square, values)
+        (line,) = loops(left)
+        assert sorted(map(tuple, line[:-1, :2].tolist())) == [(0, 0), (0, 1), (1, 0), (1, 1)]
+
+
+@pytest.mark.parametrize("view", [(0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)])
+@pytest.mark.parametrize("body", KINDS, ids=lambda body: body.name)
+def test_what_is_seen_of_a_body_has_closed_outlines(body: Any, view: Any) -> None:
+    (one,) = seen(body).bodies(ROOM)
+    corners = one.mesh.corners
+    facing = clip(corners, -((corners[..., 3:] - corners[..., :3]) @ np.array(view)))[0]
+    for line in loops(facing[..., :3]):
+        assert (line[0] == line[-1]).all()
+
+
+def test_families_share_a_colour_and_a_ring_has_the_hoops() -> None:
+    own = body_colours(["ring", "wall_a", "wall_b", "bumper_1", "bumper_2", "bar", "long_bar"])
+    assert own["wall_a"] == own["wall_b"] != own["bumper_1"] == own["bumper_2"]
+    assert own["ring"] == "#D55E00"
+    assert list(own.values()).count("#D55E00") == 1
+    assert own["bar"] != own["long_bar"]
+
+
+# Pictures
+
+
+def painted(axes: Axes) -> float:
+    """Return the area of all patches, m²: tones lie beside one another."""
+    total = 0.0
+    for patch in axes.patches:
+        assert isinstance(patch, PathPatch)
+        for polygon in patch.get_path().to_polygons():
+            x, y = polygon.T
+            total += float(np.dot(x[:-1], y[1:]) - np.dot(x[1:], y[:-1])) / 2.0
+    return abs(total)
+
+
+@pytest.mark.parametrize("view", [SIDE, TOP, oblique(0.6, 0.4)], ids=lambda view: view.name)
+@pytest.mark.parametrize("inside", [False, True])
+def test_a_sphere_covers_its_disc_in_every_view(view: Any, inside: bool) -> None:
+    scene = Scene(
+        "one",
+        bodies=[Sphere("ball", radius=0.3, inside=inside)],
+        ball_radius=BALL,
+        gravity=9.81,
+        restitution=0.5,
+    )
+    there = scenery_of(stand_in(scene), {}, np.array([[-0.3, -0.3, -0.3], [0.3, 0.3, 0.3]]))
+    axes = Figure().add_subplot()
+    there.draw(axes, there.look(view), 1.0)
+    assert painted(axes) == pytest.approx(np.pi * 0.09, rel=0.01)
+
+
+class _Kernels:
+    ENDS = ()
+
+
+class _StandIn:
+    """The part of an engine that a picture needs; it needs no derivation."""
+
+    is_hoop = has_hoop = False
+    kernels = _Kernels
+
+    def __init__(self, scene: Scene) -> None:
+        self.table = type("Table", (), {"written": scene})
+        self.name = scene.name
+
+
+def stand_in(scene: Scene) -> Any:
+    return _StandIn(scene)
+
+
+def test_a_scene_written_for_derivation_is_refused_in_a_line() -> None:
+    with pytest.raises(ValueError, match=r"scene: one is written for derivation; drawn are the ho"):
+        SceneGeometry.of(
+            type("E", (), {"table": type("T", (), {"written": None}), "name": "one"}), {}
+        )  # type: ignore[arg-type]
+
+
+@pytest.fixture(scope="module")
+def netball(tmp_path_factory: pytest.TempPathFactory) -> Engine:
+    return numpy_engine(load_scene(EXAMPLES / "netball.toml"), tmp_path_factory.mktemp("netball"))
+
+
+@pytest.fixture(scope="module")
+def tilted(tmp_path_factory: pytest.TempPathFactory) -> Engine:
+    """Free fall along x."""
+    scene = Scene(
+        "tilted",
+        parameters=[Parameter("size", 0.1)],
+        bodies=[Plane("floor", axis="-x", at=-1), Sphere("stone", radius="size", centre=(1, 0, 0))],
+        ball_radius="size / 2",
+        gravity=9.81,
+        restitution=0.5,
+        down="x",
+        ends={"gone_by": End("y", at=-1)},
+    )
+    return numpy_engine(scene, tmp_path_factory.mktemp("tilted"))
+
+
+SHOT = [1.6, 0.258, -0.35, -2.317, -0.301, 4.649, 0.0, -12.0, 0.0]  # cap, ring, goal
+FALL = [-0.2, 0.0, 0.0, 0.0, -0.6, 0.0, 0.0, 0.0, 0.0]
+
+
+def test_a_shot_is_drawn_with_its_bodies_and_named_contacts(netball: Engine) -> None:
+    shots = netball.simulate(SHOT, record=True)
+    figure = shots.trajectory(0).plot(title="Netball")
+    said = {text.get_text() for axes in figure.axes for text in axes.texts}
+    assert {"cap 0.830 s", "ring 1.506 s", "1.614 s, goal"} <= said
+    assert {axes.get_label() for axes in figure.axes} >= {"side view", "top view", "3D view"}
+    own = body_colours(netball.surfaces)
+    side = next(axes for axes in figure.axes if axes.get_label() == "side view")
+    marked = {to_hex(text.get_bbox_patch().get_facecolor()).upper() for text in side.texts}  # type: ignore[union-attr]
+    assert {own["ring"], own["cap"]} <= marked
+    assert any("Scene: netball" in text.get_text() for text in figure.texts)
+    # The ring's bounding box in the top view is the ring's, to the width of its wire.
+    top = next(axes for axes in figure.axes if axes.get_label() == "top view")
+    boxes = [p.get_path().get_extents() for p in top.patches if isinstance(p, PathPatch)]
+    assert max(box.x1 for box in boxes) == pytest.approx(0.1975 + 0.0075, abs=1e-3)
+
+
+def test_the_board_of_the_whole_hoop_is_pale_and_its_badge_dark() -> None:
+    state = hoopgen.release(8.3, np.radians(50), height=2.1336, distance=4.191)
+    shots = hoopgen.simulate(state, scene=hoopgen.COURT, record=True)
+    assert hoopgen.COURT.surfaces[shots.first[0]] == "backboard"
+    figure = shots.trajectory(0).plot(three_d=True)
+    space = next(axes for axes in figure.axes if axes.get_label() == "3D view")
+    patches = [patch for patch in space.patches if isinstance(patch, PathPatch)]
+    board = max(patches, key=lambda patch: np.prod(patch.get_path().get_extents().size))
+    red, green, blue, _ = board.get_facecolor()
+    assert min(red, green, blue) > 0.6
+    badges = [text.get_bbox_patch() for text in space.texts if text.get_text() == "1"]
+    (dark,) = (to_hex(badge.get_facecolor()) for badge in badges if badge is not None)
+    assert dark == body_colours(["backboard"])["backboard"]
+
+
+def test_another_parameter_is_drawn_and_said(netball: Engine) -> None:
+    shots = netball.simulate(SHOT, {"ring_radius": 0.3}, record=True)
+    figure = shots.trajectory(0).plot()
+    assert any("netball, ring_radius 0.3." in text.get_text() for text in figure.texts)
+    top = next(axes for axes in figure.axes if axes.get_label() == "top view")
+    boxes = [p.get_path().get_extents() for p in top.patches if isinstance(p, PathPatch)]
+    assert max(box.x1 for box in boxes) == pytest.approx(0.3075, abs=1e-3)
+
+
+def test_many_paths_are_drawn_by_how_they_end(netball: Engine) -> None:
+    states = np.array(SHOT) + np.linspace(0.0, 0.3, 20)[:, None] * (np.arange(9) == 3)
+    shots = netball.simulate(states, record=True)
+    figure = shots.plot(title="Twenty")
+    (legend,) = figure.legends
+    words = [text.get_text() for text in legend.get_texts()]
+    assert [word.split()[0] for word in words] == ["goal", "out", "where"]
+    axes = Figure().add_subplot()
+    assert shots.plot(ax=axes) is axes
+
+
+def test_on_axes_a_shot_has_a_key_in_the_colours_of_the_bodies(netball: Engine) -> None:
+    axes = Figure().add_subplot()
+    netball.simulate(SHOT, record=True).trajectory(0).plot(ax=axes)
+    key = axes.get_legend()
+    assert key is not None
+    own = body_colours(netball.surfaces)
+    inks = {
+        text.get_text().split()[1]: to_hex(line.get_color()).upper()
+        for text, line in zip(key.get_texts(), key.get_lines(), strict=True)
+    }
+    assert (inks["cap"], inks["ring"]) == (own["cap"], own["ring"])
+    assert "\N{MINUS SIGN}0.350) m" in axes.get_title(loc="left")
+
+
+@pytest.mark.slow
+def test_a_crowd_of_paths_has_a_panel_for_each_end(netball: Engine) -> None:
+    states = np.array(SHOT) + np.linspace(0.0, 0.3, 60)[:, None] * (np.arange(9) == 3)
+    shots = netball.simulate(states, record=True)
+    goals = int(np.sum(shots.outcome == shots.scene.outcomes["GOAL"]))
+    figure = shots.plot()
+    titles = [axes.get_title(loc="left") for axes in figure.axes]
+    assert titles == [f"goal ({goals})", f"out ({60 - goals})"]
+    assert "60 are drawn, by outcome" in figure.texts[0].get_text()
+    assert len(shots.plot(by="all").axes) == 1
+    with pytest.raises(ValueError, match="by: expected auto, all, outcome; got 'kind'"):
+        shots.plot(by="kind")
+
+
+def test_the_axes_of_a_turned_scene_are_named(tilted: Engine) -> None:
+    shots = tilted.simulate(FALL, record=True, max_contacts=3)
+    figure = shots.trajectory(0).plot()
+    labels = {axes.get_xlabel() + "|" + axes.get_ylabel() for axes in figure.axes}
+    assert {"y (m)|\N{MINUS SIGN}x (m)", "y (m)|\N{MINUS SIGN}z (m)"} <= labels
+    assert isinstance(shots.plot(), Figure)
+
+
+# Pages
+
+
+def test_a_page_has_the_bodies_and_where_they_are_touched(netball: Engine) -> None:
+    shots = netball.simulate(SHOT, record=True)
+    data = data_of(page(shots, shots.parameters))
+    (shot,) = data["shots"]
+    assert data["surfaces"] == list(netball.surfaces)
+    assert [event["surface"] for event in shot["events"]] == ["body-2", "body-0", "end"]
+    assert shot["outcome"] == "goal"
+    assert data["outcomes"][:2] == ["goal", "out"]
+    cap, ring = (np.array(event["at"]) for event in shot["events"][:2])
+    middle = np.array([-(0.1975 + 0.15 + 0.04), 0, -0.0075])
+    assert np.linalg.norm(cap - middle) == pytest.approx(0.04, abs=1e-9)
+    assert np.hypot(np.hypot(*ring[:2]) - 0.1975, ring[2]) == pytest.approx(0.0075, abs=1e-9)
+    scenery = data["scenery"]
+    assert [len(body["points"]) > 50 for body in scenery["bodies"]] == [True] * 3
+    assert all(max(body["triangles"]) < len(body["points"]) for body in scenery["bodies"])
+    assert page(shots, shots.parameters) == page(shots, shots.parameters)
+
+
+def test_a_page_of_a_turned_scene_falls_down(tilted: Engine) -> None:
+    shots = tilted.simulate(FALL, {"size": 0.2}, record=True, max_contacts=3)
+    data = data_of(page(shots, shots.parameters))
+    (shot,) = data["shots"]
+    assert shot["parameters"] == {"ball_radius": 0.1, "gravity": 9.81}
+    assert data["scenery"]["axes"] == ["y", "\N{MINUS SIGN}z", "\N{MINUS SIGN}x"]
+    start, after = (np.array(flight) for flight in shot["flights"][:2])
+    t = after[0]
+    assert start[1:4].tolist() == [0.0, 0.0, 0.2]
+    assert start[3] + start[6] * t - 9.81 / 2 * t**2 == pytest.approx(after[3], abs=1e-12)
+
+
+@pytest.mark.parametrize("which", ["netball", "tilted"])
+def test_the_browser_draws_any_scene(
+    show: Callable[..., Tab],  # noqa: F811
+    netball: Engine,
+    tilted: Engine,
+    which: str,
+) -> None:
+    engine, state = (netball, SHOT) if which == "netball" else (tilted, FALL)
+    shots = engine.simulate([state, state], record=True, max_contacts=3)
+    tab = show(page(shots, shots.parameters, title="Any"), size=(1280, 800))
+    pixels = tab.pixels()
+    assert len(np.unique(pixels.reshape(-1, 3), axis=0)) > 500
+    words = tab.text("#events")
+    first = engine.surfaces[int(shots.trajectory(0).events["surface"][0])]
+    assert first in words
+    assert tab.text("#views") == "3DSideTop"
+    if which == "netball":
+        assert "Goal" in tab.text("#outcome")
+        assert "ring’s centre" not in tab.text("#panel")
+
+
+def test_docs_show_a_picture_of_each_example() -> None:
+    shown = (ROOT / "docs" / "your-own-scene.md").read_text(encoding="utf-8")
+    names = {file.stem for file in EXAMPLES.iterdir() if file.suffix in (".toml", ".py")}
+    assert set(re.findall(r"\]\(scene-(\w+)\.svg\)", shown)) == names == set(pictures.OWN)
+    assert all((ROOT / "docs" / f"scene-{name}.svg").is_file() for name in names)
+
+
+# The command line
+
+
+HOLE = """\
+name = "hole"
+ball_radius = 0.1
+gravity = 9.81
+restitution = "bounce"
+parameters.bounce = { default = 0.5, unit = "1" }
+bodies.floor = { kind = "plane" }
+ends.edge = { axis = "-x", at = -1 }
+"""
+GIVEN = ("--position", "0,0,1", "--velocity", "1,0,0")
+
+
+@pytest.fixture(scope="module")
+def hole(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    file = tmp_path_factory.mktemp("hole") / "hole.toml"
+    file.write_text(HOLE, encoding="utf-8")
+    return file
+
+
+def test_a_shot_of_a_scene_on_the_command_line(hole: Path, tmp_path: Path) -> None:
+    picture, seen = tmp_path / "shot.svg", tmp_path / "shot.html"
+    told = ("--picture", picture, "--view", seen, "--json")
+    result = succeed("shot", "--scene", hole, *GIVEN, "--spin", "0,1Hz,0", *told)
+    record = json.loads(result.stdout)
+    assert record["outcome"] == "edge"
+    assert set(record["counts"]) == {"floor"}
+    assert record["release"][7] == pytest.approx(2 * np.pi)
+    assert record["scene"] == "hole"
+    assert picture.exists()
+    assert seen.exists()
+    changed = run("shot", "--scene", hole, *GIVEN, "--set", "bounce=0.75")
+    assert "hole, bounce 0.75" in changed.output
+
+
+def test_a_shot_of_a_scene_is_proved_on_the_command_line(hole: Path) -> None:
+    pytest.importorskip("flint")
+    result = succeed("certify", "--scene", hole, *GIVEN, "--max-contacts", 2)
+    assert re.search(r"outcome +capped", result.output)
+    assert "floor" in result.output
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--speed", "3"), "--speed is of a shot at a hoop; with --scene give --position and"),
+        ((), "missing --position and --velocity"),
+        ((*GIVEN, "--preset", "nba"), "--preset is a hoop's"),
+        ((*GIVEN, "--set", "spring=2"), "'spring' is none of bounce"),
+        ((*GIVEN, "--set", "bounce=x"), "bounce: 'x' is not a number"),
+        (
+            ("--position", "0,0,0.05", "--velocity", "1,0,0"),
+            "this shot is invalid: inside ",
+        ),
+        (("--position", "1,2", "--velocity", "1,0,0"), "expected three with commas between"),
+    ],
+)
+def test_what_is_no_shot_of_a_scene_is_refused_in_a_line(
+    hole: Path, words: tuple[str, ...], said: str
+) -> None:
+    result = run("shot", "--scene", hole, *words)
+    assert result.exit_code == 2
+    assert said in result.output
+    assert len(result.output.strip().splitlines()) == 1
+
+
+def test_a_position_without_a_scene_is_refused() -> None:
+    result = run("shot", *GIVEN)
+    assert result.exit_code == 2
+    assert "--position is of a shot in a --scene; give that, too" in result.output
+
+
+# Studies
+
+
+STUDIES: dict[str, tuple[Any, ...]] = {
+    "margins": (None,),
+    "bank_or_direct": (None, []),
+    "aim": (),
+}
+
+
+@pytest.mark.parametrize("name", STUDIES)
+def test_a_hoops_study_refuses_another_scene_in_a_line(name: str, netball: Engine) -> None:
+    pytest.importorskip("xarray")
+    with pytest.raises(ValueError, match=rf"^{name}: its question is a hoop's, and the scene net"):
+        getattr(hoopgen, name)(*STUDIES[name], scene=netball)
+
+
+def test_a_hoops_measures_refuse_another_scenes_shots(netball: Engine) -> None:
+    with pytest.raises(ValueError, match=r"^measure: its question is a hoop's"):
+        hoopgen.measure(SHOT, netball.simulate(SHOT))

@@ -1,0 +1,69 @@
+"""Fingerprints: every backend has the hashes of tests/golden_hashes.json.
+
+`hoopgen hash hoop court examples/scenes/*.toml --json > tests/golden_hashes.json` writes that file.
+A commit that changes it changes bits on purpose and says so.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import hoopgen
+from hoopgen.core.validation import BackendName
+from hoopgen.simulation.fingerprint import canonical_bytes, fingerprint, fixed_releases
+from hoopgen.simulation.lookup import BUILT_IN, engine_of, scene_from
+from tests.helpers import ROOT
+
+GOLDEN = json.loads((ROOT / "tests" / "golden_hashes.json").read_text(encoding="utf-8"))
+FILES = sorted((ROOT / "examples" / "scenes").glob("*.toml"))
+SCENES = (*BUILT_IN, *map(str, FILES))
+
+
+def test_every_scene_has_a_golden_hash() -> None:
+    assert list(GOLDEN) == [Path(scene).stem for scene in SCENES]
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: Path(scene).stem)
+def test_every_backend_has_the_golden_hash(scene: str, backend: BackendName) -> None:
+    engine = engine_of(scene_from(scene))
+    if backend == "c" and engine.library is None:
+        pytest.skip("no C compiler")
+    assert fingerprint(engine, backend) == GOLDEN[engine.name]
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: Path(scene).stem)
+def test_the_fixed_shots_meet_every_body(scene: str) -> None:
+    engine = engine_of(scene_from(scene))
+    shots = engine.simulate(fixed_releases(engine), max_contacts=40, time_limit=5.0)
+    assert (shots.counts.sum(0) > 100).all()
+    assert len(np.unique(shots.outcome)) >= 3
+
+
+def test_one_bit_changes_the_hash(monkeypatch: pytest.MonkeyPatch) -> None:
+    engine = hoopgen.HOOP
+    before = fingerprint(engine, shots=800)
+    releases = fixed_releases(engine, 800)
+    releases[400, 4] = np.nextafter(releases[400, 4], 1.0)
+    monkeypatch.setattr("hoopgen.simulation.fingerprint.fixed_releases", lambda *_: releases)
+    assert fingerprint(engine, shots=800) != before
+
+
+def test_the_hash_has_one_pattern_for_nan() -> None:
+    """Invalid shots have NaN, whose sign and payload differ between processors."""
+    patterns = np.array([0x7FF8000000000000, 0xFFF8000000000000, 0x7FF8000000000001], np.uint64)
+    assert canonical_bytes(patterns.view(np.float64)) == patterns[:1].tobytes() * 3
+    narrow = np.array([0xFFC00000], np.uint32).view(np.float32)
+    assert canonical_bytes(narrow) == b"\0\0\xc0\x7f"
+    assert canonical_bytes(np.array([-0.0])) != canonical_bytes(np.array([0.0]))
+
+
+def test_two_scenes_of_one_name_are_refused() -> None:
+    from tests.helpers.commands import failure
+
+    said = failure("hash", "hoop", "hoop")
+    assert "SCENES: two are called hoop" in said
