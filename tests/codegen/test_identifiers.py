@@ -288,7 +288,7 @@ def test_a_law_that_would_name_another_kernel_is_refused() -> None:
 
 @pytest.mark.parametrize("name", RESERVED_NAMES)
 def test_a_scene_is_not_called_what_its_files_include(name: str) -> None:
-    with pytest.raises(ValueError, match=rf"^scene '{name}': not one of p, exact, "):
+    with pytest.raises(ValueError, match=rf"^scene '{name}': not one of p, environment, exact, "):
         plank(name)
 
 
