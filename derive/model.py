@@ -54,6 +54,8 @@ class Model:
         The event loop.
     results, absent_results
         The results of a shot, and those of other scenes that this one lacks.
+    law_parameters
+        For each law its own symbol for each symbol of the law whose kernels it shares.
     """
 
     scene: Scene
@@ -65,6 +67,7 @@ class Model:
     loop: Loop
     results: tuple[Result, ...]
     absent_results: tuple[Result, ...] = ()
+    law_parameters: Mapping[Law, Symbols] = field(default_factory=dict, repr=False)
 
     @property
     def kernels(self) -> tuple[Kernel, ...]:
@@ -128,6 +131,7 @@ def build(scene: Scene) -> Model:
         loop,
         tuple(result for result in every if result.absence not in lacking),
         tuple(result for result in every if result.absence in lacking),
+        {law: like.symbols for law, like in zip(scene.laws, law_likes, strict=True)},
     )
     check_kernels(scene.name, (kernel.name for kernel in model.kernels))
     return model

@@ -45,6 +45,8 @@ if TYPE_CHECKING:
     from .simulation.hoop import HOOP as HOOP
     from .simulation.invalid import why_invalid as why_invalid
     from .simulation.simulate import simulate as simulate
+    from .simulation.tangents import jvp as jvp
+    from .simulation.tangents import vjp as vjp
     from .study.measures.measures import measure as measure
     from .study.models.grid import Grid as Grid
     from .study.models.resample import Resample as Resample
@@ -87,6 +89,8 @@ __all__ = [
 
 _LAZY = {
     "simulate": "simulation.simulate",
+    "jvp": "simulation.tangents",
+    "vjp": "simulation.tangents",
     "why_invalid": "simulation.invalid",
     "compile": "simulation.compile",
     "Scene": "scene",

@@ -6,8 +6,9 @@ from these derivatives is decided in `propagation`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
+from types import MappingProxyType
 
 import sympy as sp
 
@@ -97,10 +98,22 @@ def along_normal(surface: Surface) -> list[sp.Expr]:
     return [directional(component, tangents) for component in surface.normal]
 
 
-def along_impact(law: Law, ball: Ball) -> tuple[list[sp.Expr], list[sp.Expr]]:
-    """Return the change of velocity and spin after a contact by errors before it."""
+def along_impact(
+    law: Law, ball: Ball, changes: Mapping[sp.Symbol, sp.Expr] = MappingProxyType({})
+) -> tuple[list[sp.Expr], list[sp.Expr]]:
+    """Return the change of velocity and spin after a contact by errors before it.
+
+    Parameters
+    ----------
+    law
+        The contact law.
+    ball
+        The ball.
+    changes
+        The changes of parameters, none by default.
+    """
     inputs = (*velocity, *spin, *normal)
-    tangents = dict(zip(inputs, (*dv, *dw, *dn), strict=True))
+    tangents = dict(zip(inputs, (*dv, *dw, *dn), strict=True)) | dict(changes)
     after = law.after(normal, velocity, spin, ball)
     v, w = ([barrier(directional(component, tangents)) for component in part] for part in after)
     return v, w

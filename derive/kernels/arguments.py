@@ -11,7 +11,8 @@ from ..scenes import validity
 from ..scenes.scene import Scene
 from ..studies import ARGUMENTS
 from ..symbolic.rounding import extent, position_error, speed, velocity_error
-from ..symbolic.symbols import NORMAL, STATE, t
+from ..symbolic.symbols import NORMAL, STATE, change_of, t
+from .variation import contact_delay
 
 FRAME = sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"n{i + 1}{j + 1}", real=True))
 """Components of the contact frame, R of Eq. 10."""
@@ -57,6 +58,8 @@ def argument_order(scene: Scene) -> tuple[sp.Symbol, ...]:
         *dict.fromkeys(constants),
         *ARGUMENTS,
         *scene.symbols,
+        contact_delay,
+        *map(change_of, scene.symbols),
         RESTITUTION,
     )
 

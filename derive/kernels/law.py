@@ -16,6 +16,7 @@ from ..symbolic.isomorphism import Isomorphism
 from ..symbolic.symbols import normal, spin, velocity
 from .arguments import components
 from .scene import MOTION
+from .variation import law_variation
 
 
 def law_kernels(
@@ -75,4 +76,5 @@ def _kernels(
             f"derivative of {law.description}, with roundings",
             not scene.rolls,
         ),
+        "vary": law_variation(law, scene, order),
     }

@@ -18,6 +18,7 @@ from ..symbolic.conditionals import barrier, maximum
 from ..symbolic.number_range import MAX_FLIGHT
 from ..symbolic.symbols import POSITION, SPIN, VELOCITY, spin, velocity
 from .arguments import FRAME, RESTITUTION, components, unchecked_argument_order
+from .variation import scene_variations
 
 MOTION = (*VELOCITY, *SPIN)
 
@@ -41,6 +42,7 @@ def scene_kernels(
         *_arrivals(scene, order, tabled),
         *_errors(scene, order),
         *_validity(scene, tabled),
+        *scene_variations(scene, order),
     )
     return {kernel.name: kernel for kernel in kernels}
 

@@ -19,6 +19,7 @@ from ..surfaces import Surface
 from ..symbolic.isomorphism import Isomorphism, Symbols
 from ..symbolic.symbols import NORMAL
 from .arguments import components, unchecked_argument_order
+from .variation import contact_variation
 
 _REACH = "Whether a flight may reach the box of a surface at all."
 
@@ -151,6 +152,7 @@ def _geometry(surface: Surface, scene: Scene) -> dict[str, Formula]:
             "Bound on the rate at which the normal turns along the contact surface.",
             "Table 2",
         ),
+        "vary": contact_variation(surface, scene),
     }
     if surface.bounds:
         formulas["bounds"] = (

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
+from .symbols import CHANGE
+
 AXES = "xyz"
 
 
@@ -132,6 +134,7 @@ LOOP = {
         )
         for axis in AXES
     },
+    "contact_delay": Entry("dt", "variation of the time of a contact"),
     "lifting": Entry(r"\varphi", "share of the worst case that errors do not fall below"),
     "shift": Entry(
         r"\varsigma", "largest error of the position at a contact that one flight can cause"
@@ -372,6 +375,8 @@ def structured(name: str) -> str | None:
     match = re.fullmatch(r"([a-z])(\d+)", name)
     if match:
         return f"{match[1]}_{{{match[2]}}}"
+    if name.startswith(CHANGE):
+        return rf"\delta_{{{text(name.removeprefix(CHANGE))}}}"
     return name if len(name) == 1 else None
 
 

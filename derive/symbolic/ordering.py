@@ -27,7 +27,7 @@ from .conditionals import (
     Or,
 )
 from .notation import ARGUMENTS, AXES, SERIES
-from .symbols import ParameterSymbol
+from .symbols import ParameterSymbol, change_of
 
 KINDS = (
     *(sp.Number, sp.Symbol, sp.Mul, sp.Add, sp.Pow, sp.Abs),
@@ -78,9 +78,12 @@ def ordering(symbols: Iterable[sp.Symbol] = ()) -> Callable[[sp.Basic], Any]:
     Parameters
     ----------
     symbols
-        The order of those that `derive/` does not declare: the parameters of a scene.
+        The order of those that `derive/` does not declare: the parameters of a scene. Their changes
+        have the same order.
     """
-    ranks = {s: (*declared_at(s)[:1], n) for n, s in enumerate(symbols) if len(declared_at(s)) == 1}
+    own = [symbol for symbol in symbols if len(declared_at(symbol)) == 1]
+    every = (*own, *map(change_of, own))
+    ranks = {symbol: (*declared_at(symbol), place) for place, symbol in enumerate(every)}
     known: dict[sp.Basic, Any] = {}
 
     def key(expression: sp.Basic) -> Any:

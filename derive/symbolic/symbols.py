@@ -24,6 +24,19 @@ class ParameterSymbol(sp.Symbol):  # type: ignore[misc]
         return sp.Symbol.class_key()
 
 
+class ChangeSymbol(sp.Symbol):  # type: ignore[misc]
+    """The symbol of the change of a scene's parameter."""
+
+
+CHANGE = "change_"
+"""Beginning of the names of changes of parameters."""
+
+
+def change_of(parameter: sp.Symbol) -> ChangeSymbol:
+    """Return the symbol of the change of a parameter."""
+    return ChangeSymbol(f"{CHANGE}{parameter.name}", real=True)
+
+
 def variable(symbol: sp.Symbol) -> str:
     """Return the name of a symbol as a variable of the event loop and in generated code.
 

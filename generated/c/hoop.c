@@ -1,6 +1,6 @@
 /* hoop: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene hoop, derivation 813a5c7cf272e36a,
+   Generated from templates/c/scene.c.j2, scene hoop, derivation 7b4ebc472a3e0af7,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 

@@ -38,6 +38,17 @@ class DerivedInputs(Protocol):
     def values(self, parameters: ParameterValues | None = None) -> Sequence[Value]:
         """Return the kernels' inputs, in order."""
 
+    def changes(self, parameters: ParameterValues, name: str) -> Sequence[Value]:
+        """Return the derivatives of the kernels' inputs by a parameter, in order.
+
+        Parameters
+        ----------
+        parameters
+            All parameters.
+        name
+            The parameter.
+        """
+
 
 @dataclass(frozen=True)
 class Table:
@@ -100,6 +111,20 @@ class Table:
             return list(parameters.values())
         values = self.written.values(parameters)
         return [np.ascontiguousarray(v, np.float64) if np.ndim(v) else float(v) for v in values]
+
+    def changes(self, parameters: Mapping[str, Value], name: str) -> list[Value]:
+        """Return the derivatives of the kernels' inputs by a parameter, in order.
+
+        Parameters
+        ----------
+        parameters
+            All parameters in calling order.
+        name
+            The parameter.
+        """
+        if self.written is None:
+            return [1.0 if own == name else 0.0 for own in parameters]
+        return list(self.written.changes(parameters, name))
 
 
 class Parameters(Mapping[str, Held]):

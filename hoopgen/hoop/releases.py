@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.core.jacobian import Jacobian
 from hoopgen.core.validation import as_doubles, check_angles, check_spins
 
 RING_HEIGHT = 3.048
@@ -41,6 +43,35 @@ def from_zero(name: str, values: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.where(negative, np.nan, values)
 
 
+@overload
+def release(
+    speed: ArrayLike,
+    elevation: ArrayLike,
+    azimuth: ArrayLike = ...,
+    backspin: ArrayLike = ...,
+    sidespin: ArrayLike = ...,
+    *,
+    height: ArrayLike,
+    distance: ArrayLike,
+    angle: ArrayLike = ...,
+) -> NDArray[np.float64]: ...
+
+
+@overload
+def release(
+    speed: ArrayLike,
+    elevation: ArrayLike,
+    azimuth: ArrayLike = ...,
+    backspin: ArrayLike = ...,
+    sidespin: ArrayLike = ...,
+    *,
+    height: ArrayLike,
+    distance: ArrayLike,
+    angle: ArrayLike = ...,
+    jacobian: Literal[True],
+) -> tuple[NDArray[np.float64], Jacobian]: ...
+
+
 def release(
     speed: ArrayLike,
     elevation: ArrayLike,
@@ -51,7 +82,8 @@ def release(
     height: ArrayLike,
     distance: ArrayLike,
     angle: ArrayLike = 0.0,
-) -> NDArray[np.float64]:
+    jacobian: bool = False,
+) -> NDArray[np.float64] | tuple[NDArray[np.float64], Jacobian]:
     """Return the states of shots released from a place on the court.
 
     All arguments broadcast. Entries that are masked count as NaN.
@@ -77,11 +109,15 @@ def release(
     angle
         Of the place around the ring's centre, rad: 0 straight in front, on +x, counter-clockwise
         seen from above.
+    jacobian
+        Whether to return the derivatives of the states, too.
 
     Returns
     -------
     ndarray
-        States of shape (..., 9), the arguments' common shape before the last axis.
+        States of shape (..., 9), the arguments' common shape before the last axis. With `jacobian`
+        a tuple of them and their `Jacobian` by the eight arguments, "state" of shape (..., 9, 8),
+        with which ``shots.jacobian.chain`` gives derivatives by these arguments.
 
     Raises
     ------
@@ -104,7 +140,8 @@ def release(
     arrays = {name: as_doubles(name, value) for name, value in arguments.items()}
     check_angles("release", {name: arrays[name] for name in _ANGLES})
     check_spins("release", {name: arrays[name] for name in _SPINS})
-    return states_of(arrays)
+    states = states_of(arrays)
+    return (states, _jacobian(arrays, states.shape[:-1])) if jacobian else states
 
 
 def states_of(arrays: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
@@ -157,3 +194,29 @@ def _states(
     state[..., 8] = arrays["sidespin"]
     state += 0.0  # no negative zeros
     return state
+
+
+def _jacobian(arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]) -> Jacobian:
+    """Return the derivatives of `_states` by the arguments of releases."""
+    heading = arrays["azimuth"] + arrays["angle"]
+    ahead_x, ahead_y = -np.cos(heading), -np.sin(heading)
+    speed, backspin, distance = (arrays[name] for name in ("speed", "backspin", "distance"))
+    cos, sin = np.cos(arrays["elevation"]), np.sin(arrays["elevation"])
+    by = {name: np.zeros((*shape, 9)) for name in arrays}
+    by["speed"][..., 3], by["speed"][..., 4] = cos * ahead_x, cos * ahead_y
+    by["speed"][..., 5] = sin
+    by["elevation"][..., 3] = -speed * sin * ahead_x
+    by["elevation"][..., 4] = -speed * sin * ahead_y
+    by["elevation"][..., 5] = speed * cos
+    for name in ("azimuth", "angle"):  # the heading turns: ahead' = (-ahead_y, ahead_x)
+        by[name][..., 3] = -speed * cos * ahead_y
+        by[name][..., 4] = speed * cos * ahead_x
+        by[name][..., 6], by[name][..., 7] = backspin * ahead_x, backspin * ahead_y
+    by["backspin"][..., 6], by["backspin"][..., 7] = ahead_y, -ahead_x
+    by["sidespin"][..., 8] = 1.0
+    by["height"][..., 2] = 1.0
+    by["distance"][..., 0] = np.cos(arrays["angle"])
+    by["distance"][..., 1] = np.sin(arrays["angle"])
+    by["angle"][..., 0] = -distance * np.sin(arrays["angle"])
+    by["angle"][..., 1] = distance * np.cos(arrays["angle"])
+    return Jacobian({"state": np.stack(list(by.values()), axis=-1)}, tuple(by))

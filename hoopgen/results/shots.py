@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Unpack
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.core.jacobian import Jacobian
 from hoopgen.core.parameters import Value
 from hoopgen.core.plotting import plotting_module
 from hoopgen.engine.compiled_scene import CompiledScene
@@ -101,6 +102,7 @@ class Shots:
     state_error: NDArray[np.float64]
     grip_lost: NDArray[np.float64]
     events: NDArray[np.void]
+    _variations: tuple[Jacobian, NDArray[np.bool_]]
 
     def __init__(
         self,
@@ -108,8 +110,11 @@ class Shots:
         states: NDArray[np.float64],
         parameters: Mapping[str, Value],
         scene: CompiledScene,
+        variations: tuple[Jacobian, NDArray[np.bool_]] | None = None,
     ) -> None:
         self._fields = fields
+        if variations is not None:
+            self._variations = variations
         self._states = states
         self.parameters = parameters
         self.scene = scene
@@ -118,6 +123,33 @@ class Shots:
     def surfaces(self) -> tuple[str, ...]:
         """Names of the bodies, in the order of the columns of `counts`."""
         return self.scene.surfaces
+
+    @property
+    def jacobian(self) -> Jacobian:
+        """With ``derivatives=``: the derivatives of "state", (n, 9, k), and "time", (n, 1, k).
+
+        NaN where a shot is not `differentiable`.
+
+        Raises
+        ------
+        AttributeError
+            If the shots were simulated without ``derivatives=``.
+        """
+        return self._variations[0]
+
+    @property
+    def differentiable(self) -> NDArray[np.bool_]:
+        """With ``derivatives=``: whether the shot has derivatives, bool (n,).
+
+        A shot has none if a decision of it is uncertain, such as a tie or a graze, if it does not
+        reach an end, or if the ball stays in contact with a body, where it rolls.
+
+        Raises
+        ------
+        AttributeError
+            If the shots were simulated without ``derivatives=``.
+        """
+        return self._variations[1]
 
     def _field(self, name: str) -> FieldArray:
         """Return a field by its name; one that was not requested raises AttributeError."""
@@ -128,6 +160,8 @@ class Shots:
             return found
         if name == "made" and fields and "MADE" in self.scene.outcomes.__members__:
             return np.asarray(self.outcome == self.scene.outcomes["MADE"])
+        if name in ("jacobian", "differentiable"):
+            raise AttributeError(f'{name}: simulate with derivatives=("vx", ...) to have it')
         if name == "events":
             raise AttributeError("events: simulate with record=True to keep the event log")
         if scene is not None and name in scene.layout.absent:

@@ -145,6 +145,31 @@ class Formula:
         with np.errstate(all="ignore"):
             return self.fold(values, lambda value: np.float64(float(value)), np.sqrt)
 
+    def derivative(self, values: Mapping[str, Any], by: str) -> Any:
+        """Return its derivative by one of its names, in doubles, finite or not.
+
+        Parameters
+        ----------
+        values
+            A number or an array for each of its names.
+        by
+            The name.
+        """
+        if self.kind in ("number", "name"):
+            return np.float64(self.kind == "name" and self.value == by)
+        with np.errstate(all="ignore"):
+            first, *rest = [part.evaluate(values) for part in self.parts]
+            change, *changes = [part.derivative(values, by) for part in self.parts]
+            if self.kind == "+":
+                return change + changes[0]
+            if self.kind == "*":
+                return change * rest[0] + first * changes[0]
+            if self.kind == "/":
+                return (change - first / rest[0] * changes[0]) / rest[0]
+            if self.kind == "sqrt":
+                return change / (2.0 * np.sqrt(first))
+            return int(self.value) * first ** (int(self.value) - 1) * change
+
     def fold(
         self, values: Mapping[str, Any], number: Callable[[Fraction], Any], root: Callable[..., Any]
     ) -> Any:

@@ -161,6 +161,19 @@ class Scene:
         numbers = {name: np.asarray(value, dtype=np.float64)[()] for name, value in given.items()}
         return [made.formula.evaluate(numbers) for made in self.inputs]
 
+    def changes(self, parameters: ParameterValues, name: str) -> list[Value]:
+        """Return the derivatives of the inputs by a parameter, in order.
+
+        Parameters
+        ----------
+        parameters
+            All parameters, a number or (n,) each.
+        name
+            The parameter.
+        """
+        numbers = {one: np.asarray(value, np.float64)[()] for one, value in parameters.items()}
+        return [made.formula.derivative(numbers, name) for made in self.inputs]
+
     def derive(self) -> Derived:
         """Return the scene for derivation, in SymPy."""
         from .derivation import derivation_scene

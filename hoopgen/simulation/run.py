@@ -33,6 +33,9 @@ from hoopgen.engine.result_arrays import ResultArrays
 from hoopgen.results.shots import Shots
 from hoopgen.text.shorten import brief, join_names
 
+from .variations import NEEDED, check_derivatives
+from .variations import derivatives as find_derivatives
+
 P = ParamSpec("P")
 
 SHARE_DIVISOR = 4
@@ -151,6 +154,7 @@ class SimulationOptions(TypedDict, total=False):
     leaving: ArrayLike | None
     settle: bool
     time_limit: float | None
+    derivatives: Iterable[str] | None
 
 
 def _in_exact_arithmetic(
@@ -182,6 +186,7 @@ def run(
     leaving: ArrayLike | None = None,
     settle: bool = False,
     time_limit: float | None = None,
+    derivatives: Iterable[str] | None = None,
 ) -> Shots:
     """Simulate shots in a compiled scene; all else as for `hoopgen.simulate`."""
     releases = check_states(states)
@@ -190,7 +195,9 @@ def run(
     most = engine.max_contacts if max_contacts is None else check_contacts(max_contacts)
     wanted = _fields(fields, engine)
     workers = check_threads(threads)
-    if record:
+    by = None if derivatives is None else check_derivatives(derivatives, engine)
+    logged = record or by is not None
+    if logged:
         check_log(shots, most, workers, scene=engine)
     batch = _Batch(
         engine,
@@ -202,14 +209,15 @@ def run(
         _library(backend, engine),
         np.zeros(1, np.int32),
     )
-    computed = tuple(dict.fromkeys((*wanted, "uncertain"))) if settle else wanted
+    needed = (*(("uncertain",) if settle else ()), *(NEEDED if by is not None else ()))
+    computed = tuple(dict.fromkeys((*wanted, *needed))) if needed else wanted
     out = engine.layout.allocate(shots, computed)
     results = dict(out.arrays)
-    if not record and batch.library is not None:
+    if not logged and batch.library is not None:
         _share(batch, out, workers)
     else:
-        logs = _run(batch, out, workers, record)
-    if record:
+        logs = _run(batch, out, workers, logged)
+    if logged:
         results["events"] = np.concatenate([np.empty(0, engine.layout.event), *logs])
     if settle:
         # Imported here, because the judge needs SymPy and python-flint.
@@ -217,8 +225,13 @@ def run(
 
         left, limit = batch.leaving, batch.time_limit
         decide(results, releases, named, most, scene=engine, leaving=left, time_limit=limit)
-        results = {name: array for name, array in results.items() if name in (*wanted, "events")}
-    return Shots(results, releases, named, engine)
+    variations = None
+    if by is not None:
+        variations = find_derivatives(engine, by, named, results, results["events"])
+    kept = (*wanted, "events") if record else wanted
+    if needed or logged != record:
+        results = {name: array for name, array in results.items() if name in kept}
+    return Shots(results, releases, named, engine, variations)
 
 
 def _limit(time_limit: float | None, engine: CompiledScene) -> float:

@@ -31,6 +31,7 @@ def simulate(
     leaving: ArrayLike | None = None,
     settle: bool = False,
     time_limit: float | None = None,
+    derivatives: Iterable[str] | None = None,
 ) -> Shots:
     """Simulate shots from contact to contact until they end.
 
@@ -74,6 +75,10 @@ def simulate(
         with its state at that time; so does one that is certain to roll for ever, as soon as that
         is. At most 2^40. None: no limit in the hoop, elsewhere 60. A shot that can never
         reach the end plane is SHORT all the same, unless the limit comes before its last contact.
+    derivatives
+        Names of components of the state, ``"vx"``, or of parameters of the scene: the shots then
+        have the derivatives of their time and state at the end by each of them, in
+        `Shots.jacobian`, and `Shots.differentiable`. The event log is kept while they are computed.
 
     Returns
     -------
@@ -104,4 +109,5 @@ def simulate(
         leaving=leaving,
         settle=settle,
         time_limit=time_limit,
+        derivatives=derivatives,
     )

@@ -89,6 +89,7 @@ def test_tab_completion_shows_the_interface_and_nothing_else() -> None:
         *("solve", "optimum", "margins", "bank_or_direct", "aim", "measure", "batch", "run_study"),
         *("view", "plots", "HOOP", "Scene", "compile", "load_scene", "scene"),
         *("why_invalid", "COURT", "Event", "PAPER_COURT", "NBA_COURT", "FIBA_COURT"),
+        *("jvp", "vjp"),
     }
     assert {"__version__", "__doc__", "__path__"} <= set(dir(hoopgen))
 

@@ -52,6 +52,7 @@ CELLS = {
         shots""",
     "completion": """
         from IPython.core.completer import provisionalcompleter
+        get_ipython().Completer.use_jedi = False  # which gives up where it is slow
         with provisionalcompleter():
             shown = [one.text for one in get_ipython().Completer.completions("shots.", 6)]
         print(*shown)""",

@@ -8,7 +8,7 @@ import sympy as sp
 
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.symbolic.notation import ARGUMENTS, AXES, latex_name, text
-from hoopgen.derive.symbolic.symbols import ParameterSymbol
+from hoopgen.derive.symbolic.symbols import CHANGE, ParameterSymbol
 
 QUANTITIES = {
     "radius": "R",
@@ -122,4 +122,7 @@ class SceneNotation:
         name = str(symbol.name)
         if isinstance(symbol, ParameterSymbol):
             return self._parameters.get(name) or text(name)
+        parameter = name.removeprefix(CHANGE)
+        if parameter != name and parameter in self._parameters:
+            return rf"\delta_{{{self._parameters[parameter]}}}"
         return latex_name(name)

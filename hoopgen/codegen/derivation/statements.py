@@ -182,6 +182,11 @@ STATEMENTS: dict[str, Statement] = {
         "growth of errors",
         _kernels("common.error_bounds common.claimed_errors common.closing common.floored"),
     ),
+    "variations": Statement(
+        LEMMA,
+        "variations of a shot",
+        _kernels("common.vary_flight *.vary law.vary common.vary_departure"),
+    ),
     # In contact
     "bounces": Statement(
         LEMMA,

@@ -8,7 +8,10 @@ from importlib.resources.abc import Traversable
 from typing import Any
 
 from hoopgen.derive.ir.event_tree import live_before, reads, writes
+from hoopgen.derive.ir.kernel import Kernel
 from hoopgen.derive.model import Model
+from hoopgen.derive.symbolic.isomorphism import Symbols
+from hoopgen.derive.symbolic.symbols import change_of
 
 from ..backend import TEMPLATES, KernelView, LoweredScene
 from ..identifiers import identifier
@@ -57,8 +60,15 @@ class SharedKernelView:
         return list(dict.fromkeys(self.given))
 
 
-_BY_NAME = ("normal", "distance", "rolling_surface", "seam", "round")
-"""Parts of a surface that drawing a contact, or following a roll, asks for by the body's name."""
+_BY_NAME = ("normal", "distance", "rolling_surface", "seam", "round", "vary")
+"""Parts of a surface that drawing a contact, following a roll, or a variation asks for by the
+body's name."""
+
+
+def _own_arguments(kernel: Kernel, own: Symbols) -> list[str]:
+    """Return the arguments of a kernel for another surface or law than the first of its kind."""
+    own = {**own, **{change_of(first): change_of(other) for first, other in own.items()}}
+    return [identifier(own.get(symbol, symbol)) for symbol in kernel.arguments]
 
 
 def _shared(model: Model) -> list[SharedKernelView]:
@@ -68,12 +78,21 @@ def _shared(model: Model) -> list[SharedKernelView]:
         for part, kernel in made.kernels.items():
             name = f"{made.surface.name}_{part}"
             if part.startswith(_BY_NAME) and name != kernel.name:
-                given = [
-                    identifier(made.parameters.get(symbol, symbol)) for symbol in kernel.arguments
-                ]
-                outputs = kernel.output_names
+                given, outputs = _own_arguments(kernel, made.parameters), kernel.output_names
                 views.append(SharedKernelView(name, kernel.name, given, outputs, kernel.summary))
     return views
+
+
+def _laws(model: Model) -> dict[str, tuple[str, list[str]]]:
+    """Return by body the kernel of its contact law's variation, and what it is given."""
+    varied = {law: kernels["vary"] for law, kernels in model.laws.items()}
+    return {
+        body.name: (
+            varied[body.law].name,
+            _own_arguments(varied[body.law], model.law_parameters[body.law]),
+        )
+        for body in model.scene.bodies
+    }
 
 
 @dataclass(frozen=True)
@@ -137,6 +156,7 @@ class NumPyBackend:
             "alone": alone,
             "grouped": any(each.groups for each in lowered.model.loop.tables),
             "shared": _shared(lowered.model),
+            "laws": _laws(lowered.model),
             "record": ResultRecord(lowered.model),
         }
 

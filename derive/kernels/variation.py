@@ -1,0 +1,101 @@
+"""The kernels of first-order variations: how a shot changes with its release and its parameters.
+
+They are exact derivatives, apart from the roundings of their own evaluation: of the flight, of the
+time and place of a contact, of the normal there, and of the contact law. The event loop evaluates
+none of them; they follow the events of a shot afterwards. A variation holds at a fixed time, and
+the variations of an event at the event itself, whose time varies too.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..contact.law import Law
+from ..errors import derivative
+from ..events.search import Formula
+from ..ir.kernel import Kernel, kernel
+from ..scenes.scene import Scene
+from ..surfaces import Surface
+from ..symbolic.conditionals import barrier
+from ..symbolic.error_terms import dn, dv, dw, dx
+from ..symbolic.symbols import POSITION, VELOCITY, change_of, normal, velocity
+
+__all__ = ["contact_delay", "contact_variation", "law_variation", "scene_variations"]
+
+contact_delay = sp.Symbol("contact_delay", real=True)
+"""Variation of the time of a contact, s."""
+
+
+def _changes(scene: Scene) -> dict[sp.Symbol, sp.Expr]:
+    """Return the change of each parameter of a scene."""
+    return {symbol: change_of(symbol) for symbol in scene.symbols}
+
+
+def scene_variations(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
+    """Return the variations of a flight, and of the flight that begins at a varied contact."""
+    start = dict(zip((*POSITION, *VELOCITY), (*dx, *dv), strict=True))
+    moved = [
+        derivative.directional(component, start | _changes(scene))
+        for part in scene.flight.at()
+        for component in part
+    ]
+    names = [symbol.name for symbol in (*dx, *dv)]
+    changes = derivative.velocity_change(scene.flight, -contact_delay)
+    back = (
+        *(place - speed * contact_delay for place, speed in zip(dx, velocity, strict=True)),
+        *(speed + change for speed, change in zip(dv, changes, strict=True)),
+    )
+    return (
+        kernel(
+            "vary_flight",
+            dict(zip(names, moved, strict=True)),
+            order,
+            "Variations of position and velocity at time t of a flight, from those at its start.",
+            "derivative of Eq. 3",
+        ),
+        kernel(
+            "vary_departure",
+            dict(zip(names, back, strict=True)),
+            order,
+            "Variations of position and velocity after a contact, at the time of the contact.",
+            "derivative of Eq. 3 at its start",
+        ),
+    )
+
+
+def contact_variation(surface: Surface, scene: Scene) -> Formula:
+    """Return the variations at the contact with a surface, from those at its time.
+
+    With the distance d, the normal n and the velocity v the delay of the contact is
+    dt = -(n·dx + the change of d by the parameters) / (n·v); there the position varies by dx + v dt
+    and the velocity by dv + a dt.
+    """
+    changes = _changes(scene)
+    offset = normal.dot(sp.Matrix(dx)) + derivative.directional(surface.distance, changes)
+    delay_of = derivative.contact_delay(barrier(offset))
+    place = derivative.at_contact(dx, delay_of)
+    sped = derivative.velocity_change(scene.flight, delay_of)
+    along = dict(zip(POSITION, place, strict=True)) | changes
+    turned = [derivative.directional(component, along) for component in surface.normal]
+    names = [symbol.name for symbol in (*dx, *dv, *dn)]
+    speeds = [before + change for before, change in zip(dv, sped, strict=True)]
+    values = (*place, *speeds, *turned)
+    formulas = dict(zip(names, values, strict=True))
+    return (
+        {"contact_delay": delay_of, "gap": surface.distance} | formulas,
+        "Delay of a contact, distance there, and variations of position, velocity and normal.",
+        "derivatives of the distance, of Eq. 3 and of the normal",
+    )
+
+
+def law_variation(law: Law, scene: Scene, order: tuple[sp.Symbol, ...]) -> Kernel:
+    """Return the variations of velocity and spin after a contact, from those before it."""
+    velocities, spins = derivative.along_impact(law, scene.ball, _changes(scene))
+    names = [symbol.name for symbol in (*dv, *dw)]
+    return kernel(
+        f"vary_{law.name}",
+        dict(zip(names, (*velocities, *spins), strict=True)),
+        order,
+        "Variations of velocity and spin after a contact, from those before it.",
+        f"derivative of {law.description}",
+    )

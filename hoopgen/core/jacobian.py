@@ -1,0 +1,92 @@
+"""`Jacobian`: the derivatives of results by the components of releases and by parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .variables import STATE
+
+__all__ = ["Jacobian"]
+
+
+class Jacobian(Mapping[str, NDArray[np.float64]]):
+    """Derivatives, a matrix for each result.
+
+    Attributes
+    ----------
+    names
+        The variables of the columns, k of them.
+
+    Parameters
+    ----------
+    matrices
+        By the name of a result, (..., m, k): "state" has m = 9 rows, "time" has one.
+    names
+        The variables of the columns.
+    """
+
+    def __init__(self, matrices: Mapping[str, NDArray[np.float64]], names: Sequence[str]) -> None:
+        self._matrices = dict(matrices)
+        self.names = tuple(names)
+
+    def __getitem__(self, result: str) -> NDArray[np.float64]:
+        return self._matrices[result]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._matrices)
+
+    def __len__(self) -> int:
+        return len(self._matrices)
+
+    def __repr__(self) -> str:
+        shapes = ", ".join(f"{name} {matrix.shape}" for name, matrix in self.items())
+        return f"Jacobian({shapes} by {', '.join(self.names)})"
+
+    def chain(self, release: Jacobian) -> Jacobian:
+        """Return the derivatives by what the releases were made of, by the chain rule.
+
+        Parameters
+        ----------
+        release
+            Derivatives of the releases, as ``hoopgen.release(..., jacobian=True)`` returns them:
+            "state" of shape (n, 9, j), or (9, j) for a single release.
+
+        Returns
+        -------
+        Jacobian
+            Its columns are the j variables of `release`, then the parameters among `names`.
+
+        Raises
+        ------
+        ValueError
+            If a component of the state that depends on them is not among `names`, or if the
+            releases are not as many as the shots.
+        """
+        matrix = release["state"]
+        own = matrix.reshape(-1, *matrix.shape[-2:])
+        missing = [
+            name
+            for row, name in enumerate(STATE)
+            if name not in self.names and np.any(own[:, row] != 0.0)
+        ]
+        if missing:
+            raise ValueError(
+                f"derivatives: {', '.join(missing)} missing, on which the releases depend; "
+                "simulate with derivatives by them, too"
+            )
+        shots = len(next(iter(self.values())))
+        if len(own) not in (1, shots):
+            raise ValueError(f"release: expected the Jacobian of {shots} releases, got {len(own)}")
+        columns = [self.names.index(name) for name in STATE if name in self.names]
+        rows = [row for row, name in enumerate(STATE) if name in self.names]
+        others = [column for column, name in enumerate(self.names) if name not in STATE]
+        chained = {
+            result: np.concatenate(
+                [changes[..., columns] @ own[:, rows], changes[..., others]], axis=-1
+            )
+            for result, changes in self.items()
+        }
+        return Jacobian(chained, (*release.names, *(self.names[column] for column in others)))

@@ -1,0 +1,124 @@
+"""A shot whose sequence is known, to 70 digits, straight from the formulas of its scene.
+
+The time of each event is a root of the distance, found by Newton's method; the contact law is
+evaluated as it stands. Derivatives are central differences of it, whose step is 1e-25.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import Any
+
+import mpmath
+import numpy as np
+import sympy as sp
+from hoopgen.derive.contact.law import Law
+from hoopgen.derive.scenes.scene import Scene
+from hoopgen.derive.surfaces import Surface
+from hoopgen.derive.symbolic.conditionals import release
+from hoopgen.derive.symbolic.symbols import NORMAL, POSITION, STATE, normal, spin, t, velocity
+from numpy.typing import NDArray
+
+DIGITS = 70
+_STEP = mpmath.mpf(10) ** -25
+_CHOICES = {
+    "IfLess": lambda left, right, then, other: then if left < right else other,
+    "IfAtMost": lambda left, right, then, other: then if left <= right else other,
+}
+
+Vector = list[Any]
+
+
+class PreciseScene:
+    """The formulas of a scene as functions of numbers of mpmath.
+
+    Parameters
+    ----------
+    scene
+        The scene of the derivation.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self._functions: dict[tuple[str, object], Any] = {}
+
+    @cached_property
+    def names(self) -> list[str]:
+        """The names of the scene's inputs."""
+        return [symbol.name for symbol in self.scene.symbols]
+
+    def _function(self, kind: str, of: object, symbols: Sequence[sp.Symbol], values: Any) -> Any:
+        if (kind, of) not in self._functions:
+            plain = [release(sp.sympify(value)) for value in values]
+            arguments = [*symbols, *self.scene.symbols]
+            modules = [_CHOICES, "mpmath"]
+            self._functions[kind, of] = sp.lambdify(arguments, plain, modules, cse=True)
+        return self._functions[kind, of]
+
+    def end(
+        self, state: Vector, inputs: Vector, events: Sequence[tuple[Surface, Law | None, float]]
+    ) -> Vector:
+        """Return the time of the last event and the state then.
+
+        Parameters
+        ----------
+        state
+            The release, nine numbers.
+        inputs
+            The scene's inputs, in order.
+        events
+            Of each event its surface, the contact law (None: the end), and a time near it.
+        """
+        clock, now = mpmath.mpf(0), list(state)
+        flight = self._function(
+            "flight",
+            self.scene.name,
+            (t, *STATE),
+            [c for part in self.scene.flight.at() for c in part],
+        )
+        for surface, law, near in events:
+            gap = self._function("gap", surface, POSITION, [surface.distance])
+
+            def distance(since: Any, now: Vector = now, gap: Any = gap) -> Any:
+                return gap(*flight(since, *now, *inputs)[:3], *inputs)[0]
+
+            duration = mpmath.findroot(distance, (near - clock, near - clock + mpmath.mpf("1e-9")))
+            now = [*flight(duration, *now, *inputs), *now[6:]]
+            clock += duration
+            if law is not None:
+                turned = self._function("normal", surface, POSITION, surface.normal)
+                after = law.after(normal, velocity, spin, self.scene.ball)
+                act = self._function(
+                    "law", law, (*STATE[3:], *NORMAL), [c for part in after for c in part]
+                )
+                now[3:] = act(*now[3:], *turned(*now[:3], *inputs), *inputs)
+        return [*now, clock]
+
+    def derivatives(
+        self,
+        state: NDArray[np.float64],
+        inputs: Sequence[float],
+        events: Sequence[tuple[Surface, Law | None, float]],
+        changes: Mapping[str, Sequence[float]],
+    ) -> NDArray[np.float64]:
+        """Return the derivatives of state and time at the last event, (10, k).
+
+        Parameters
+        ----------
+        state, inputs, events
+            The shot, as of `end`.
+        changes
+            By variable the derivatives of the nine numbers of the release and of the inputs.
+        """
+        with mpmath.workdps(DIGITS):
+            start = [mpmath.mpf(float(value)) for value in (*state, *inputs)]
+            columns = []
+            for change in changes.values():
+                ends = []
+                for sign in (1, -1):
+                    moved = [v + sign * _STEP * c for v, c in zip(start, change, strict=True)]
+                    ends.append(self.end(moved[:9], moved[9:], events))
+                pairs = zip(*ends, strict=True)
+                columns.append([float((up - down) / (2 * _STEP)) for up, down in pairs])
+        return np.array(columns).T

@@ -1,0 +1,266 @@
+"""Derivatives of shots: to 70 digits, in both engines, in chains, and where there are none."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import pytest
+
+import hoopgen
+from hoopgen.core.event_log import Event
+from hoopgen.core.variables import STATE
+from hoopgen.simulation.engine import Engine
+from tests.helpers import ROOT
+
+pytest.importorskip("sympy")
+pytest.importorskip("mpmath")
+
+from tests.helpers.precise_path import PreciseScene
+
+FREE_THROW = {"height": 2.1336, "distance": 4.191}
+BOARD = ("ring_radius", "wire_radius", "ball_radius", "board_distance", "gravity", "end_depth")
+
+
+def throws(n: int, seed: int = 7) -> Any:
+    """Return free throws with spin about every axis, most of which touch something."""
+    random = np.random.default_rng(seed)
+    states = hoopgen.release(
+        random.normal(7.2, 0.15, n),
+        random.normal(0.9, 0.05, n),
+        random.normal(0, 0.03, n),
+        backspin=random.normal(15, 5, n),
+        sidespin=random.normal(0, 5, n),
+        **FREE_THROW,
+    )
+    states[:, 6] += random.normal(0, 5, n)
+    return states
+
+
+def truth(
+    engine: Engine, states: Any, parameters: Mapping[str, float], names: tuple[str, ...], rows: Any
+) -> Any:
+    """Return the derivatives of some shots to 70 digits, (m, 10, k)."""
+    precise = PreciseScene(engine.scene)
+    values = dict(engine.parameters) | dict(parameters)
+    inputs = engine.table.inputs(values)
+    changes = {}
+    for name in names:
+        own = [float(name == one) for one in STATE]
+        given = engine.table.changes(values, name) if name not in STATE else [0.0] * len(inputs)
+        changes[name] = [*own, *map(float, given)]
+    shots = engine.simulate(states[rows], parameters, record=True)
+    found = []
+    bodies, ends = engine.scene.bodies, engine.scene.end_planes
+    for index in range(len(rows)):
+        events = []
+        for event in shots.events[shots.events["shot"] == index]:
+            if event["kind"] == Event.END:
+                events.append((ends[0], None, float(event["time"])))
+            else:
+                body = bodies[event["surface"]]
+                events.append((body.faces[0], body.law, float(event["time"])))
+        found.append(precise.derivatives(states[rows[index]], inputs, events, changes))
+    return np.array(found)
+
+
+def check_against_truth(
+    engine: Engine, states: Any, parameters: Mapping[str, float], names: tuple[str, ...], most: int
+) -> Any:
+    """Compare derivatives with 70 digits; return the numbers of contacts of the shots."""
+    shots = engine.simulate(states, parameters, derivatives=names)
+    rows = np.flatnonzero(shots.differentiable)[:most]
+    expected = truth(engine, states, parameters, names, rows)
+    matrices = (shots.jacobian["state"][rows], shots.jacobian["time"][rows])
+    found = np.concatenate(matrices, axis=1)
+    size = np.abs(expected).max(axis=(1, 2), keepdims=True)
+    error = (np.abs(found - expected) / size).max(axis=(1, 2))
+    # The path in doubles is itself off by some 1e-16, times what a change of the release grows by.
+    assert np.all(error < 1e-13 * np.maximum(1.0, size[:, 0, 0])), error.max()
+    return shots.contacts[rows]
+
+
+@pytest.mark.parametrize(
+    ("engine", "parameters", "names"),
+    [
+        pytest.param(hoopgen.HOOP, {}, (*STATE, "restitution", *BOARD), id="hoop"),
+        pytest.param(
+            hoopgen.COURT,
+            {"ring_friction": 0.3, "backboard_friction": 0.2, "restitution_speed": 40.0},
+            (
+                *STATE,
+                *BOARD,
+                *("ring_restitution", "backboard_restitution", "ring_friction", "inertia"),
+                *("backboard_friction", "tangential_restitution", "restitution_speed"),
+            ),
+            id="court",
+        ),
+        pytest.param(hoopgen.COURT, {}, (*STATE, "tangential_restitution"), id="court-usual"),
+    ],
+)
+def test_derivatives_are_those_of_70_digits(
+    engine: Engine, parameters: Mapping[str, float], names: tuple[str, ...]
+) -> None:
+    contacts = check_against_truth(engine, throws(40), parameters, names, 12)
+    assert contacts.max() >= 3
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("engine", [hoopgen.HOOP, hoopgen.COURT], ids=["hoop", "court"])
+def test_derivatives_of_many_shots_are_those_of_70_digits(engine: Engine) -> None:
+    contacts = check_against_truth(engine, throws(420, 11), {}, (*STATE, *BOARD), 400)
+    assert contacts.max() >= 8
+
+
+@pytest.mark.slow
+def test_derivatives_in_a_scene_of_formulas_are_those_of_70_digits() -> None:
+    engine = hoopgen.compile(hoopgen.load_scene(ROOT / "examples" / "scenes" / "netball.toml"))
+    random = np.random.default_rng(5)
+    states = np.zeros((60, 9))
+    states[:, 0], states[:, 2] = 2.0, -0.9
+    states[:, 3] = random.normal(-2.0, 0.1, 60)
+    states[:, 5] = random.normal(5.8, 0.1, 60)
+    states[:, 7] = 10.0
+    contacts = check_against_truth(engine, states, {}, (*STATE, *engine.parameters), 30)
+    assert contacts.max() >= 1
+
+
+@pytest.mark.parametrize("engine", [hoopgen.HOOP, hoopgen.COURT], ids=["hoop", "court"])
+def test_both_engines_give_the_same_bits(engine: Engine) -> None:
+    states = throws(300)
+    names = ("vx", "wz", "gravity", "ball_radius")
+    found = [
+        engine.simulate(states, backend=backend, derivatives=names) for backend in ("c", "numpy")
+    ]
+    for one, other in zip(*(shots.jacobian.values() for shots in found), strict=True):
+        assert np.array_equal(one, other, equal_nan=True)
+    assert np.array_equal(*(shots.differentiable for shots in found))
+
+
+def test_a_shot_that_touches_nothing_has_the_derivatives_of_a_parabola() -> None:
+    state = hoopgen.release(7.17, 0.9, height=2.1336, distance=4.191)
+    shots = hoopgen.simulate(state, derivatives=("vx", "vz", "gravity"))
+    assert shots.contacts[0] == 0
+    t, vx, vz = shots.time[0], state[3], shots.state[0, 5]
+    # z falls to a height that does not vary: dz + vz dt = 0.
+    np.testing.assert_allclose(shots.jacobian["time"][0, 0], [0, -t / vz, t**2 / 2 / vz], 1e-12)
+    expected = [t, -vx * t / vz, vx * t**2 / 2 / vz]
+    np.testing.assert_allclose(shots.jacobian["state"][0, 0], expected, 1e-12)
+
+
+def test_derivatives_chain_with_those_of_a_release() -> None:
+    values = {"speed": 7.1, "elevation": 0.91, "azimuth": 0.02, "backspin": 12.0, "sidespin": 1.0}
+    values |= {"height": 2.1, "distance": 4.2, "angle": 0.1}
+    states, by_release = hoopgen.release(**values, jacobian=True)
+    shots = hoopgen.simulate(states, derivatives=(*STATE, "restitution"))
+    chained = shots.jacobian.chain(by_release)
+    assert chained.names == (*values, "restitution")
+    assert chained["state"].shape == (1, 9, 9)
+    for column, name in enumerate(values):
+        step = 1e-6
+        ends = [
+            hoopgen.simulate(hoopgen.release(**values | {name: values[name] + sign * step})).state
+            for sign in (1, -1)
+        ]
+        expected = (ends[0] - ends[1])[0] / (2 * step)
+        np.testing.assert_allclose(chained["state"][0, :, column], expected, rtol=1e-5, atol=1e-5)
+
+
+def test_a_release_has_its_derivatives_whatever_its_shape() -> None:
+    states, jacobian = hoopgen.release(
+        np.array([[7.0], [7.2]]), np.array([0.8, 0.9, 1.0]), **FREE_THROW, jacobian=True
+    )
+    assert states.shape == (2, 3, 9)
+    assert jacobian["state"].shape == (2, 3, 9, 8)
+    one = hoopgen.release(7.2, 0.9, **FREE_THROW, jacobian=True)[1]["state"]
+    np.testing.assert_array_equal(jacobian["state"][1, 1], one)
+
+
+def test_parameters_by_shot_have_their_own_derivatives() -> None:
+    states = np.repeat(throws(1), 3, axis=0)
+    restitution = np.array([0.6, 0.7, 0.8])
+    together = hoopgen.simulate(states, {"restitution": restitution}, derivatives=("restitution",))
+    for index, value in enumerate(restitution):
+        alone = hoopgen.simulate(
+            states[index], {"restitution": value}, derivatives=("restitution",)
+        )
+        np.testing.assert_array_equal(together.jacobian["state"][index], alone.jacobian["state"][0])
+
+
+def test_shots_without_derivatives_say_so() -> None:
+    capped = hoopgen.release(7.2, 0.9, height=2.1336, distance=4.191)
+    invalid = np.full(9, np.nan)
+    touching = throws(1)[0]
+    states = np.stack([capped, invalid, touching])
+    shots = hoopgen.simulate(states, derivatives=("vx",), max_contacts=1)
+    assert np.array_equal(
+        shots.differentiable, (shots.outcome <= hoopgen.Outcome.MISSED) & ~shots.uncertain
+    )
+    assert not shots.differentiable.all()
+    assert np.isnan(shots.jacobian["state"][~shots.differentiable]).all()
+    assert np.isfinite(shots.jacobian["state"][shots.differentiable]).all()
+
+
+def test_a_ball_that_rolls_has_no_derivatives() -> None:
+    state = np.array([-0.2, 0.0, 0.4, 0.05, 0.0, 0.0, 0.0, 0.0, 0.0])
+    random = np.random.default_rng(2)
+    states = state + 0.02 * random.normal(size=(200, 9))
+    shots = hoopgen.simulate(
+        states, {"ring_restitution": 0.0}, scene=hoopgen.COURT, derivatives=("x",), record=True
+    )
+    stays = np.unique(
+        shots.events["shot"][np.isin(shots.events["kind"], (Event.ROLL, Event.LEAVE))]
+    )
+    assert len(stays)
+    assert not shots.differentiable[stays].any()
+
+
+def test_nothing_else_changes_with_derivatives() -> None:
+    states = throws(50)
+    plain = hoopgen.simulate(states, fields=("time",))
+    shots = hoopgen.simulate(states, fields=("time",), derivatives=("vx",))
+    np.testing.assert_array_equal(plain.time, shots.time)
+    for name in ("events", "outcome", "uncertain"):
+        with pytest.raises(AttributeError):
+            getattr(shots, name)
+    with pytest.raises(AttributeError, match="derivatives="):
+        _ = plain.jacobian
+
+
+@pytest.mark.parametrize(
+    ("names", "error", "text"),
+    [
+        ("vx", TypeError, "derivatives: expected a list of names, got the text 'vx'"),
+        ([], ValueError, "derivatives: no name; expected each name once"),
+        (["vx", "vx"], ValueError, "derivatives: vx twice"),
+        (["speed"], ValueError, "derivatives: .*speed"),
+    ],
+)
+def test_bad_names_of_derivatives(names: Any, error: type[Exception], text: str) -> None:
+    with pytest.raises(error, match=text):
+        hoopgen.simulate(throws(1), derivatives=names)
+
+
+def test_a_chain_needs_all_that_the_releases_depend_on() -> None:
+    states, by_release = hoopgen.release(7.1, 0.9, **FREE_THROW, jacobian=True)
+    shots = hoopgen.simulate(states, derivatives=("vx",))
+    with pytest.raises(ValueError, match=r"derivatives: x, y, z, vy, vz, .* missing"):
+        shots.jacobian.chain(by_release)
+
+
+def test_tangents_and_cotangents_agree() -> None:
+    states = throws(20)
+    random = np.random.default_rng(4)
+    tangents = {"vx": random.normal(size=20), "restitution": 0.3, "z": -1.0}
+    shots, changes = hoopgen.jvp(states, None, tangents)
+    matrix = hoopgen.simulate(states, derivatives=tuple(tangents)).jacobian["state"]
+    columns = [np.broadcast_to(value, 20) for value in tangents.values()]
+    np.testing.assert_allclose(changes["state"], np.einsum("nik,kn->ni", matrix, columns), 1e-12)
+    weights = {"state": random.normal(size=(20, 9)), "time": random.normal(size=20)}
+    _, gradients = hoopgen.vjp(states, None, weights)
+    assert set(gradients) == {*STATE, *hoopgen.HOOP.parameters}
+    forward = (weights["state"] * changes["state"]).sum(1) + weights["time"] * changes["time"]
+    backward = sum(gradients[name] * value for name, value in tangents.items())
+    known = shots.differentiable
+    np.testing.assert_allclose(forward[known], np.asarray(backward)[known], 1e-9)
