@@ -56,6 +56,10 @@ class PreciseScene:
             self._functions[kind, of] = sp.lambdify(arguments, plain, modules, cse=True)
         return self._functions[kind, of]
 
+    def gap(self, surface: Surface, place: Vector, inputs: Vector) -> Any:
+        """Return the distance of a ball at a place from a surface."""
+        return self._function("gap", surface, POSITION, [surface.distance])(*place, *inputs)[0]
+
     def end(
         self, state: Vector, inputs: Vector, events: Sequence[tuple[Surface, Law | None, float]]
     ) -> Vector:
@@ -78,10 +82,9 @@ class PreciseScene:
             [c for part in self.scene.flight.at() for c in part],
         )
         for surface, law, near in events:
-            gap = self._function("gap", surface, POSITION, [surface.distance])
 
-            def distance(since: Any, now: Vector = now, gap: Any = gap) -> Any:
-                return gap(*flight(since, *now, *inputs)[:3], *inputs)[0]
+            def distance(since: Any, now: Vector = now, surface: Surface = surface) -> Any:
+                return self.gap(surface, flight(since, *now, *inputs)[:3], inputs)
 
             duration = mpmath.findroot(distance, (near - clock, near - clock + mpmath.mpf("1e-9")))
             now = [*flight(duration, *now, *inputs), *now[6:]]

@@ -56,11 +56,13 @@ def truth(
     for index in range(len(rows)):
         events = []
         for event in shots.events[shots.events["shot"] == index]:
-            if event["kind"] == Event.END:
-                events.append((ends[0], None, float(event["time"])))
-            else:
-                body = bodies[event["surface"]]
-                events.append((body.faces[0], body.law, float(event["time"])))
+            ended = event["kind"] == Event.END
+            body = None if ended else bodies[event["surface"]]
+            faces = ends if body is None else body.faces
+            place = list(event["before"][:3])
+            gaps = [abs(precise.gap(face, place, inputs)) for face in faces]
+            law = None if body is None else body.law
+            events.append((faces[gaps.index(min(gaps))], law, float(event["time"])))
         found.append(precise.derivatives(states[rows[index]], inputs, events, changes))
     return np.array(found)
 
@@ -261,6 +263,6 @@ def test_tangents_and_cotangents_agree() -> None:
     _, gradients = hoopgen.vjp(states, None, weights)
     assert set(gradients) == {*STATE, *hoopgen.HOOP.parameters}
     forward = (weights["state"] * changes["state"]).sum(1) + weights["time"] * changes["time"]
-    backward = sum(gradients[name] * value for name, value in tangents.items())
+    backward = sum(gradients[name] * np.asarray(value) for name, value in tangents.items())
     known = shots.differentiable
     np.testing.assert_allclose(forward[known], np.asarray(backward)[known], 1e-9)
