@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from math import inf, isinf
+from math import floor, inf, isinf, log10
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -54,6 +54,12 @@ def spun(position: Floats, velocity: Floats, backspin: Floats) -> Floats:
     spin[..., 0] = backspin * ahead[..., 1]
     spin[..., 1] = -backspin * ahead[..., 0]
     return np.concatenate([position, velocity, spin + 0.0], axis=-1)
+
+
+def _decimals(errors: Floats) -> int:
+    """Return the decimals that show one or two digits of standard errors."""
+    known = errors[np.isfinite(errors) & (errors > 0.0)]
+    return int(np.clip(1 - floor(log10(np.median(known))), 2, 9)) if len(known) else 2
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -335,9 +341,11 @@ class FittedReleases(Result):
             unit = display_unit(ARGUMENTS[name].kind) if name in ARGUMENTS else None
             size = unit.size if unit else 1.0
             heads.append(f"{name} ({unit.symbol if unit else unit_in(name, self.scene)})")
-            errors = self.standard_errors[name]
-            for row, value, error in zip(rows, values[name], errors, strict=False):
-                row.append(f"{value / size:.2f} ± {error / size:.2f}" if value == value else "-")
+            errors = self.standard_errors[name] / size
+            digits = _decimals(errors)
+            for row, value, error in zip(rows, values[name] / size, errors, strict=False):
+                text = f"{value:.{digits}f} ± {error:.{digits}f}"
+                row.append(text if value == value else "-")
         for row, reason in zip(rows, self.reason, strict=False):
             row.append(reason or "yes")
         return [*heads, "credible"], rows

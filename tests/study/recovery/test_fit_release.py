@@ -354,9 +354,9 @@ def test_tracks_that_are_no_flights_are_not_credible() -> None:
     slow[4, :, 1:] = [0.0, 0.4]
     slow[4, :, 2] -= 0.5 * GRAVITY * times**2
     found = fit(times, slow, noise=0.01)
-    assert found.reason[0] in (TOO_LARGE, TWO_FLIGHTS)
+    assert found.reason[0] in (TOO_LARGE, TWO_FLIGHTS, IN_HAND)
     assert found.reason[1:3] == (TOO_FEW, TOO_FEW)
-    assert found.reason[3] in (TOO_LARGE, TWO_FLIGHTS, TOO_FEW)
+    assert found.reason[3] in (TOO_LARGE, TWO_FLIGHTS, IN_HAND, TOO_FEW)
     assert found.reason[4] == NOT_SIMULATED
     assert found.credible.tolist() == [False] * 5 + [True] * 3
     assert np.isnan(found.states[1:3]).all()
