@@ -231,7 +231,16 @@ class FittedReleases(Result):
             From 0 to 2^64 - 1.
         confidence
             Of the interval, that of the simulation.
+
+        Raises
+        ------
+        ValueError
+            If the scene has no end, or an argument is not as described.
         """
+        if not len(self.scene.kernels.ENDS):
+            raise ValueError(f"made: the scene {self.scene.name} has no end in which a shot goes")
+        if not 0.0 < confidence < 1.0:
+            raise ValueError(f"confidence: expected a number within 0 and 1, got {confidence}")
         shots = check_count("shots", shots)
         counts = np.zeros((len(self), 2), np.int64)
         step = max(1, _SHOTS // shots)

@@ -35,6 +35,7 @@ from hoopgen.study.recovery.fit_release import (
     UNSETTLED,
 )
 from hoopgen.study.recovery.fitted_releases import FittedReleases
+from tests.helpers import ROOT
 from tests.helpers.effort import trials
 
 from .tracks import SPIN, noisy, throws, with_hand
@@ -399,6 +400,22 @@ def test_the_court_cuts_at_its_own_contacts() -> None:
     assert found.credible.all()
     assert found.scene is hoopgen.COURT
     assert found.to_pandas()["credible"].all()
+
+
+@pytest.mark.slow
+def test_a_scene_of_ones_own_has_its_own_contacts_and_ends() -> None:
+    scene = hoopgen.compile(hoopgen.load_scene(ROOT / "examples" / "scenes" / "golf.toml"))
+    state = np.array([[-0.5, 0.0, 0.3, 1.4, 0.0, 1.0, 0.0, 0.0, 0.0]])
+    path = hoopgen.simulate(state, scene=scene, record=True).trajectory(0)
+    times = np.arange(0.0, path.duration, 1 / 120)
+    found = fit_release(times, path.at(times)[:, :3], scene=scene, noise=0.002)
+    assert found.credible.all()
+    np.testing.assert_allclose(found.states, state, rtol=0, atol=1e-9)
+    contact = path.events["time"][0]
+    assert not found.frames[times >= contact].any()
+    assert found.frames[times < contact - 0.005].all()
+    assert found.made(50).probability[0] == 1.0
+    assert list(found.columns())[:3] == ["track", "x_m", "y_m"]
 
 
 # --------------------------------------------------------------------------------------------- made
