@@ -60,6 +60,7 @@ if TYPE_CHECKING:
     from .study.questions.margins import margins as margins
     from .study.questions.optimum import optimum as optimum
     from .study.questions.solve import solve as solve
+    from .study.recovery.fit_release import fit_release as fit_release
     from .studyfile import run_study as run_study
     from .viewer import view as view
 
@@ -123,6 +124,7 @@ _LAZY = {
     "aim": "study.questions.aim",
     "measure": "study.measures.measures",
     "batch": "study.questions.batch",
+    "fit_release": "study.recovery.fit_release",
     "run_study": "studyfile",
     "view": "viewer",
 }

@@ -32,6 +32,7 @@ _COMMANDS = {
     "aim": "aim",
     "bank": "bank",
     "batch": "batch",
+    "fit": "fit",
     "study": "study",
     "view": "view",
     "certify": "certify",

@@ -35,7 +35,7 @@ LAYERS = (
     {"study.statistics"},
     {"study.jobs"},
     {"study.tables"},
-    {"study.questions", "viewer"},
+    {"study.questions", "study.recovery", "viewer"},
     {"plots"},
     {"studyfile"},
     {"hoopgen"},

@@ -27,6 +27,7 @@ from hoopgen.study.questions.bank import bank_or_direct
 from hoopgen.study.questions.settings import WAYS, Sampling, arguments, setting, settings
 from hoopgen.study.questions.specification import QUESTIONS
 from hoopgen.study.questions.values import Choice, Whole
+from hoopgen.study.recovery.table import fit_table
 from hoopgen.study.tables.limits import MEMORY
 from hoopgen.study.tables.source import FORMATS
 from hoopgen.studyfile.schema import KINDS, Question, table_of
@@ -41,6 +42,7 @@ FUNCTIONS = {
     specification.AimQuestion: aim_table,
     specification.BatchQuestion: hoopgen.batch,
     specification.MarginsQuestion: hoopgen.margins,
+    specification.FitQuestion: fit_table,
 }
 
 NOT_SETTINGS = {

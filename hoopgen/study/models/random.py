@@ -15,9 +15,10 @@ from hoopgen.core.validation import check_count
 
 ROW_OF_RELEASES, ROW_OF_SAMPLE, ORDER_OF_ROWS = 1 << 32, 2 << 32, 3 << 32
 SMOOTHING = 4 << 32
+POSTERIOR = 5 << 32
 """Streams that choose rows, of measured releases and of a table to look at, that shuffle measured
-releases, and from here on smooth them; those of variables are far below. A choice by the numbers
-that made the rows would not be a random one."""
+releases, and from here on smooth them, or draw from the fit of a track; those of variables are far
+below. A choice by the numbers that made the rows would not be a random one."""
 
 _WORDS = 4
 """64-bit words that one step of Philox's counter gives."""

@@ -180,6 +180,29 @@ tolerance = partial(
     setting, "The fall in probability that is still called flat.", Share(), 0.01, option=None
 )
 
+table_format = partial(
+    setting,
+    "Format of the table; by default as the file's suffix says.",
+    Choice(("csv", "parquet", "arrow", "xlsx")),
+    None,
+    heading=MEASURED,
+)
+table_where = partial(
+    setting,
+    "Rows that do not meet a condition are left out: 'speed_mph >= 15', 'player == Ann'.",
+    Listed(Text(words="a comparison", metavar="CONDITION")),
+    (),
+    heading=MEASURED,
+    check=_check_conditions,
+)
+table_units = partial(
+    setting,
+    "Units of the columns of results: metres and m/s, or feet, mph and degrees.",
+    Choice(("si", "us")),
+    "si",
+    heading=RESULTS,
+)
+
 
 @dataclass(frozen=True, kw_only=True)
 class Seeded:
@@ -250,12 +273,7 @@ class Computation(Workers):
 class TableSettings:
     """Settings for reading a table of releases."""
 
-    format: str | None = setting(
-        "Format of the table; by default as the file's suffix says.",
-        Choice(("csv", "parquet", "arrow", "xlsx")),
-        None,
-        heading=MEASURED,
-    )
+    format: str | None = table_format()
     own: Sequence[str] = setting(
         "Columns that are not to be read, though they are named like variables.",
         Listed(Text(words="a column's name", metavar="COLUMN")),
@@ -272,13 +290,7 @@ class TableSettings:
         "azimuth_deg='Side angle'.",
         file='`columns.speed = "release_speed_mph"`.',
     )
-    where: Sequence[str] = setting(
-        "Rows that do not meet a condition are left out: 'speed_mph >= 15', 'player == Ann'.",
-        Listed(Text(words="a comparison", metavar="CONDITION")),
-        (),
-        heading=MEASURED,
-        check=_check_conditions,
-    )
+    where: Sequence[str] = table_where()
     implausible: bool = setting(
         "Simulate rows with implausible numbers, too, such as an elevation of 500 degrees.",
         Flag(),

@@ -1,0 +1,1 @@
+"""Recovery of releases from the measured tracks of a ball."""

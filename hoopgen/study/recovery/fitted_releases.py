@@ -1,0 +1,370 @@
+"""`FittedReleases`: releases that were fitted to tracks, with their errors."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from math import floor, inf, isinf, log10
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import chdtri, stdtrit
+
+from hoopgen.core.extras import require
+from hoopgen.core.parameters import Value
+from hoopgen.core.units import System, column_name, display_unit, file_unit
+from hoopgen.core.validation import check_count
+from hoopgen.core.variables import STATE
+from hoopgen.hoop.arguments import FLIGHT_ARGUMENTS, arguments_jacobian, arguments_of
+from hoopgen.hoop.variables import ARGUMENTS
+from hoopgen.simulation.engine import Engine
+from hoopgen.simulation.simulate import simulate
+from hoopgen.study.models.random import POSTERIOR, normals, uniforms
+from hoopgen.study.named_units import unit_in
+from hoopgen.study.result import Result
+from hoopgen.study.statistics.intervals import wilson
+from hoopgen.text.html import table as rendered
+from hoopgen.text.numbers import format_count
+from hoopgen.text.tables import table
+
+from .made import MadeGivenTrack
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+_SHOTS = 1 << 18
+"""Shots that are simulated together."""
+
+_SHOWN = 10
+"""Releases that are listed in text."""
+
+
+def spun(position: Floats, velocity: Floats, backspin: Floats) -> Floats:
+    """Return states whose spin is a backspin across the flight on the floor plan, (..., 9)."""
+    level = np.hypot(velocity[..., 0], velocity[..., 1])
+    with np.errstate(invalid="ignore", divide="ignore"):
+        ahead = velocity[..., :2] / level[..., None]
+    spin = np.zeros_like(position)
+    spin[..., 0] = backspin * ahead[..., 1]
+    spin[..., 1] = -backspin * ahead[..., 0]
+    return np.concatenate([position, velocity, spin + 0.0], axis=-1)
+
+
+def _decimals(errors: Floats) -> int:
+    """Return the decimals that show one or two digits of standard errors."""
+    known = errors[np.isfinite(errors) & (errors > 0.0)]
+    return int(np.clip(1 - floor(log10(np.median(known))), 2, 9)) if len(known) else 2
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class FittedReleases(Result):
+    """Releases fitted to n tracks; NaN for a track that cannot be fitted.
+
+    Attributes
+    ----------
+    states
+        At the release, (n, 9): x y z (m), vx vy vz (m/s), wx wy wz (rad/s). The spin is what was
+        given, 0 if nothing was: positions do not determine it.
+    covariance
+        Of position and velocity, (n, 6, 6), SI: right if the errors are normal and independent.
+        Outliers are not counted as frames in it; that they move the fit a little is not in it.
+    time
+        Of the release, (n,), s, on the clock of the frames.
+    residuals
+        Measured less fitted positions of the frames in the fit, m, in the shape of the positions;
+        NaN elsewhere.
+    noise
+        Standard deviation of each coordinate of a frame, (3,), m, given or estimated.
+    degrees
+        Degrees of freedom of each estimate of the noise; infinite if it was given.
+    frames
+        Which frames lie between the release and the first contact, in the shape of the times: they
+        are in the fit, outliers with their small weight.
+    outliers
+        Which of them are outliers: residuals that one frame of 10,000 has by chance.
+    counts
+        Number of frames in the fit and of outliers among them, (n, 2).
+    credible
+        Whether a track is the flight of a ball, (n,).
+    reason
+        Why it is not, by track: too few frames, residuals too large (a chi-square test at
+        0.1%, or more outliers than a quarter of the frames), frames of two flights (the outliers
+        lie on another parabola), frames before the flight begins (the first two are outliers),
+        the cut at the first contact does not settle, or the fitted
+        release cannot be simulated. "" for a credible one.
+    labels
+        Of the tracks, as given; else their numbers from 0.
+    backspin
+        rad/s, (n,), if that was given; else None.
+    spin_given
+        Whether the spin was given in any way.
+    parameters
+        Of the scene: one number each, or (n,).
+    scene
+        In which the first contacts were found.
+    """
+
+    states: Floats
+    covariance: Floats
+    time: Floats
+    residuals: Floats
+    noise: Floats
+    degrees: float
+    frames: Flags
+    outliers: Flags
+    counts: NDArray[np.int64]
+    credible: Flags
+    reason: tuple[str, ...]
+    labels: tuple[Any, ...]
+    backspin: Floats | None
+    spin_given: bool
+    parameters: Mapping[str, Value]
+    scene: Engine
+
+    def __len__(self) -> int:
+        return len(self.states)
+
+    @cached_property
+    def variables(self) -> Mapping[str, Floats]:
+        """Return speed, elevation, azimuth, height, distance and angle, (n,) each; m, m/s, rad."""
+        found = arguments_of(self.states)
+        return {name: found[name] for name in FLIGHT_ARGUMENTS}
+
+    @cached_property
+    def standard_errors(self) -> Mapping[str, Floats]:
+        """Return the standard errors of `variables` and of the components of `states`, (n,) each.
+
+        Those of variables are of first order: the Jacobian times the covariance.
+        """
+        jacobian = arguments_jacobian(self.states)
+        with np.errstate(invalid="ignore"):
+            variances = np.einsum("nij,njk,nik->ni", jacobian, self.covariance, jacobian)
+            found = np.sqrt(variances)
+            own = np.sqrt(np.diagonal(self.covariance, axis1=1, axis2=2))
+        named = dict(zip(FLIGHT_ARGUMENTS, found.T, strict=True))
+        return named | dict(zip(STATE[:6], own.T, strict=True))
+
+    def intervals(self, confidence: float = 0.95) -> dict[str, tuple[Floats, Floats]]:
+        """Return the ends of confidence intervals, (n,) each, of what has a standard error.
+
+        Quantiles are those of Student's t if the noise was estimated, else normal ones.
+
+        Parameters
+        ----------
+        confidence
+            Within 0 and 1.
+        """
+        if not 0.0 < confidence < 1.0:
+            raise ValueError(f"confidence: expected a number within 0 and 1, got {confidence}")
+        # The t distribution with 1e9 degrees of freedom is the normal one to nine digits.
+        times = float(stdtrit(min(max(self.degrees, 1.0), 1e9), 0.5 + 0.5 * confidence))
+        values = {**self.variables, **dict(zip(STATE[:6], self.states.T[:6], strict=True))}
+        return {
+            name: (values[name] - times * error, values[name] + times * error)
+            for name, error in self.standard_errors.items()
+        }
+
+    def draw(self, shots: int, seed: int = 0) -> Floats:
+        """Return releases from the distribution of each fit.
+
+        Position and velocity are normal with the covariance; of Student's t if the noise was
+        estimated. The spin is as given, a backspin across the flight that is drawn.
+
+        Parameters
+        ----------
+        shots
+            Of each track.
+        seed
+            From 0 to 2^64 - 1.
+
+        Returns
+        -------
+        ndarray
+            States, (n, shots, 9); NaN of tracks that cannot be fitted.
+        """
+        return self._drawn(check_count("shots", shots), seed, 0, len(self))
+
+    def _drawn(self, shots: int, seed: int, first: int, last: int) -> Floats:
+        """Return the draws of tracks `first` to `last` - 1."""
+        part, begin, end = slice(first, last), first * shots, last * shots
+        drawn = np.empty((last - first, shots, 6))
+        for axis in range(3):
+            block = self.covariance[part, axis::3, axis::3]
+            with np.errstate(invalid="ignore", divide="ignore"):
+                root = np.sqrt(block[:, 0, 0])
+                slant = block[:, 0, 1] / root
+                rest = np.sqrt(np.maximum(block[:, 1, 1] - slant * slant, 0.0))
+            one, two = (
+                normals(seed, POSTERIOR + 3 * axis + k, begin, end).reshape(-1, shots)
+                for k in range(2)
+            )
+            if not isinf(self.degrees):
+                chances = uniforms(seed, POSTERIOR + 3 * axis + 2, begin, end).reshape(-1, shots)
+                free = max(self.degrees, 1.0)
+                wide = np.sqrt(free / chdtri(free, chances))
+                one, two = one * wide, two * wide
+            drawn[:, :, axis] = root[:, None] * one
+            drawn[:, :, axis + 3] = slant[:, None] * one + rest[:, None] * two
+        drawn += self.states[part, None, :6]
+        if self.backspin is not None:
+            return spun(drawn[..., :3], drawn[..., 3:], self.backspin[part, None])
+        spins = np.broadcast_to(self.states[part, None, 6:], (*drawn.shape[:2], 3))
+        return np.concatenate([drawn, spins], axis=2)
+
+    def made(self, shots: int = 1000, seed: int = 0, confidence: float = 0.95) -> MadeGivenTrack:
+        """Return the probability that each shot goes in, given its track.
+
+        Releases drawn from the distribution of the fit are simulated in the scene. In a scene
+        without a hoop it is the probability of the first end.
+
+        Parameters
+        ----------
+        shots
+            Simulated for each track.
+        seed
+            From 0 to 2^64 - 1.
+        confidence
+            Of the interval, that of the simulation.
+
+        Raises
+        ------
+        ValueError
+            If the scene has no end, or an argument is not as described.
+        """
+        if not len(self.scene.kernels.ENDS):
+            raise ValueError(f"made: the scene {self.scene.name} has no end in which a shot goes")
+        if not 0.0 < confidence < 1.0:
+            raise ValueError(f"confidence: expected a number within 0 and 1, got {confidence}")
+        shots = check_count("shots", shots)
+        counts = np.zeros((len(self), 2), np.int64)
+        step = max(1, _SHOTS // shots)
+        for first in range(0, len(self), step):
+            last = min(first + step, len(self))
+            drawn = self._drawn(shots, seed, first, last)
+            own = {
+                name: np.repeat(np.asarray(value)[first:last], shots) if np.ndim(value) else value
+                for name, value in self.parameters.items()
+            }
+            found = simulate(drawn.reshape(-1, 9), own, scene=self.scene, fields=("outcome",))
+            ended = found.outcome.reshape(-1, shots)
+            counts[first:last, 0] = np.sum(ended == 0, axis=1)
+            counts[first:last, 1] = np.sum(ended != self.scene.outcomes["INVALID"], axis=1)
+        counts[~self.credible] = 0
+        with np.errstate(invalid="ignore"):
+            share = counts[:, 0] / counts[:, 1]
+        low, high = wilson(counts[:, 0], counts[:, 1], confidence)
+        known = counts[:, 1] > 0
+        low, high = np.where(known, low, np.nan), np.where(known, high, np.nan)
+        return MadeGivenTrack(share, low, high, counts[:, 1], confidence, self.labels)
+
+    def columns(self, units: System = "si") -> dict[str, Any]:
+        """Return the columns of a table of releases, by name with unit.
+
+        Label, speed, angles and place, or in a scene without a hoop the state; the time; standard
+        errors; and whether the track is credible. Releases that are not are NaN, so that `batch`
+        counts their rows as INVALID and studies leave them out.
+
+        Parameters
+        ----------
+        units
+            "si", or "us" for feet, mph and degrees.
+        """
+        trusted = self.credible
+        arguments = arguments_of(self.states)
+        spins: list[str] = ["backspin", "sidespin"] if self.spin_given else []
+        values: dict[str, Floats] = {**self.variables, **{n: arguments[n] for n in spins}}
+        if not self.scene.has_hoop:
+            values = dict(zip(STATE, self.states.T, strict=True))
+        columns: dict[str, Any] = {"track": list(self.labels)}
+        for name, value in values.items():
+            unit, size = file_unit(unit_in(name, self.scene) or ARGUMENTS[name].unit, units)
+            columns[column_name(name, unit)] = np.where(trusted, value, np.nan) / size
+        columns["release_time_s"] = self.time
+        errors = self.standard_errors
+        for name in values:
+            if name in errors:
+                unit, size = file_unit(unit_in(name, self.scene), units)
+                columns[column_name(f"sd_{name}", unit)] = (
+                    np.where(trusted, errors[name], np.nan) / size
+                )
+        columns["frames"], columns["outliers"] = self.counts.T
+        columns["credible"] = trusted
+        columns["fit_reason"] = list(self.reason)
+        return columns
+
+    def to_pandas(self) -> DataFrame:
+        """Return a pandas.DataFrame, a row each track: what `columns` gives, in SI.
+
+        Raises
+        ------
+        ImportError
+            If pandas is missing: what brings it.
+        """
+        frame: DataFrame = require("pandas", "to_pandas").DataFrame(self.columns())
+        return frame
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the numbers of tracks, and the noise, in types that JSON knows."""
+        return {
+            "tracks": len(self),
+            "credible": int(self.credible.sum()),
+            "not_credible": dict(Counter(reason for reason in self.reason if reason)),
+            "frames": int(self.counts[:, 0].sum()),
+            "outliers": int(self.counts[:, 1].sum()),
+            "noise": self.noise.tolist(),
+            "noise_degrees": None if self.degrees == inf else self.degrees,
+        }
+
+    @property
+    def summary(self) -> str:
+        """Say in lines how many tracks were fitted, and with which noise."""
+        about = self.as_dict()
+        unit = display_unit("short")
+        each = zip("xyz", self.noise, strict=True)
+        noise = ", ".join(f"{axis} {size / unit.size:.2f}" for axis, size in each)
+        how = "given" if isinf(self.degrees) else "estimated"
+        known = f"noise ({how}, {unit.symbol}): {noise}"
+        lines = [
+            f"{format_count(len(self), 'track')}, {about['credible']:,} credible; "
+            f"{format_count(about['frames'], 'frame')}, "
+            f"{format_count(about['outliers'], 'outlier')}",
+            "noise: unknown, no track has three frames" if np.isnan(self.noise).any() else known,
+        ]
+        causes = about["not_credible"].items()
+        lines += [f"not credible: {count:,} {reason}" for reason, count in causes]
+        return "\n".join(lines)
+
+    def _cells(self) -> tuple[list[str], list[list[str]]]:
+        """Return the headings and the rows of the first releases."""
+        names = FLIGHT_ARGUMENTS if self.scene.has_hoop else STATE[:6]
+        states = dict(zip(STATE, self.states.T, strict=True))
+        values = self.variables if self.scene.has_hoop else states
+        heads, rows = ["track"], [[str(one)] for one in self.labels[:_SHOWN]]
+        for name in names:
+            unit = display_unit(ARGUMENTS[name].kind) if name in ARGUMENTS else None
+            size = unit.size if unit else 1.0
+            heads.append(f"{name} ({unit.symbol if unit else unit_in(name, self.scene)})")
+            errors = self.standard_errors[name] / size
+            digits = _decimals(errors)
+            for row, value, error in zip(rows, values[name] / size, errors, strict=False):
+                text = f"{value:.{digits}f} ± {error:.{digits}f}"
+                row.append(text if value == value else "-")
+        for row, reason in zip(rows, self.reason, strict=False):
+            row.append(reason or "yes")
+        return [*heads, "credible"], rows
+
+    def __str__(self) -> str:
+        heads, rows = self._cells()
+        text = f"{self.summary}\n\n{table(heads, rows)}" if rows else self.summary
+        more = len(self) - len(rows)
+        return text + (f"\nand {more:,} more" if more > 0 else "")
+
+    def _repr_html_(self) -> str:
+        heads, rows = self._cells()
+        return rendered(self.summary.replace("\n", "; "), heads, rows)
