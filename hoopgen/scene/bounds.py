@@ -160,5 +160,13 @@ def linear_powers(axis: int) -> Powers:
 
 
 def is_along(terms: Terms, axis: int) -> bool:
-    """Return whether a bound only limits a body along an axis."""
+    """Return whether a bound only limits a body along an axis.
+
+    Parameters
+    ----------
+    terms
+        The bound.
+    axis
+        The axis, 0 to 2.
+    """
     return {powers for powers, _ in terms} - {(0, 0, 0)} == {_axis(axis)}

@@ -200,19 +200,17 @@ class _Builder:
     def _oblique_cylinder(self, shape: Shape) -> tuple[Surface, ...]:
         span = self._span(shape, "centre", "span from", "span to")
         bounds, radius, shell = self._curved(shape, span)
-        centre, direction = self._centre(shape), self._vector(shape, "direction")
-        return (
-            ObliqueCylinder(shape.name, centre, direction, radius, bounds, shape.inside, shell),
-        )
+        axis, direction = self._vector(shape, "axis"), self._vector(shape, "direction")
+        return (ObliqueCylinder(shape.name, axis, direction, radius, bounds, shape.inside, shell),)
 
     def _cone(self, shape: Shape) -> tuple[Surface, ...]:
         """Return the side of a cone, and, if the ball can touch it, its apex."""
-        bounds = self._span(shape, "apex", "low", "high")
+        bounds = self._span(shape, "apex", "contact from", "contact to")
         apex, direction = self._vector(shape, "apex"), self._vector(shape, "direction")
         shell = self._ball if shape.inside and bounds else None
         side = Cone(
             shape.name,
-            self._vector(shape, "centres"),
+            self._vector(shape, "contact apex"),
             direction,
             self._sympy(shape["slope"]),
             bounds,

@@ -17,7 +17,7 @@ from hoopgen.text.shorten import brief, join_names
 from .formulas import ONE, POSITION, ZERO, Formula, constant
 from .inputs import Inputs
 
-__all__ = ["Vector", "aligned", "angle", "direction", "dot", "vector_inputs"]
+__all__ = ["Vector", "aligned", "angle", "direction", "dot", "settled", "vector_inputs"]
 
 Vector = tuple[Formula, Formula, Formula]
 
@@ -78,7 +78,7 @@ def _fixed_unit(parts: Sequence[Formula]) -> list[Formula]:
     if sum(map(bool, shares)) == 1:
         return [constant(share) for share in shares]
     length = math.sqrt(float(sum(share**2 for share in shares)))
-    return [constant(Fraction(float(share) / length)) for share in shares]
+    return [constant(Fraction(repr(float(share) / length))) for share in shares]
 
 
 def _unit(parts: Sequence[Formula]) -> list[Formula]:
@@ -147,8 +147,22 @@ def aligned(vector: Vector) -> tuple[int, int] | None:
 
 
 def dot(left: Sequence[Formula], right: Sequence[Formula]) -> Formula:
-    """Return the scalar product of two vectors."""
+    """Return the scalar product of two vectors.
+
+    Parameters
+    ----------
+    left, right
+        The vectors, three components each.
+    """
     return sum((a * b for a, b in zip(left, right, strict=True)), ZERO)
+
+
+def settled(formula: Formula) -> Formula:
+    """Return a formula without names as the double that it is, and any other one as it is."""
+    if formula.names or formula == ZERO:
+        return formula
+    value = float(formula.evaluate({}))
+    return constant(Fraction(repr(value))) if math.isfinite(value) else formula
 
 
 def vector_inputs(

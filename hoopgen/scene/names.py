@@ -177,6 +177,13 @@ def check_apart(
 def check_faces(scene: str, bodies: Iterable[Body]) -> None:
     """Raise an error if a body is named like the apex of a cone, which is a face of its own.
 
+    Parameters
+    ----------
+    scene
+        The scene's name.
+    bodies
+        Its bodies.
+
     Raises
     ------
     SceneError

@@ -9,14 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any, Protocol
 
 from hoopgen.text.shorten import brief
 
 from . import pieces
 from .bounds import LinearMap, Map
-from .directions import Vector, aligned, angle, direction, dot, vector_inputs
-from .formula_parser import read
+from .directions import Vector, aligned, angle, direction, dot, settled, vector_inputs
 from .formulas import ONE, ZERO, Formula, constant
 from .inputs import Inputs
 from .polynomials import Polynomial
@@ -33,7 +33,7 @@ __all__ = [
 ]
 
 
-class Reader(Protocol):
+class _Reader(Protocol):
     """A reader of arguments as formulas, with the inputs of a scene."""
 
     @property
@@ -81,7 +81,7 @@ class ObliqueBody:
     there: Map | LinearMap | None = None
 
 
-def _any_direction(reader: Reader, owner: str, argument: str, given: object) -> Vector:
+def _any_direction(reader: _Reader, owner: str, argument: str, given: object) -> Vector:
     """Return the direction of an axis by its name, or of a vector."""
     if isinstance(given, str):
         axis, way = reader.axis(owner, argument, given)
@@ -94,9 +94,18 @@ def _any_direction(reader: Reader, owner: str, argument: str, given: object) -> 
 
 
 def read_plane_normal(
-    reader: Reader, owner: str, body: pieces.Plane
+    reader: _Reader, owner: str, body: pieces.Plane
 ) -> tuple[tuple[int, int] | None, Vector, Formula]:
     """Return a plane's axis, None if it is oblique, its direction, and its offset along it.
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner
+        The body, for error messages.
+    body
+        The body as its author wrote it.
 
     Raises
     ------
@@ -106,8 +115,9 @@ def read_plane_normal(
     if body.axis is not None and body.normal is not None:
         raise reader.inputs.wrong(owner, "normal", "expected axis or normal, got both")
     if body.normal is None:
-        axis = reader.axis(owner, "axis", "z" if body.axis is None else body.axis)
-        vector = _any_direction(reader, owner, "axis", "z" if body.axis is None else body.axis)
+        given = "z" if body.axis is None else body.axis
+        axis: tuple[int, int] | None = reader.axis(owner, "axis", given)
+        vector = _any_direction(reader, owner, "axis", given)
     else:
         vector = direction(reader.inputs, owner, "normal", body.normal)
         axis = aligned(vector)
@@ -116,13 +126,27 @@ def read_plane_normal(
     if body.at is not None:
         raise reader.inputs.wrong(owner, "point", "expected at or point, got both")
     point = reader.point(owner, "point", body.point)
-    return axis, vector, dot(vector, tuple(point.values()))
+    return axis, vector, settled(dot(vector, tuple(point.values())))
 
 
 def read_inclined_plane(
-    reader: Reader, owner: str, vector: Vector, at: Formula, ball: Formula
+    reader: _Reader, owner: str, vector: Vector, at: Formula, ball: Formula
 ) -> ObliqueBody:
-    """Return a plane whose normal is along no axis."""
+    """Return a plane whose normal is along no axis.
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner
+        The body, for error messages.
+    vector
+        Its direction.
+    at
+        The plane's offset along its direction.
+    ball
+        The ball's radius.
+    """
     sizes = vector_inputs(reader.inputs, owner, "direction", vector, "1")
     sizes |= {"at": reader.inputs.add(owner, "at", at)}
     return ObliqueBody("inclined plane", tuple(sizes.items()), there=_beneath(vector, ball))
@@ -133,14 +157,26 @@ def _beneath(vector: Vector, ball: Formula) -> Map:
     return Map(shift=(x, y, z))
 
 
-def read_disc(reader: Reader, owner: str, body: pieces.Disc, ball: Formula) -> ObliqueBody:
-    """Return a disc: the plane through its centre, within its radius of it."""
+def read_disc(reader: _Reader, owner: str, body: pieces.Disc, ball: Formula) -> ObliqueBody:
+    """Return a disc: the plane through its centre, within its radius of it.
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner
+        The body, for error messages.
+    body
+        The body as its author wrote it.
+    ball
+        The ball's radius.
+    """
     vector = _any_direction(reader, owner, "axis", body.axis)
     centre = reader.point(owner, "centre", body.centre)
     sizes = vector_inputs(reader.inputs, owner, "direction", vector, "1")
     sizes |= {"radius": reader.size(owner, "radius", body.radius, sign="positive")}
     sizes |= reader.add(owner, centre)
-    at = dot(vector, tuple(centre.values()))
+    at = settled(dot(vector, tuple(centre.values())))
     sizes |= {"at": reader.inputs.add(owner, "at", at)}
     return ObliqueBody("disc", tuple(sizes.items()), there=_beneath(vector, ball))
 
@@ -149,9 +185,20 @@ def read_disc(reader: Reader, owner: str, body: pieces.Disc, ball: Formula) -> O
 
 
 def read_oblique_cylinder(
-    reader: Reader, owner: str, body: pieces.Cylinder, ball: Formula
+    reader: _Reader, owner: str, body: pieces.Cylinder, ball: Formula
 ) -> ObliqueBody:
     """Return a cylinder along any direction; its span begins at its centre.
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner
+        The body, for error messages.
+    body
+        The body as its author wrote it.
+    ball
+        The ball's radius.
 
     Raises
     ------
@@ -168,11 +215,14 @@ def read_oblique_cylinder(
     if inputs.number(owner, "radius", room) <= 0:
         raise inputs.wrong(owner, "radius", "the ball does not fit inside")
     sizes |= vector_inputs(inputs, owner, "direction", vector, "1")
-    sizes |= reader.add(owner, centre)
-    sizes |= {
-        argument: inputs.add(owner, argument, end)
-        for argument, end in read_span(reader, owner, body.span).items()
-    }
+    # Nearest to the origin, so that roundings are as small as the ball's place allows.
+    way = dot(vector, tuple(centre.values()))
+    near = [settled(own - way * part) for own, part in zip(centre.values(), vector, strict=True)]
+    sizes |= vector_inputs(inputs, owner, "axis", near)
+    span = read_span(reader, owner, body.span)
+    if span:
+        sizes |= reader.add(owner, centre)
+    sizes |= {argument: inputs.add(owner, argument, end) for argument, end in span.items()}
     there = _towards_axis(vector, tuple(centre.values()), radius / room) if body.within else Map()
     return ObliqueBody("oblique cylinder", tuple(sizes.items()), inside, there)
 
@@ -196,8 +246,17 @@ def _towards_axis(vector: Vector, centre: Sequence[Formula], factor: Formula) ->
     return LinearMap((rows[0], rows[1], rows[2]))
 
 
-def read_span(reader: Reader, owner: str, given: object) -> dict[str, Formula]:
+def read_span(reader: _Reader, owner: str, given: object) -> dict[str, Formula]:
     """Return the ends of a span along an axis as formulas: "span from" and "span to".
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner
+        The body, for error messages.
+    given
+        The two ends as the author wrote them.
 
     Raises
     ------
@@ -221,8 +280,19 @@ def read_span(reader: Reader, owner: str, given: object) -> dict[str, Formula]:
 # Cones
 
 
-def read_cone(reader: Reader, owner: str, body: pieces.Cone, ball: Formula) -> ObliqueBody:
+def read_cone(reader: _Reader, owner: str, body: pieces.Cone, ball: Formula) -> ObliqueBody:
     """Return a cone; its span begins at its apex.
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner
+        The body, for error messages.
+    body
+        The body as its author wrote it.
+    ball
+        The ball's radius.
 
     Raises
     ------
@@ -232,26 +302,29 @@ def read_cone(reader: Reader, owner: str, body: pieces.Cone, ball: Formula) -> O
     inputs = reader.inputs
     vector = _any_direction(reader, owner, "axis", body.axis)
     slope = _slope(reader, owner, body)
+    named = inputs.add(owner, "slope", slope, sign="positive", unit="1")
     apex = reader.point(owner, "apex", body.apex)
     inside = reader.flag(owner, "inside", body.inside)
     span = read_span(reader, owner, body.span)
     start = span.pop("span from", ZERO)
     if inputs.number(owner, "span from", start) < 0:
         raise inputs.wrong(owner, "span from", "expected a number of at least 0, from the apex")
-    per_cosine = (ONE + slope**2).sqrt()
-    sine, to_apex = ball * slope / per_cosine, ball * per_cosine / slope
+    per_cosine = settled((ONE + slope**2).sqrt())
+    sine, to_apex = settled(ball * slope / per_cosine), settled(ball * per_cosine / slope)
     way = constant(1 if inside else -1)
     sizes = vector_inputs(inputs, owner, "direction", vector, "1")
-    sizes |= {"slope": inputs.add(owner, "slope", slope, sign="positive", unit="1")}
+    sizes |= {"slope": named}
     sizes |= reader.add(owner, apex)
     moved = [
-        place + way * part * to_apex for place, part in zip(apex.values(), vector, strict=True)
+        settled(place + way * part * to_apex)
+        for place, part in zip(apex.values(), vector, strict=True)
     ]
-    sizes |= vector_inputs(inputs, owner, "centres", moved)
+    sizes |= vector_inputs(inputs, owner, "contact apex", moved)
     if start != ZERO:
         sizes["span from"] = inputs.add(owner, "span from", start)
     if start != ZERO or not inside:
-        sizes["low"] = inputs.add(owner, "low", start + way * sine)
+        low = settled(start + way * sine)
+        sizes["contact from"] = inputs.add(owner, "contact from", low)
     if "span to" in span:
         end = span["span to"]
         if inputs.number(owner, "span to", end) <= 0:
@@ -259,11 +332,12 @@ def read_cone(reader: Reader, owner: str, body: pieces.Cone, ball: Formula) -> O
         if inside and inputs.number(owner, "span to", end + sine - to_apex) <= 0:
             raise inputs.wrong(owner, "span to", "the ball does not fit so far inside")
         sizes["span to"] = inputs.add(owner, "span to", end)
-        sizes["high"] = inputs.add(owner, "high", end + way * sine)
+        high = settled(end + way * sine)
+        sizes["contact to"] = inputs.add(owner, "contact to", high)
     return ObliqueBody("cone", tuple(sizes.items()), inside)
 
 
-def _slope(reader: Reader, owner: str, body: pieces.Cone) -> Formula:
+def _slope(reader: _Reader, owner: str, body: pieces.Cone) -> Formula:
     """Return the tangent of the half-angle, of whichever of the two is given."""
     if (body.slope is None) == (body.half_angle is None):
         got = "neither" if body.slope is None else "both"
@@ -275,7 +349,7 @@ def _slope(reader: Reader, owner: str, body: pieces.Cone) -> Formula:
     if not 0.0 < half < math.pi / 2.0 * (1.0 - 2.0**-50):
         said = f"expected an angle above 0deg and below 90deg, got {brief(body.half_angle)}"
         raise reader.inputs.wrong(owner, "half_angle", said)
-    return read(float(f"{math.tan(half):.15g}"), ())
+    return constant(Fraction(f"{math.tan(half):.15g}"))
 
 
 # Rolling

@@ -107,6 +107,14 @@ def _vector(shape: Shape, number: Number, argument: str) -> Floats:
     return np.array([0.0 if size is None else number(size) for size in own])
 
 
+def _origin(shape: Shape, number: Number) -> Floats:
+    """Return the point from which the span of a body of revolution is measured."""
+    if shape.kind == "cone":
+        return _vector(shape, number, "apex")
+    spanned = not {"span from", "span to"}.isdisjoint(dict(shape.sizes))
+    return _vector(shape, number, "centre" if spanned else "axis")
+
+
 def _placed(bound: Bound, frame: _Frame) -> Bound:
     return lambda points: bound(frame.place(points))
 
@@ -122,7 +130,7 @@ def _turned(mesh: Mesh, frame: _Frame) -> Mesh:
 def _cylinder(
     shape: Shape, number: Number, bounds: Sequence[Bound], room: Box, ball: float
 ) -> Mesh:
-    frame = _Frame.along(_vector(shape, number, "direction"), _vector(shape, number, "centre"))
+    frame = _Frame.along(_vector(shape, number, "direction"), _origin(shape, number))
     radius = number(shape["radius"])
     low, high = _visible_span(frame, radius, room)
     ends = _ends(shape, number)
@@ -279,8 +287,7 @@ def oblique_extent(shape: Shape, number: Number) -> tuple[list[float], list[floa
     if shape.kind == "disc":
         circles = [(_vector(shape, number, "centre"), number(shape["radius"]))]
     else:
-        cone = shape.kind == "cone"
-        origin = _vector(shape, number, "apex" if cone else "centre")
+        origin = _origin(shape, number)
         slope, radius = (
             number(shape[name]) if name in dict(shape.sizes) else 0.0
             for name in ("slope", "radius")
