@@ -39,9 +39,19 @@ a clearance promises may leave the surface's box. They go no further than twice 
 
 @dataclass(frozen=True)
 class PolynomialRootFinder(RootFinder):
-    """The root finder for any surface with a polynomial condition, by Bernstein bounds."""
+    """The root finder for any surface with a polynomial condition, by Bernstein bounds.
+
+    Attributes
+    ----------
+    surface
+        The surface.
+    two_sided
+        True if F'' is bounded from both sides: then a ball that is long behind a surface, beyond
+        its bounds, needs fewer steps.
+    """
 
     surface: Surface
+    two_sided: bool = False
 
     @property
     def _coefficients(self) -> Coefficients:
@@ -147,9 +157,20 @@ class PolynomialRootFinder(RootFinder):
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
         """Return the largest Bernstein coefficient of -F'' on the window, rounding included."""
-        second = derivative(derivative([barrier(self._along(c)) for c in self._local]))
-        upper = maximum(*(-barrier(c) for c in bernstein(second, width)))
+        upper = maximum(*(-c for c in self._bends(width)))
         return upper + sp.Rational(1, 2**36) * ceiling
+
+    def turned_curvature(self, width: sp.Expr) -> sp.Expr:
+        """Return the largest Bernstein coefficient of F'', if that is bounded from both sides."""
+        if not self.two_sided:
+            return super().turned_curvature(width)
+        upper = maximum(*self._bends(width))
+        return barrier(upper + sp.Rational(1, 2**36) * ceiling)
+
+    def _bends(self, width: sp.Expr) -> list[sp.Expr]:
+        """Return the Bernstein coefficients of F'' on the window."""
+        second = derivative(derivative([barrier(self._along(c)) for c in self._local]))
+        return [barrier(c) for c in bernstein(second, width)]
 
     def _sizes(self, share: sp.Expr) -> dict[sp.Expr, Rounded]:
         """Return bounds on offset and velocity within the windows, with a share of the box."""

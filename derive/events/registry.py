@@ -7,7 +7,16 @@ from typing import Any
 
 from ..motion.flight import Flight
 from ..motion.parabola import Parabola
-from ..surfaces import Box, EndPlane, Plane, Ring, Surface
+from ..surfaces import (
+    Box,
+    Cone,
+    EndPlane,
+    InclinedPlane,
+    ObliqueCylinder,
+    Plane,
+    Ring,
+    Surface,
+)
 from .box import BoxRootFinder
 from .end_plane import EndPlaneSearch
 from .plane import PlaneSearch
@@ -34,6 +43,10 @@ def _box(surface: Box, flight: Parabola) -> Search:
     return RootSearch(surface, flight, BoxRootFinder(flight, surface))
 
 
+def _oblique(surface: Surface, flight: Parabola) -> Search:
+    return RootSearch(surface, flight, PolynomialRootFinder(flight, surface, two_sided=True))
+
+
 def _general(surface: Surface, flight: Flight) -> Search | None:
     # The polynomial in time is that of the path, which must be the flight itself.
     if not flight.exact:
@@ -46,6 +59,9 @@ SEARCHES: tuple[tuple[type[Surface], type[Flight], SearchFactory], ...] = (
     (Plane, Parabola, PlaneSearch),
     (Ring, Parabola, _ring),
     (Box, Parabola, _box),
+    (InclinedPlane, Parabola, _oblique),
+    (ObliqueCylinder, Parabola, _oblique),
+    (Cone, Parabola, _oblique),
     (Surface, Flight, _general),
 )
 """Kinds of surface and flight, with their search; the first row that supports both is taken."""

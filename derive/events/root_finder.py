@@ -106,6 +106,11 @@ class RootFinder(ABC):
     def curvature(self, width: sp.Expr) -> sp.Expr:
         """Return M with -F'' <= M on [t, t + width]."""
 
+    def turned_curvature(self, width: sp.Expr) -> sp.Expr:
+        """Return M with F'' <= M on [t, t + width], for the search of the way out of a surface."""
+        del width
+        return ceiling
+
     @property
     @abstractmethod
     def ceiling(self) -> sp.Expr:
@@ -154,7 +159,7 @@ class RootFinder(ABC):
         root nearby.
 
         Where a root may be out of bounds the search goes on behind it: with `side` -1 it looks for
-        the way out, a root of -F, whose curvature the ceiling bounds, and needs Newton's root.
+        the way out, a root of -F, and needs Newton's root. `turned_curvature` bounds its curvature.
         """
         turned = side != 1
         gap, rate, bend = self._searched(), self.rate, self.bend
@@ -169,7 +174,7 @@ class RootFinder(ABC):
         width = barrier(minimum(barrier(end - t), guess), "w")
         curvature = self.curvature(width)
         if turned:
-            curvature = IfLess(0, side, barrier(curvature), ceiling)
+            curvature = IfLess(0, side, barrier(curvature), self.turned_curvature(width))
         step = first_root(low_gap, slope, barrier(curvature, "M"))
         stride = minimum(width, step)
         least_fall = barrier(-rate - self.rate_allowed)

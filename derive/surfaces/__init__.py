@@ -5,9 +5,12 @@ from __future__ import annotations
 from .body import Body, body
 from .bounds import as_length
 from .box import Box
+from .cone import Cone
 from .cylinder import Cylinder
 from .end_plane import EndPlane
 from .implicit import ImplicitSurface
+from .inclined_plane import InclinedPlane
+from .oblique_cylinder import ObliqueCylinder
 from .plane import Plane
 from .ring import Ring
 from .sphere import Sphere
@@ -17,8 +20,11 @@ from .torus import Torus, torus
 __all__ = [
     "Body",
     "Box",
+    "Cone",
     "Cylinder",
     "ImplicitSurface",
+    "InclinedPlane",
+    "ObliqueCylinder",
     "EndPlane",
     "Plane",
     "Ring",

@@ -5,12 +5,14 @@ from __future__ import annotations
 from .files import load_scene
 from .inputs import SceneError
 from .limits import Limits
-from .pieces import Box, Cylinder, End, Parameter, Plane, Sphere, Surface, Torus
+from .pieces import Box, Cone, Cylinder, Disc, End, Parameter, Plane, Sphere, Surface, Torus
 from .scene import Scene
 
 __all__ = [
     "Box",
+    "Cone",
     "Cylinder",
+    "Disc",
     "End",
     "Limits",
     "Parameter",

@@ -15,7 +15,7 @@ from .formulas import ONE, POSITION, ZERO, Formula, FormulaError
 from .inputs import Inputs
 from .polynomials import Polynomial, polynomial, product, total
 
-__all__ = ["Map", "Terms", "bounds", "terms"]
+__all__ = ["LinearMap", "Map", "Terms", "bounds", "is_along", "linear_powers", "terms"]
 
 Powers = tuple[int, int, int]
 
@@ -43,19 +43,33 @@ class Map:
             slopes = {powers: factor for powers, factor in terms.items() if any(powers)}
             return slopes | {powers: factor / scale for powers, factor in constant.items()}
         there = [total([{_axis(k): self.scale[k]}, {(0, 0, 0): self.shift[k]}]) for k in range(3)]
+        return _substitute(terms, there)
 
-        def term(powers: Powers, factor: Formula) -> Polynomial:
-            found: Polynomial = {(0, 0, 0): factor}
-            for place, power in zip(there, powers, strict=True):
-                for _ in range(power):
-                    found = product(found, place)
-            return found
 
-        return total(term(powers, factor) for powers, factor in terms.items())
+@dataclass(frozen=True)
+class LinearMap:
+    """The map from the ball's centre to the point of contact, each of its coordinates linear."""
+
+    rows: tuple[Polynomial, Polynomial, Polynomial]
+
+    def put(self, terms: Polynomial) -> Polynomial:
+        """Return a polynomial in the point of contact as one in the ball's centre."""
+        return _substitute(terms, self.rows)
+
+
+def _substitute(terms: Polynomial, there: Sequence[Polynomial]) -> Polynomial:
+    def term(powers: Powers, factor: Formula) -> Polynomial:
+        found: Polynomial = {(0, 0, 0): factor}
+        for place, power in zip(there, powers, strict=True):
+            for _ in range(power):
+                found = product(found, place)
+        return found
+
+    return total(term(powers, factor) for powers, factor in terms.items())
 
 
 def bounds(
-    inputs: Inputs, owner: str, within: object, there: Map | None = None
+    inputs: Inputs, owner: str, within: object, there: Map | LinearMap | None = None
 ) -> tuple[Terms, ...]:
     """Return the bounds of a body or an end.
 
@@ -84,7 +98,7 @@ def bounds(
 
 
 def terms(
-    inputs: Inputs, owner: str, argument: str, given: object, there: Map | None = None
+    inputs: Inputs, owner: str, argument: str, given: object, there: Map | LinearMap | None = None
 ) -> Terms:
     """Return a polynomial of the ball's centre, from one of the point of contact.
 
@@ -138,3 +152,21 @@ def _axis(axis: int) -> Powers:
 
 def _format_powers(powers: Iterable[int]) -> str:
     return "".join(axis * power for axis, power in zip(POSITION, powers, strict=True))
+
+
+def linear_powers(axis: int) -> Powers:
+    """Return the powers of the term that is a coordinate itself."""
+    return _axis(axis)
+
+
+def is_along(terms: Terms, axis: int) -> bool:
+    """Return whether a bound only limits a body along an axis.
+
+    Parameters
+    ----------
+    terms
+        The bound.
+    axis
+        The axis, 0 to 2.
+    """
+    return {powers for powers, _ in terms} - {(0, 0, 0)} == {_axis(axis)}

@@ -17,13 +17,17 @@ from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.surfaces import (
     Body,
     Box,
+    Cone,
     Cylinder,
     ImplicitSurface,
+    InclinedPlane,
+    ObliqueCylinder,
     Plane,
     Sphere,
     Surface,
     torus,
 )
+from hoopgen.derive.surfaces.directions import along, squared_distance, squared_length
 from hoopgen.derive.symbolic.symbols import POSITION
 
 from .bounds import Terms
@@ -113,6 +117,10 @@ class _Builder:
             "torus": self._torus,
             "box": self._box,
             "surface": self._surface,
+            "inclined plane": self._inclined_plane,
+            "disc": self._disc,
+            "oblique cylinder": self._oblique_cylinder,
+            "cone": self._cone,
         }
         return Body(shape.name, make[shape.kind](shape), self._law(shape))
 
@@ -146,9 +154,11 @@ class _Builder:
         centre, direction = self._centre(shape), _direction(shape.axis)
         return (Cylinder(shape.name, centre, direction, radius, bounds, shape.inside, shell),)
 
-    def _curved(self, shape: Shape) -> tuple[tuple[sp.Expr, ...], sp.Expr, sp.Expr | None]:
+    def _curved(
+        self, shape: Shape, span: tuple[sp.Expr, ...] = ()
+    ) -> tuple[tuple[sp.Expr, ...], sp.Expr, sp.Expr | None]:
         """Return bounds, the offset radius, and the thickness of a shell."""
-        radius, bounds = self._sympy(shape["radius"]), self._bounds(shape)
+        radius, bounds = self._sympy(shape["radius"]), (*span, *self._bounds(shape))
         if not shape.inside:
             return bounds, radius + self._ball, None
         self._requirements.append(radius - self._ball)
@@ -170,10 +180,68 @@ class _Builder:
         condition = self._polynomial(shape.condition)
         return (ImplicitSurface(shape.name, condition, self._bounds(shape)),)
 
+    def _inclined_plane(self, shape: Shape) -> tuple[Surface, ...]:
+        offset = self._sympy(shape["at"]) + self._ball
+        bounds, direction = self._bounds(shape), self._vector(shape, "direction")
+        return (InclinedPlane(shape.name, direction, offset, self._ball, bounds),)
+
+    def _disc(self, shape: Shape) -> tuple[Surface, ...]:
+        """Return the plane of a disc, within its circle: a cylinder about its axis."""
+        offset, direction = self._sympy(shape["at"]) + self._ball, self._vector(shape, "direction")
+        around = squared_distance(direction, self._from(shape, "centre"))
+        radius = self._sympy(shape["radius"])
+        circle = sp.expand(around - radius**2 * squared_length(direction))
+        bounds = (circle, *self._bounds(shape))
+        if all(part.is_Integer for part in direction):
+            x, y, z = map(int, direction)
+            return (Plane(shape.name, (x, y, z), offset, self._ball, bounds),)
+        return (InclinedPlane(shape.name, direction, offset, self._ball, bounds),)
+
+    def _oblique_cylinder(self, shape: Shape) -> tuple[Surface, ...]:
+        span = self._span(shape, "centre", "span from", "span to")
+        bounds, radius, shell = self._curved(shape, span)
+        axis, direction = self._vector(shape, "axis"), self._vector(shape, "direction")
+        return (ObliqueCylinder(shape.name, axis, direction, radius, bounds, shape.inside, shell),)
+
+    def _cone(self, shape: Shape) -> tuple[Surface, ...]:
+        """Return the side of a cone, and, if the ball can touch it, its apex."""
+        bounds = self._span(shape, "apex", "contact from", "contact to")
+        apex, direction = self._vector(shape, "apex"), self._vector(shape, "direction")
+        shell = self._ball if shape.inside and bounds else None
+        side = Cone(
+            shape.name,
+            self._vector(shape, "contact apex"),
+            direction,
+            self._sympy(shape["slope"]),
+            bounds,
+            shape.inside,
+            shell,
+        )
+        if shape.inside or "span from" in dict(shape.sizes):
+            return (side,)
+        return (side, Sphere(f"{shape.name}_apex", apex, self._ball, (-bounds[0],)))
+
+    def _span(self, shape: Shape, origin: str, low: str, high: str) -> tuple[sp.Expr, ...]:
+        """Return the bounds of a span along a direction, from a point."""
+        sizes = dict(shape.sizes)
+        height = sp.expand(along(self._vector(shape, "direction"), self._from(shape, origin)))
+        found = [self._sympy(sizes[low]) - height] if low in sizes else []
+        found += [height - self._sympy(sizes[high])] if high in sizes else []
+        return tuple(found)
+
+    def _from(self, shape: Shape, origin: str) -> list[sp.Expr]:
+        there = self._vector(shape, origin)
+        return [place - own for place, own in zip(POSITION, there, strict=True)]
+
     def _centre(self, shape: Shape) -> Point:
+        return self._vector(shape, "centre")
+
+    def _vector(self, shape: Shape, argument: str) -> Point:
         sizes = dict(shape.sizes)
         x, y, z = (
-            self._sympy(sizes[f"centre {axis}"]) if f"centre {axis}" in sizes else sp.Integer(0)
+            self._sympy(sizes[f"{argument} {axis}"])
+            if f"{argument} {axis}" in sizes
+            else sp.Integer(0)
             for axis in "xyz"
         )
         return x, y, z

@@ -26,6 +26,8 @@ KINDS = {
         pieces.Plane,
         pieces.Sphere,
         pieces.Cylinder,
+        pieces.Cone,
+        pieces.Disc,
         pieces.Torus,
         pieces.Box,
         pieces.Surface,
@@ -131,7 +133,7 @@ def _build_piece(scene: str, kind: type, owner: str, table: object, name: str | 
     if not isinstance(table, Mapping):
         raise wrong(scene, owner, "", f"expected a table, got {brief(table)}")
     arguments = dict(table)
-    if kind is pieces.Cylinder and isinstance(arguments.get("span"), list):
+    if kind in (pieces.Cylinder, pieces.Cone) and isinstance(arguments.get("span"), list):
         # TOML has no null: an end that is not there is "".
         arguments["span"] = [None if end == "" else end for end in arguments["span"]]
     hidden = ("limits", "name" if name else "")  # no file raises the limits that hold for it

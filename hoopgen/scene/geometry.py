@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 
 from hoopgen.engine.compiled_scene import CompiledScene
 
-from .bounds import Terms
+from .bounds import Terms, is_along, linear_powers
 from .engine_pieces import scene_pieces
 from .formulas import Formula
 from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, level_set, walls
+from .oblique_geometry import FLAT, OBLIQUE, oblique_extent, oblique_mesh
 from .polynomials import derivative, evaluate
 from .scene import Scene
 from .scene_reader import Shape
@@ -168,13 +169,13 @@ class SceneGeometry:
         for shape in self.scene.read.bodies:
             first, last = (np.array(side) for side in self._extent(shape))
             within = np.all((first <= high + reach) & (last >= low - reach))
-            if shape.kind not in ("plane", "surface") and within:
+            if shape.kind not in ("plane", "inclined plane", "surface") and within:
                 first = np.where(np.isfinite(first), np.maximum(first, low - reach), low)
                 last = np.where(np.isfinite(last), np.minimum(last, high + reach), high)
                 corners += [first, last]
         low, high = np.min(corners, axis=0), np.max(corners, axis=0)
         planes = [shape for shape in self.scene.read.bodies if shape.kind == "plane"]
-        if planes:
+        if planes or any(shape.kind == "inclined plane" for shape in self.scene.read.bodies):
             low, high = low - _PLANE_MARGIN * reach, high + _PLANE_MARGIN * reach
         for shape in planes:
             axis, way = shape.axis
@@ -201,6 +202,10 @@ class SceneGeometry:
     # One body
 
     def _body(self, shape: Shape, room: Box) -> Body:
+        if shape.kind in OBLIQUE:
+            bounds = self._bounds(shape.bounds)
+            mesh = oblique_mesh(shape, self._number, bounds, room, self.ball_radius)
+            return Body(shape.name, mesh, shape.kind in FLAT or shape.inside, np.empty((0, 2, 3)))
         made = {
             "plane": self._plane,
             "sphere": self._sphere,
@@ -275,7 +280,7 @@ class SceneGeometry:
             # Bounds other than those along the axis hold for a ball beside the rim.
             beside = corners + ball / radius * (corners - middle[:, None])
             whole = Mesh.of(np.concatenate([corners, beside], -1))
-            others = [b for b in shape.bounds if not _is_along(b, axis)]
+            others = [b for b in shape.bounds if not is_along(b, axis)]
             left = cut(whole, self._bounds(others), walls(room)).corners
             left[..., 3:] = left[..., :3]
             left[..., 3 + axis] += way * ball
@@ -357,6 +362,8 @@ class SceneGeometry:
             return tuple(  # type: ignore[return-value]
                 [self._number(shape[f"{end} {axis}"]) for axis in "xyz"] for end in ("from", "to")
             )
+        if shape.kind in OBLIQUE:
+            return oblique_extent(shape, self._number)
         if shape.kind in ("plane", "surface"):
             return [-np.inf] * 3, [np.inf] * 3
         centre, reach = self._centre(shape), np.full(3, self._number(shape["radius"]))
@@ -369,8 +376,8 @@ class SceneGeometry:
             low[axis], high[axis] = -np.inf, np.inf
             for terms in shape.bounds:
                 found = {powers: self._number(factor) for powers, factor in terms}
-                steep = found.get(_linear(axis), 0.0)
-                if steep and _is_along(terms, axis):
+                steep = found.get(linear_powers(axis), 0.0)
+                if steep and is_along(terms, axis):
                     end = -found.get((0, 0, 0), 0.0) / steep
                     if steep > 0:
                         high[axis] = min(high[axis], end)
@@ -384,12 +391,3 @@ class SceneGeometry:
             return lambda points: evaluate(numbers, points)
 
         return [bound(terms) for terms in bounds]
-
-
-def _linear(axis: int) -> tuple[int, int, int]:
-    return int(axis == 0), int(axis == 1), int(axis == 2)
-
-
-def _is_along(terms: Terms, axis: int) -> bool:
-    """Return whether a bound only limits a body along an axis."""
-    return {powers for powers, _ in terms} - {(0, 0, 0)} == {_linear(axis)}

@@ -17,8 +17,17 @@ from hoopgen.text.shorten import brief
 
 from .formulas import POSITION
 from .inputs import wrong
+from .pieces import Body, Cone
 
-__all__ = ["MAX_NAME_LENGTH", "PUBLIC", "RESERVED", "check_apart", "check_name", "check_names"]
+__all__ = [
+    "MAX_NAME_LENGTH",
+    "PUBLIC",
+    "RESERVED",
+    "check_apart",
+    "check_faces",
+    "check_name",
+    "check_names",
+]
 
 PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)
 """Pattern of public names; derive/ demands the same, but importing it would import SymPy."""
@@ -163,3 +172,26 @@ def check_apart(
         if name in (there if kind == "body" else parameters):
             said = f"{name} is what {what} would be called; expected another name"
             raise wrong(scene, f"{kind} {name}", "name", said)
+
+
+def check_faces(scene: str, bodies: Iterable[Body]) -> None:
+    """Raise an error if a body is named like the apex of a cone, which is a face of its own.
+
+    Parameters
+    ----------
+    scene
+        The scene's name.
+    bodies
+        Its bodies.
+
+    Raises
+    ------
+    SceneError
+        Naming both.
+    """
+    given = list(bodies)
+    apexes = {f"{body.name}_apex": body.name for body in given if isinstance(body, Cone)}
+    for body in given:
+        if body.name in apexes:
+            said = f"{body.name} is what the apex of the cone {apexes[body.name]} is called"
+            raise wrong(scene, f"body {body.name}", "name", f"{said}; expected another name")

@@ -6,7 +6,7 @@ Plain data. A size is a number, the name of a parameter, or a small formula of t
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import KW_ONLY, dataclass
 from typing import Protocol
@@ -14,7 +14,9 @@ from typing import Protocol
 __all__ = [
     "Body",
     "Box",
+    "Cone",
     "Cylinder",
+    "Disc",
     "End",
     "Parameter",
     "Plane",
@@ -40,6 +42,13 @@ Size = float | str | Expression
 """A number, a formula as text, or an expression of SymPy."""
 
 Point = tuple[Size, Size, Size]
+
+Direction = Point | Mapping[str, str]
+"""A vector of any length but 0, or ``{"tilt": "12deg", "towards": "30deg"}``.
+
+`tilt` is the angle from the z axis, and `towards`, 0deg if it is left out, the direction on the
+floor plan to which the vector leans, from x towards y.
+"""
 
 
 @dataclass(frozen=True)
@@ -115,14 +124,42 @@ class Plane(Body):
     Attributes
     ----------
     axis
-        Its normal: "x", "y", "z", or one of them with a minus.
+        Its normal: "x", "y", "z", or one of them with a minus; "z" without a `normal`.
     at
-        The coordinate of the plane along that axis: with "-z", at 2 is at z = -2.
+        The coordinate of the plane along its normal, 0 if neither this nor a point is given: with
+        "-z", at 2 is at z = -2.
+    normal
+        In place of `axis`: a normal in any direction. Its length does not matter.
+    point
+        In place of `at`: a point of the plane.
     """
 
     _: KW_ONLY
-    axis: str = "z"
-    at: Size = 0.0
+    axis: str | None = None
+    at: Size | None = None
+    normal: Direction | None = None
+    point: Point | None = None
+
+
+@dataclass(frozen=True)
+class Disc(Body):
+    """A flat round plate, touched from the side to which its axis points.
+
+    The ball touches it only if the point of contact is within the circle. It does not touch the
+    rim: a `Torus` without a wire radius is such an edge.
+
+    Attributes
+    ----------
+    radius, centre
+        Those of its circle.
+    axis
+        Its normal: "x", "y", "z", one of them with a minus, or any direction.
+    """
+
+    _: KW_ONLY
+    radius: Size
+    centre: Point = (0.0, 0.0, 0.0)
+    axis: str | Direction = "z"
 
 
 @dataclass(frozen=True)
@@ -145,9 +182,10 @@ class Cylinder(Body):
     Attributes
     ----------
     radius, centre, axis
-        Its radius, a point of its axis, and "x", "y" or "z".
+        Its radius, a point of its axis, and "x", "y", "z" or any direction.
     span
-        From where to where it goes along its axis, in coordinates; None: without end.
+        From where to where it goes along its axis: in coordinates along "x", "y" or "z", and from
+        its centre along a direction. None: without end.
     inside
         Whether it is touched from inside, as a pipe; with ends or bounds it is a thin shell.
     """
@@ -155,7 +193,39 @@ class Cylinder(Body):
     _: KW_ONLY
     radius: Size
     centre: Point = (0.0, 0.0, 0.0)
-    axis: str = "z"
+    axis: str | Direction = "z"
+    span: tuple[Size | None, Size | None] = (None, None)
+    inside: bool = False
+
+
+@dataclass(frozen=True)
+class Cone(Body):
+    """The curved side of a round cone; its base is open.
+
+    From outside the ball touches its apex, too, if the cone begins there.
+
+    Attributes
+    ----------
+    apex
+        Its apex.
+    axis
+        From the apex into the cone: "x", "y", "z", one of them with a minus, or any direction.
+    half_angle
+        The angle between its axis and its side, above 0deg and below 90deg, such as "30deg".
+    slope
+        In place of `half_angle` its tangent: the radius by the distance from the apex.
+    span
+        From where to where it goes along its axis, from the apex; None: from the apex, and without
+        end.
+    inside
+        Whether it is touched from inside, as a funnel; with ends it is a thin shell.
+    """
+
+    _: KW_ONLY
+    apex: Point = (0.0, 0.0, 0.0)
+    axis: str | Direction = "z"
+    half_angle: str | None = None
+    slope: Size | None = None
     span: tuple[Size | None, Size | None] = (None, None)
     inside: bool = False
 

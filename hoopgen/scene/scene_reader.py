@@ -11,12 +11,22 @@ from typing import Any
 from hoopgen.text.shorten import brief, join_names
 
 from . import pieces
-from .bounds import Map, Terms, bounds, terms
+from .bounds import LinearMap, Map, Terms, bounds, terms
 from .contact_laws import Contact, contact, is_infinite
 from .formulas import ONE, POSITION, ZERO, Formula, constant, name
 from .inputs import Input, Inputs, wrong
 from .limits import current
-from .names import check_apart, check_name, check_names
+from .names import check_apart, check_faces, check_name, check_names
+from .oblique_bodies import (
+    ObliqueBody,
+    read_cone,
+    read_disc,
+    read_inclined_plane,
+    read_oblique_cylinder,
+    read_plane_normal,
+    read_span,
+    why_not_rolling,
+)
 
 SIGNS = ("positive", "nonnegative", "any")
 
@@ -131,16 +141,13 @@ def read_scene(
     check_names(scene, "end", ends)
     units = {parameter.name: parameter.unit for parameter in inputs.all if parameter.own}
     check_apart(scene, units, (body.name for body in bodies), ends)
+    check_faces(scene, bodies)
     radius = reader.formula("", "ball_radius", ball_radius)
     shapes = tuple(_body(reader, body, radius, contacts) for body in bodies)
     for shape in shapes:
-        if rolls and shape.bounds:
-            said = (
-                "on a body with bounds no ball is known to roll; expected none where rolls is true"
-            )
-            raise wrong(
-                scene, f"body {shape.name}", "span" if shape.kind == "cylinder" else "within", said
-            )
+        argument, said = why_not_rolling(shape.kind, dict(shape.sizes), bool(shape.bounds))
+        if rolls and said:
+            raise wrong(scene, f"body {shape.name}", argument, said)
     finished = tuple(_end(reader, own, end) for own, end in zip(ends, finishes, strict=True))
     return ParsedScene(scene, inputs.all, ball, fall, turning, way, rolls, shapes, finished)
 
@@ -151,7 +158,7 @@ def _check_list(scene: str, argument: str, given: Any, kind: type) -> list[Any]:
     found = _check_count(scene, argument, given)
     for one in found:
         if not isinstance(one, kind) or type(one) is pieces.Body:
-            expected = "Plane, Sphere, Cylinder, Torus, Box or Surface"
+            expected = "Plane, Sphere, Cylinder, Cone, Disc, Torus, Box or Surface"
             expected = "End" if kind is pieces.End else expected
             raise wrong(scene, "", argument, f"expected {expected}, got {brief(one)}")
     return found
@@ -269,8 +276,13 @@ def _body(
 ) -> Shape:
     owner, kind = f"body {body.name}", type(body).__name__.lower()
     law = contact(reader.inputs, owner, body, contacts)
+    there: Map | LinearMap | None
     if isinstance(body, pieces.Plane):
         shape, there = _plane(reader, owner, body, ball)
+    elif isinstance(body, pieces.Disc):
+        shape, there = _oblique(body.name, read_disc(reader, owner, body, ball))
+    elif isinstance(body, pieces.Cone):
+        shape, there = _oblique(body.name, read_cone(reader, owner, body, ball))
     elif isinstance(body, pieces.Sphere | pieces.Cylinder):
         shape, there = _curved(reader, owner, body, ball)
     elif isinstance(body, pieces.Torus):
@@ -284,14 +296,22 @@ def _body(
     if there is None and body.within:
         raise reader.inputs.wrong(owner, "within", f"a {kind} has no bounds")
     extra = shape.bounds + bounds(reader.inputs, owner, body.within, there)
-    return Shape(
-        body.name, kind, shape.sizes, shape.axis, shape.inside, law, extra, shape.condition
-    )
+    own = shape.kind or kind
+    return Shape(body.name, own, shape.sizes, shape.axis, shape.inside, law, extra, shape.condition)
 
 
-def _plane(reader: _Reader, owner: str, body: pieces.Plane, ball: Formula) -> tuple[Shape, Map]:
-    axis, way = reader.axis(owner, "axis", body.axis)
-    sizes = (("at", reader.size(owner, "at", body.at)),)
+def _oblique(own: str, found: ObliqueBody) -> tuple[Shape, Map | LinearMap | None]:
+    return Shape(own, found.kind, found.sizes, inside=found.inside), found.there
+
+
+def _plane(
+    reader: _Reader, owner: str, body: pieces.Plane, ball: Formula
+) -> tuple[Shape, Map | LinearMap | None]:
+    along, vector, at = read_plane_normal(reader, owner, body)
+    if along is None:
+        return _oblique(body.name, read_inclined_plane(reader, owner, vector, at, ball))
+    axis, way = along
+    sizes = (("at", reader.inputs.add(owner, "at", at)),)
     shift = [constant(-way) * ball if k == axis else ZERO for k in range(3)]
     there = Map(shift=(shift[0], shift[1], shift[2]))
     return Shape(body.name, "plane", sizes, (axis, way)), there
@@ -299,8 +319,10 @@ def _plane(reader: _Reader, owner: str, body: pieces.Plane, ball: Formula) -> tu
 
 def _curved(
     reader: _Reader, owner: str, body: pieces.Sphere | pieces.Cylinder, ball: Formula
-) -> tuple[Shape, Map]:
+) -> tuple[Shape, Map | LinearMap | None]:
     """Return a sphere or a cylinder: the point of contact lies towards its centre or axis."""
+    if isinstance(body, pieces.Cylinder) and not isinstance(body.axis, str):
+        return _oblique(body.name, read_oblique_cylinder(reader, owner, body, ball))
     radius = reader.formula(owner, "radius", body.radius)
     centre = reader.point(owner, "centre", body.centre)
     inside = reader.flag(owner, "inside", body.inside)
@@ -329,20 +351,12 @@ def _curved(
 
 
 def _span(reader: _Reader, owner: str, given: object, axis: int) -> tuple[Terms, ...]:
-    if isinstance(given, str) or not isinstance(given, Sequence) or len(given) != 2:
-        raise reader.inputs.wrong(owner, "span", f"expected two ends, got {brief(given)}")
     found: list[Terms] = []
-    ends: list[float] = []
-    for argument, way, end in (("span from", -1, given[0]), ("span to", 1, given[1])):
-        if end is None:
-            continue
-        formula = reader.formula(owner, argument, end)
-        ends.append(reader.inputs.number(owner, argument, formula))
+    for argument, formula in read_span(reader, owner, given).items():
+        way = -1 if argument == "span from" else 1
         offset = reader.inputs.add(owner, argument, constant(-way) * formula)
         powers = tuple(int(k == axis) for k in range(3))
         found.append((((powers[0], powers[1], powers[2]), constant(way)), ((0, 0, 0), offset)))
-    if ends != sorted(ends):
-        raise reader.inputs.wrong(owner, "span", f"it ends at {ends[1]:g} before {ends[0]:g}")
     return tuple(found)
 
 

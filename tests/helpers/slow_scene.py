@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from hoopgen.scene import Box, Cylinder, End, Plane, Scene, Sphere, Torus
+from hoopgen.scene import Box, Cone, Cylinder, Disc, End, Plane, Scene, Sphere, Torus
 from hoopgen.scene.pieces import Body
 
 Vector = NDArray[np.float64]
@@ -90,30 +90,49 @@ class Slow:
     def _face(self, index: int, body: Body) -> Face:
         distance, nearest = self._geometry(body)
         within = self._within(body.within)
-        if isinstance(body, Cylinder):
-            axis = "xyz".index(body.axis[-1])
+        if isinstance(body, Cylinder | Cone):
             low, high = (
                 way * math.inf if end is None else self._size(end)
                 for way, end in zip((-1, 1), body.span, strict=True)
             )
+            unit, origin = self._unit(body.axis), np.zeros(3)
+            if isinstance(body, Cone):
+                low, origin = max(low, 0.0), self._vector(body.apex)
+            elif isinstance(body.axis, str):
+                unit = np.abs(unit)
+            else:
+                origin = self._vector(body.centre)
             flat = within
-            within = lambda q: max(low - q[axis], q[axis] - high, flat(q))  # noqa: E731
+            within = lambda q: max(  # noqa: E731
+                low - (q - origin) @ unit, (q - origin) @ unit - high, flat(q)
+            )
+        if isinstance(body, Disc):
+            middle, radius = self._vector(body.centre), self._size(body.radius)
+            beside = within
+            within = lambda q: max(np.linalg.norm(q - middle) - radius, beside(q))  # noqa: E731
         own = self._scene.restitution if body.restitution is None else body.restitution
         return Face(index, distance, nearest, within, self._size(own))
 
     def _geometry(self, body: Body) -> tuple[Callable[[Vector], float], Callable[[Vector], Vector]]:
         """Return the ball's distance from a body's surface, and the point of it that is nearest."""
         ball = self._ball
-        if isinstance(body, Plane):
-            axis, way = _axis(body.axis)
-            at = self._size(body.at)
-            unit = np.eye(3)[axis] * way
+        if isinstance(body, Plane | Disc):
+            way = body.axis if isinstance(body, Disc) else body.normal or body.axis or "z"
+            unit = self._unit(way)
+            point = body.centre if isinstance(body, Disc) else body.point
+            at = self._size(getattr(body, "at", None) or 0)
+            if point is not None:
+                at = float(self._vector(point) @ unit)
             return (lambda p: p @ unit - at - ball), (lambda p: p - (p @ unit - at) * unit)
         if isinstance(body, Box):
             middle, size = (np.array([*map(self._size, v)]) for v in (body.centre, body.size))
             low, high = middle - size / 2, middle + size / 2
             nearest = lambda p: np.clip(p, low, high)  # noqa: E731
             return (lambda p: np.linalg.norm(p - nearest(p)) - ball), nearest
+        if isinstance(body, Cone):
+            return self._cone(body)
+        if isinstance(body, Cylinder) and not isinstance(body.axis, str):
+            return self._cylinder(body)
         assert isinstance(body, Sphere | Cylinder | Torus)
         centre = np.array([*map(self._size, body.centre)])
         radius = self._size(body.radius)
@@ -139,6 +158,63 @@ class Slow:
             return p - across + across * (radius / np.linalg.norm(across))
 
         return (lambda p: side * (np.linalg.norm((p - centre) * kept) - radius) - ball), on_side
+
+    def _vector(self, written: Any) -> Vector:
+        return np.array([self._size(one) for one in written])
+
+    def _unit(self, written: Any) -> Vector:
+        if isinstance(written, str):
+            axis, way = _axis(written)
+            return np.eye(3)[axis] * way
+        if isinstance(written, Mapping):
+            tilt, towards = (
+                math.radians(float(written.get(name, "0deg").removesuffix("deg")))
+                for name in ("tilt", "towards")
+            )
+            flat = np.array([math.cos(towards), math.sin(towards), 0.0])
+            return math.sin(tilt) * flat + math.cos(tilt) * np.array([0.0, 0.0, 1.0])
+        vector = self._vector(written)
+        return np.asarray(vector / np.linalg.norm(vector))
+
+    def _cylinder(
+        self, body: Cylinder
+    ) -> tuple[Callable[[Vector], float], Callable[[Vector], Vector]]:
+        """Return distance and nearest point of a cylinder along any direction."""
+        unit, centre, radius = self._unit(body.axis), self._vector(body.centre), body.radius
+        size, side, ball = self._size(radius), -1 if body.inside else 1, self._ball
+
+        def on_axis(p: Vector) -> Vector:
+            return np.asarray(centre + ((p - centre) @ unit) * unit)
+
+        def on_side(p: Vector) -> Vector:
+            across = p - on_axis(p)
+            return np.asarray(on_axis(p) + across * (size / np.linalg.norm(across)))
+
+        return (lambda p: side * (np.linalg.norm(p - on_axis(p)) - size) - ball), on_side
+
+    def _cone(self, body: Cone) -> tuple[Callable[[Vector], float], Callable[[Vector], Vector]]:
+        """Return distance and nearest point of one nappe: on a generator, or the apex."""
+        unit, apex, ball = self._unit(body.axis), self._vector(body.apex), self._ball
+        half = math.atan(self._size(body.slope)) if body.half_angle is None else math.nan
+        if body.half_angle is not None:
+            half = math.radians(float(body.half_angle.removesuffix("deg")))
+        side = -1 if body.inside else 1
+
+        def on_side(p: Vector) -> Vector:
+            height = (p - apex) @ unit
+            across = p - apex - height * unit
+            out = across / np.linalg.norm(across)
+            way = math.cos(half) * unit + math.sin(half) * out
+            return np.asarray(apex + max((p - apex) @ way, 0.0) * way)
+
+        def distance(p: Vector) -> float:
+            height = (p - apex) @ unit
+            width = float(np.linalg.norm(p - apex - height * unit))
+            outside = width * math.cos(half) > height * math.sin(half)
+            away = float(np.linalg.norm(p - on_side(p)))
+            return (away if outside else -away) * side - ball
+
+        return distance, on_side
 
     def _end(self, end: End) -> tuple[Callable[[Vector], float], Callable[[Vector], float]]:
         axis, way = _axis(end.axis)

@@ -19,6 +19,7 @@ from hoopgen.scene import Box, Cylinder, End, Parameter, Plane, Scene, Sphere, S
 from hoopgen.simulation.engine import Engine
 from tests.helpers import ROOT
 from tests.helpers.compiled import load_module
+from tests.helpers.scenes.leaning import LEANING
 from tests.helpers.slow_scene import Slow
 
 EXAMPLES = ROOT / "examples" / "scenes"
@@ -113,6 +114,9 @@ EXAMPLE = {
     "zoo": Example(ZOO, lambda n, seed: states(n, seed, (-0.7, -0.7, 0), (0.7, 0.7, 1), 2.5), 8),
     "sideways": Example(
         SIDEWAYS, lambda n, seed: states(n, seed, (-0.5, -1, -0.5), (0.5, -0.3, 0.5), 0.7), 8
+    ),
+    "leaning": Example(
+        LEANING, lambda n, seed: states(n, seed, (-0.7, -0.7, 0), (0.7, 0.7, 1.2), 1.5), 8
     ),
 }
 

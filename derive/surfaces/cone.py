@@ -1,0 +1,147 @@
+"""A round cone, or the part of one within bounds, touched from outside or from inside.
+
+The centre of a ball of radius R that touches a cone is on another cone: at the distance R from a
+straight generator, across it. Its axis and its half-angle alpha are those of the cone itself, and
+its apex is R/sin(alpha) from the cone's, against the axis outside and along it inside. With
+k = tan(alpha) that is R sqrt(1 + k²)/k.
+
+The ball touches a generator at the way h + R sin(alpha) along the axis if its centre is at h, both
+from the cone's apex. Outside, a ball with h < -R sin(alpha) is nearest to the apex itself: there
+its centre is on a sphere of radius R about the apex, which the cone of centres continues smoothly.
+Inside, the apex of the centres' cone is where the ball touches all around: no closer to the cone's
+apex can it come.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..symbolic.conditionals import IfLess, absolute, barrier
+from ..symbolic.symbols import POSITION
+from .bounds import as_length
+from .directions import (
+    Direction,
+    along,
+    distance_from_axis,
+    per_length,
+    perpendicular,
+    squared_distance,
+)
+from .surface import Point, Surface, overlap, translated
+
+
+@dataclass(frozen=True)
+class Cone(Surface):
+    """One nappe of a cone, that to which its axis points.
+
+    With d from the apex of the centres' cone to the ball's centre, and the vector u along the axis,
+    of length 1 or not, the ball touches where |d × u|² = k² (d·u)², on the side with d·u > 0.
+
+    Attributes
+    ----------
+    apex
+        The apex of the cone on which the ball's centre is at a contact.
+    direction
+        A vector along the axis from the apex into the cone, about of length 1.
+    slope
+        k, the tangent of the half-angle.
+    limits
+        The bounds (Eq. 2); outside, they exclude the region of the apex.
+    inward
+        True if the ball touches it from inside.
+    reach
+        The ball's radius, if the surface is a thin shell; None if all behind the surface is body.
+    """
+
+    apex: Point
+    direction: Direction
+    slope: sp.Expr
+    limits: tuple[sp.Expr, ...] = ()
+    inward: bool = False
+    reach: sp.Expr | None = None
+
+    @property
+    def _nappe(self) -> sp.Expr:
+        """At most 0 on the side of the apex to which the axis points."""
+        return -along(self.direction, self._offset)
+
+    @property
+    def bounds(self) -> tuple[sp.Expr, ...]:
+        """The bounds as lengths; the other nappe, on which the condition is zero, too, is none."""
+        return tuple(map(as_length, (self._nappe, *self.limits)))
+
+    @property
+    def _side(self) -> int:
+        return -1 if self.inward else 1
+
+    @property
+    def _offset(self) -> list[sp.Expr]:
+        return [place - own for place, own in zip(POSITION, self.apex, strict=True)]
+
+    @property
+    def _height(self) -> sp.Expr:
+        """The way h along the axis, from the apex of the centres' cone."""
+        return barrier(barrier(along(self.direction, self._offset)) * per_length(self.direction))
+
+    @property
+    def _per_side(self) -> sp.Expr:
+        """The cosine of the half-angle."""
+        return barrier(1 / barrier(sp.sqrt(barrier(1 + self.slope**2))))
+
+    def _away(self, height: sp.Expr) -> sp.Expr:
+        rho = distance_from_axis(self.direction, self._offset)
+        return self._side * barrier(rho - self.slope * height) * self._per_side
+
+    @property
+    def distance(self) -> sp.Expr:
+        """(rho - k |h|) cos(alpha), of the nearer nappe, or the negative of that from inside."""
+        return self._away(barrier(absolute(self._height)))
+
+    @property
+    def reference_point(self) -> Point:
+        """The apex of the centres' cone."""
+        return self.apex
+
+    @property
+    def shape(self) -> sp.Expr:
+        """|d × u|² - k² (d·u)², or the negative of that from inside."""
+        width = squared_distance(self.direction, POSITION)
+        height = along(self.direction, POSITION)
+        return self._side * width - self._side * self.slope**2 * height**2
+
+    @property
+    def condition(self) -> sp.Expr:
+        """The shape, seen from the origin."""
+        return translated(self.shape, self.apex)
+
+    @property
+    def normal(self) -> sp.Matrix:
+        """cos(alpha) away from the axis, and sin(alpha) against it, or the negative of that."""
+        parts = perpendicular(self.direction, self._offset)
+        per_rho = barrier(1 / barrier(sp.sqrt(barrier(sp.Add(*(part**2 for part in parts))))))
+        back = barrier(self.slope * per_length(self.direction))
+        turned = IfLess(self._height, 0, -back, back)
+        scale = barrier(self._side * self._per_side)
+        return sp.Matrix(
+            [
+                barrier(part * per_rho - u * turned) * scale
+                for part, u in zip(parts, self.direction, strict=True)
+            ]
+        )
+
+    @property
+    def curvature(self) -> sp.Expr:
+        """A bound on cos(alpha)/rho, around the axis, down to half of rho."""
+        return 2 / distance_from_axis(self.direction, self._offset)
+
+    @property
+    def max_concavity(self) -> sp.Expr:
+        """Zero outside; inside the bound on the curvature."""
+        return self.curvature if self.inward else sp.Integer(0)
+
+    @property
+    def inside(self) -> tuple[sp.Expr, ...]:
+        """The distance from this nappe, the thickness of a shell, and the bounds."""
+        return overlap(self._away(self._height), self.limits, self.reach)

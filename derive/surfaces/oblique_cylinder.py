@@ -1,0 +1,109 @@
+"""A round cylinder along any direction, whose components are parameters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..symbolic.conditionals import barrier
+from ..symbolic.symbols import POSITION
+from .bounds import as_length
+from .directions import (
+    Direction,
+    distance_from_axis,
+    perpendicular,
+    squared_distance,
+    squared_length,
+)
+from .surface import Point, Surface, overlap, translated
+
+
+@dataclass(frozen=True)
+class ObliqueCylinder(Surface):
+    """The side of a cylinder, which ends where its bounds do.
+
+    With d from a point of its axis to the ball's centre and the vector u along the axis, of length
+    1 or not, the ball touches where |d × u|² = r² |u|².
+
+    Attributes
+    ----------
+    centre
+        Any point of its axis.
+    direction
+        A vector along the axis, about of length 1.
+    radius
+        Distance from the axis to the ball's centre at a contact: the sum of the radii of cylinder
+        and ball, or, from inside, their difference.
+    limits
+        The bounds (Eq. 2).
+    inward
+        True if the ball touches it from inside.
+    reach
+        The ball's radius, if the surface is a thin shell; None if all behind the surface is body.
+    """
+
+    centre: Point
+    direction: Direction
+    radius: sp.Expr
+    limits: tuple[sp.Expr, ...] = ()
+    inward: bool = False
+    reach: sp.Expr | None = None
+
+    @property
+    def bounds(self) -> tuple[sp.Expr, ...]:
+        """The bounds as lengths."""
+        return tuple(map(as_length, self.limits))
+
+    @property
+    def _side(self) -> int:
+        return -1 if self.inward else 1
+
+    @property
+    def _offset(self) -> list[sp.Expr]:
+        return [place - own for place, own in zip(POSITION, self.centre, strict=True)]
+
+    @property
+    def distance(self) -> sp.Expr:
+        """The distance from the axis less the radius, or the negative of that from inside."""
+        away = distance_from_axis(self.direction, self._offset)
+        return self._side * away - self._side * self.radius
+
+    @property
+    def reference_point(self) -> Point:
+        """A point of its axis."""
+        return self.centre
+
+    @property
+    def shape(self) -> sp.Expr:
+        """|d × u|² - r² |u|², or the negative of that from inside."""
+        width = squared_distance(self.direction, POSITION)
+        return self._side * width - self._side * self.radius**2 * squared_length(self.direction)
+
+    @property
+    def condition(self) -> sp.Expr:
+        """The shape, seen from the origin."""
+        return translated(self.shape, self.centre)
+
+    @property
+    def normal(self) -> sp.Matrix:
+        """The direction from the axis; the distance from it is r at a contact."""
+        per_radius = barrier(self._side / self.radius)
+        return sp.Matrix([c * per_radius for c in perpendicular(self.direction, self._offset)])
+
+    @property
+    def curvature(self) -> sp.Expr:
+        """The curvature around the axis, 1/r; along it there is none."""
+        return 1 / self.radius
+
+    @property
+    def max_concavity(self) -> sp.Expr:
+        """Zero outside; inside a bound on 1/rho down to half of rho."""
+        if not self.inward:
+            return sp.Integer(0)
+        return 2 / distance_from_axis(self.direction, self._offset)
+
+    @property
+    def inside(self) -> tuple[sp.Expr, ...]:
+        """The distance, the thickness of a shell, and the bounds."""
+        return overlap(self.distance, self.limits, self.reach)

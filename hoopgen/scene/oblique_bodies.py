@@ -1,0 +1,379 @@
+"""Reading of bodies along any direction: inclined planes, discs, oblique cylinders, cones.
+
+With the unit vector u of the direction and the ball's radius R, the sizes that they add are those
+of the surface on which the ball's centre is at a contact (`derive/surfaces`).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, Protocol
+
+from hoopgen.text.shorten import brief
+
+from . import pieces
+from .bounds import LinearMap, Map
+from .directions import Vector, aligned, angle, direction, dot, settled, vector_inputs
+from .formulas import ONE, ZERO, Formula, constant
+from .inputs import Inputs
+from .polynomials import Polynomial
+
+__all__ = [
+    "ObliqueBody",
+    "read_cone",
+    "read_disc",
+    "read_oblique_cylinder",
+    "read_plane_normal",
+    "read_inclined_plane",
+    "read_span",
+    "why_not_rolling",
+]
+
+
+class _Reader(Protocol):
+    """A reader of arguments as formulas, with the inputs of a scene."""
+
+    @property
+    def inputs(self) -> Inputs:
+        """The inputs."""
+
+    def formula(self, owner: str, argument: str, given: object) -> Formula:
+        """Return a size as a formula of the parameters."""
+
+    def size(self, owner: str, argument: str, given: object, **allowed: Any) -> Formula:
+        """Return a size as an input."""
+
+    def point(self, owner: str, argument: str, given: object) -> dict[str, Formula]:
+        """Return three sizes as formulas, by name."""
+
+    def add(self, owner: str, formulas: Mapping[str, Formula]) -> dict[str, Formula]:
+        """Return formulas as inputs."""
+
+    def axis(self, owner: str, argument: str, given: object) -> tuple[int, int]:
+        """Return coordinate and direction."""
+
+    def flag(self, owner: str, argument: str, given: object) -> bool:
+        """Return a truth value, checked."""
+
+
+@dataclass(frozen=True)
+class ObliqueBody:
+    """A body along any direction.
+
+    Attributes
+    ----------
+    kind
+        The kind of its shape.
+    sizes
+        Inputs by argument; those of the direction are "direction x" and so on.
+    inside
+        Whether it is touched from inside.
+    there
+        From the ball's centre to the point of contact; None where it takes no `within`.
+    """
+
+    kind: str
+    sizes: tuple[tuple[str, Formula], ...]
+    inside: bool = False
+    there: Map | LinearMap | None = None
+
+
+def _any_direction(reader: _Reader, owner: str, argument: str, given: object) -> Vector:
+    """Return the direction of an axis by its name, or of a vector."""
+    if isinstance(given, str):
+        axis, way = reader.axis(owner, argument, given)
+        x, y, z = (constant(way * (k == axis)) for k in range(3))
+        return x, y, z
+    return direction(reader.inputs, owner, argument, given)
+
+
+# Planes
+
+
+def read_plane_normal(
+    reader: _Reader, owner: str, body: pieces.Plane
+) -> tuple[tuple[int, int] | None, Vector, Formula]:
+    """Return a plane's axis, None if it is oblique, its direction, and its offset along it.
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner
+        The body, for error messages.
+    body
+        The body as its author wrote it.
+
+    Raises
+    ------
+    SceneError
+        If both axis and normal are given, or both `at` and a point.
+    """
+    if body.axis is not None and body.normal is not None:
+        raise reader.inputs.wrong(owner, "normal", "expected axis or normal, got both")
+    if body.normal is None:
+        given = "z" if body.axis is None else body.axis
+        axis: tuple[int, int] | None = reader.axis(owner, "axis", given)
+        vector = _any_direction(reader, owner, "axis", given)
+    else:
+        vector = direction(reader.inputs, owner, "normal", body.normal)
+        axis = aligned(vector)
+    if body.point is None:
+        return axis, vector, reader.formula(owner, "at", 0.0 if body.at is None else body.at)
+    if body.at is not None:
+        raise reader.inputs.wrong(owner, "point", "expected at or point, got both")
+    point = reader.point(owner, "point", body.point)
+    return axis, vector, settled(dot(vector, tuple(point.values())))
+
+
+def read_inclined_plane(
+    reader: _Reader, owner: str, vector: Vector, at: Formula, ball: Formula
+) -> ObliqueBody:
+    """Return a plane whose normal is along no axis.
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner
+        The body, for error messages.
+    vector
+        Its direction.
+    at
+        The plane's offset along its direction.
+    ball
+        The ball's radius.
+    """
+    sizes = vector_inputs(reader.inputs, owner, "direction", vector, "1")
+    sizes |= {"at": reader.inputs.add(owner, "at", at)}
+    return ObliqueBody("inclined plane", tuple(sizes.items()), there=_beneath(vector, ball))
+
+
+def _beneath(vector: Vector, ball: Formula) -> Map:
+    x, y, z = (-(ball * part) for part in vector)
+    return Map(shift=(x, y, z))
+
+
+def read_disc(reader: _Reader, owner: str, body: pieces.Disc, ball: Formula) -> ObliqueBody:
+    """Return a disc: the plane through its centre, within its radius of it.
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner
+        The body, for error messages.
+    body
+        The body as its author wrote it.
+    ball
+        The ball's radius.
+    """
+    vector = _any_direction(reader, owner, "axis", body.axis)
+    centre = reader.point(owner, "centre", body.centre)
+    sizes = vector_inputs(reader.inputs, owner, "direction", vector, "1")
+    sizes |= {"radius": reader.size(owner, "radius", body.radius, sign="positive")}
+    sizes |= reader.add(owner, centre)
+    at = settled(dot(vector, tuple(centre.values())))
+    sizes |= {"at": reader.inputs.add(owner, "at", at)}
+    return ObliqueBody("disc", tuple(sizes.items()), there=_beneath(vector, ball))
+
+
+# Cylinders
+
+
+def read_oblique_cylinder(
+    reader: _Reader, owner: str, body: pieces.Cylinder, ball: Formula
+) -> ObliqueBody:
+    """Return a cylinder along any direction; its span begins at its centre.
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner
+        The body, for error messages.
+    body
+        The body as its author wrote it.
+    ball
+        The ball's radius.
+
+    Raises
+    ------
+    SceneError
+        If a size is not allowed.
+    """
+    inputs = reader.inputs
+    vector = _any_direction(reader, owner, "axis", body.axis)
+    radius = reader.formula(owner, "radius", body.radius)
+    centre = reader.point(owner, "centre", body.centre)
+    inside = reader.flag(owner, "inside", body.inside)
+    sizes = {"radius": inputs.add(owner, "radius", radius, sign="positive")}
+    room = radius - ball if inside else radius + ball
+    if inputs.number(owner, "radius", room) <= 0:
+        raise inputs.wrong(owner, "radius", "the ball does not fit inside")
+    sizes |= vector_inputs(inputs, owner, "direction", vector, "1")
+    # Nearest to the origin, so that roundings are as small as the ball's place allows.
+    way = dot(vector, tuple(centre.values()))
+    near = [settled(own - way * part) for own, part in zip(centre.values(), vector, strict=True)]
+    sizes |= vector_inputs(inputs, owner, "axis", near)
+    span = read_span(reader, owner, body.span)
+    if span:
+        sizes |= reader.add(owner, centre)
+    sizes |= {argument: inputs.add(owner, argument, end) for argument, end in span.items()}
+    there = _towards_axis(vector, tuple(centre.values()), radius / room) if body.within else Map()
+    return ObliqueBody("oblique cylinder", tuple(sizes.items()), inside, there)
+
+
+def _towards_axis(vector: Vector, centre: Sequence[Formula], factor: Formula) -> LinearMap:
+    """Return the map that brings the ball's centre nearer to an axis by a factor."""
+    rest = ONE - factor
+    rows: list[Polynomial] = []
+    for k, own in enumerate(vector):
+        slopes = [rest * own * other for other in vector]
+        slopes[k] = slopes[k] + factor
+        shift = centre[k] - dot(slopes, centre)
+        row: Polynomial = {
+            (int(j == 0), int(j == 1), int(j == 2)): slope
+            for j, slope in enumerate(slopes)
+            if slope != ZERO
+        }
+        if shift != ZERO:
+            row[0, 0, 0] = shift
+        rows.append(row)
+    return LinearMap((rows[0], rows[1], rows[2]))
+
+
+def read_span(reader: _Reader, owner: str, given: object) -> dict[str, Formula]:
+    """Return the ends of a span along an axis as formulas: "span from" and "span to".
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner
+        The body, for error messages.
+    given
+        The two ends as the author wrote them.
+
+    Raises
+    ------
+    SceneError
+        If there are not two, or they are in the wrong order.
+    """
+    if isinstance(given, str) or not isinstance(given, Sequence) or len(given) != 2:
+        raise reader.inputs.wrong(owner, "span", f"expected two ends, got {brief(given)}")
+    found: dict[str, Formula] = {}
+    ends: list[float] = []
+    for argument, end in zip(("span from", "span to"), given, strict=True):
+        if end is None:
+            continue
+        found[argument] = reader.formula(owner, argument, end)
+        ends.append(reader.inputs.number(owner, argument, found[argument]))
+    if ends != sorted(ends):
+        raise reader.inputs.wrong(owner, "span", f"it ends at {ends[1]:g} before {ends[0]:g}")
+    return found
+
+
+# Cones
+
+
+def read_cone(reader: _Reader, owner: str, body: pieces.Cone, ball: Formula) -> ObliqueBody:
+    """Return a cone; its span begins at its apex.
+
+    Parameters
+    ----------
+    reader
+        The reader of the scene's arguments.
+    owner
+        The body, for error messages.
+    body
+        The body as its author wrote it.
+    ball
+        The ball's radius.
+
+    Raises
+    ------
+    SceneError
+        If a size is not allowed, or the ball does not reach the part of a cone that it is inside.
+    """
+    inputs = reader.inputs
+    vector = _any_direction(reader, owner, "axis", body.axis)
+    slope = _slope(reader, owner, body)
+    named = inputs.add(owner, "slope", slope, sign="positive", unit="1")
+    apex = reader.point(owner, "apex", body.apex)
+    inside = reader.flag(owner, "inside", body.inside)
+    span = read_span(reader, owner, body.span)
+    start = span.pop("span from", ZERO)
+    if inputs.number(owner, "span from", start) < 0:
+        raise inputs.wrong(owner, "span from", "expected a number of at least 0, from the apex")
+    per_cosine = settled((ONE + slope**2).sqrt())
+    sine, to_apex = settled(ball * slope / per_cosine), settled(ball * per_cosine / slope)
+    way = constant(1 if inside else -1)
+    sizes = vector_inputs(inputs, owner, "direction", vector, "1")
+    sizes |= {"slope": named}
+    sizes |= reader.add(owner, apex)
+    moved = [
+        settled(place + way * part * to_apex)
+        for place, part in zip(apex.values(), vector, strict=True)
+    ]
+    sizes |= vector_inputs(inputs, owner, "contact apex", moved)
+    if start != ZERO:
+        sizes["span from"] = inputs.add(owner, "span from", start)
+    if start != ZERO or not inside:
+        low = settled(start + way * sine)
+        sizes["contact from"] = inputs.add(owner, "contact from", low)
+    if "span to" in span:
+        end = span["span to"]
+        if inputs.number(owner, "span to", end) <= 0:
+            raise inputs.wrong(owner, "span to", "expected a number above 0, from the apex")
+        if inside and inputs.number(owner, "span to", end + sine - to_apex) <= 0:
+            raise inputs.wrong(owner, "span to", "the ball does not fit so far inside")
+        sizes["span to"] = inputs.add(owner, "span to", end)
+        high = settled(end + way * sine)
+        sizes["contact to"] = inputs.add(owner, "contact to", high)
+    return ObliqueBody("cone", tuple(sizes.items()), inside)
+
+
+def _slope(reader: _Reader, owner: str, body: pieces.Cone) -> Formula:
+    """Return the tangent of the half-angle, of whichever of the two is given."""
+    if (body.slope is None) == (body.half_angle is None):
+        got = "neither" if body.slope is None else "both"
+        raise reader.inputs.wrong(owner, "half_angle", f"expected half_angle or slope, got {got}")
+    if body.half_angle is None:
+        return reader.formula(owner, "slope", body.slope)
+    half = angle(reader.inputs, owner, "half_angle", body.half_angle)
+    # The nearest double to 90 degrees is below them, but its tangent is no slope.
+    if not 0.0 < half < math.pi / 2.0 * (1.0 - 2.0**-50):
+        said = f"expected an angle above 0deg and below 90deg, got {brief(body.half_angle)}"
+        raise reader.inputs.wrong(owner, "half_angle", said)
+    return constant(Fraction(f"{math.tan(half):.15g}"))
+
+
+# Rolling
+
+
+def why_not_rolling(kind: str, sizes: Mapping[str, Formula], bounded: bool) -> tuple[str, str]:
+    """Return the argument of a body on which no ball is known to roll, and why; "" if one is.
+
+    Parameters
+    ----------
+    kind, sizes
+        The kind of its shape, and its sizes by argument.
+    bounded
+        Whether it has bounds.
+    """
+    if bounded or not {"span from", "span to"}.isdisjoint(sizes):
+        spanned = kind in ("cylinder", "oblique cylinder", "cone")
+        said = "on a body with bounds no ball is known to roll; expected none where rolls is true"
+        return "span" if spanned else "within", said
+    if kind == "oblique cylinder":
+        said = "on a cylinder along a vector no ball is known to roll; expected x, y or z"
+        return "axis", f"{said} where rolls is true"
+    if kind in ("disc", "cone"):
+        reason = "it ends at its rim" if kind == "disc" else "its curvature changes along its side"
+        said = f"on a {kind} no ball is known to roll, since {reason}"
+        return "", f"{said}; expected none where rolls is true"
+    return "", ""

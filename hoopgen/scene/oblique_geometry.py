@@ -1,0 +1,303 @@
+"""Triangles of bodies along any direction, made upright and turned to where they stand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .formulas import Formula
+from .meshes import Bound, Box, Floats, Mesh, contact_mesh, cut, flat, grid, join, walls
+from .scene_reader import Shape
+
+__all__ = ["FLAT", "OBLIQUE", "oblique_extent", "oblique_mesh"]
+
+FLAT = ("inclined plane", "disc")
+OBLIQUE = (*FLAT, "oblique cylinder", "cone")
+"""Kinds of bodies along any direction, and those of them that are flat."""
+
+_TURN_PIECES, _MAX_ROWS = 48, 60
+
+Number = Callable[[Formula], float]
+"""The value of a size of the scene."""
+
+
+@dataclass(frozen=True)
+class _Frame:
+    """Axes of a body, of which the third is its direction.
+
+    Attributes
+    ----------
+    axes
+        The unit vectors of the axes in rows, (3, 3), right-handed.
+    origin
+        Its origin, (3,), m.
+    """
+
+    axes: Floats
+    origin: Floats
+
+    @classmethod
+    def along(cls, direction: Floats, origin: Floats) -> _Frame:
+        """Return axes whose third is a direction, (3,)."""
+        third = direction / np.linalg.norm(direction)
+        first = np.cross(np.eye(3)[int(np.argmin(np.abs(third)))], third)
+        first /= np.linalg.norm(first)
+        return cls(np.stack([first, np.cross(third, first), third]), origin)
+
+    def place(self, points: Floats) -> Floats:
+        """Return where points (..., 3) of the frame are in the scene."""
+        return np.asarray(points @ self.axes + self.origin)
+
+    def box(self, room: Box) -> Box:
+        """Return the lowest and the highest coordinates of a room in the frame."""
+        corners = np.stack(np.meshgrid(*np.stack(room).T, indexing="ij"), -1).reshape(-1, 3)
+        found = (corners - self.origin) @ self.axes.T
+        return found.min(axis=0), found.max(axis=0)
+
+    def height(self, points: Floats) -> Floats:
+        """Return how far points (..., 3) of the scene are along the third axis."""
+        return np.asarray((points - self.origin) @ self.axes[2])
+
+
+def oblique_mesh(
+    shape: Shape, number: Number, bounds: Sequence[Bound], room: Box, ball: float
+) -> Mesh:
+    """Return the triangles of a body along any direction, cut to a room.
+
+    Parameters
+    ----------
+    shape
+        The body.
+    number
+        The value of its sizes.
+    bounds
+        Its bounds, besides its circle or its span.
+    room
+        The lowest and the highest corner.
+    ball
+        The ball's radius, m.
+    """
+    direction = _vector(shape, number, "direction")
+    if shape.kind == "cone":
+        return _cone(shape, number, room, ball)
+    if shape.kind == "oblique cylinder":
+        return _cylinder(shape, number, bounds, room, ball)
+    length = float(np.linalg.norm(direction))
+    origin = number(shape["at"]) / length * direction / length
+    if shape.kind == "disc":
+        origin = _vector(shape, number, "centre")
+    frame = _Frame.along(direction, origin)
+    low, high = frame.box(room)
+    if not low[2] <= 0.0 <= high[2]:
+        return Mesh.of(np.empty((0, 3, 6)))
+    placed = [_placed(bound, frame) for bound in bounds]
+    if shape.kind == "disc":
+        radius = number(shape["radius"])
+        low, high = (np.array([way * radius, way * radius, 0.0]) for way in (-1.0, 1.0))
+        placed.append(lambda points: points[..., 0] ** 2 + points[..., 1] ** 2 - radius**2)
+    mesh = flat(2, 1, 0.0, (low, high), ball, placed)
+    return cut(_turned(mesh, frame), (), walls(room))
+
+
+def _vector(shape: Shape, number: Number, argument: str) -> Floats:
+    sizes = dict(shape.sizes)
+    own = (sizes.get(f"{argument} {axis}") for axis in "xyz")
+    return np.array([0.0 if size is None else number(size) for size in own])
+
+
+def _origin(shape: Shape, number: Number) -> Floats:
+    """Return the point from which the span of a body of revolution is measured."""
+    if shape.kind == "cone":
+        return _vector(shape, number, "apex")
+    spanned = not {"span from", "span to"}.isdisjoint(dict(shape.sizes))
+    return _vector(shape, number, "centre" if spanned else "axis")
+
+
+def _placed(bound: Bound, frame: _Frame) -> Bound:
+    return lambda points: bound(frame.place(points))
+
+
+def _turned(mesh: Mesh, frame: _Frame) -> Mesh:
+    points, centres = frame.place(mesh.corners[..., :3]), frame.place(mesh.corners[..., 3:])
+    return Mesh(np.concatenate([points, centres], -1), frame.place(mesh.rims), mesh.parts)
+
+
+# Bodies of revolution
+
+
+def _cylinder(
+    shape: Shape, number: Number, bounds: Sequence[Bound], room: Box, ball: float
+) -> Mesh:
+    frame = _Frame.along(_vector(shape, number, "direction"), _origin(shape, number))
+    radius = number(shape["radius"])
+    low, high = _visible_span(frame, radius, room)
+    ends = _ends(shape, number)
+    count = int(np.clip(np.ceil((high - low) / radius), 1, _MAX_ROWS))
+    heights = np.linspace(max(low, ends[0]), min(high, ends[1]), count + 1)
+    if not heights[0] < heights[-1]:
+        return Mesh.of(np.empty((0, 3, 6)))
+    rows = np.full(count + 1, radius)
+    side = _revolved(shape, frame, heights, rows, np.array([1.0, 0.0]), ball)
+    side = cut(side, bounds)
+    if shape.inside:
+        return _with_rims(cut(side, (), walls(room)), frame, heights, rows, ends, room)
+    # Bounds hold for a ball beside the rim.
+    caps = [
+        _cap(frame, at, radius, way, ball, ball, bounds)
+        for way, at in ((-1, float(heights[0])), (1, float(heights[-1])))
+    ]
+    return cut(join(side, *caps), (), walls(room))
+
+
+def _cone(shape: Shape, number: Number, room: Box, ball: float) -> Mesh:
+    frame = _Frame.along(_vector(shape, number, "direction"), _vector(shape, number, "apex"))
+    slope, ends = number(shape["slope"]), _ends(shape, number)
+    high = min(float(frame.box(room)[1][2]), ends[1])
+    low = max(0.0, ends[0])
+    if not low < high:
+        return Mesh.of(np.empty((0, 3, 6)))
+    heights = np.linspace(low, high, _TURN_PIECES // 2 + 1)
+    rows = slope * heights
+    cosine = 1.0 / np.sqrt(1.0 + slope**2)
+    side = _revolved(shape, frame, heights, rows, np.array([cosine, -slope * cosine]), ball)
+    side = cut(side, (), walls(room))
+    if shape.inside:
+        return _with_rims(side, frame, heights, rows, ends, room)
+    caps = [
+        cut(_cap(frame, at, slope * at, way, ball, 0.0, ()), (), walls(room))
+        for way, at in ((-1, low), (1, high))
+        if at in ends and at > 0.0
+    ]
+    return join(side, *caps)
+
+
+def _ends(shape: Shape, number: Number) -> tuple[float, float]:
+    sizes = dict(shape.sizes)
+    low, high = (sizes.get(f"span {end}") for end in ("from", "to"))
+    first = 0.0 if shape.kind == "cone" else -np.inf
+    return first if low is None else number(low), np.inf if high is None else number(high)
+
+
+def _visible_span(frame: _Frame, radius: float, room: Box) -> tuple[float, float]:
+    """Return the part of an axis around which a whole cylinder is in the room.
+
+    If there is none, it is the part that may be near the room.
+    """
+    reach = radius * np.sqrt(np.maximum(1.0 - frame.axes[2] ** 2, 0.0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ways = [
+            (side + way * reach - frame.origin) / frame.axes[2]
+            for side, way in zip(room, (1.0, -1.0), strict=True)
+        ]
+    lows, highs = np.fmin(*ways), np.fmax(*ways)
+    across = frame.axes[2] != 0.0
+    low, high = float(np.max(lows[across])), float(np.min(highs[across]))
+    if low < high:
+        return low, high
+    found = frame.box(room)
+    return float(found[0][2]), float(found[1][2])
+
+
+def _revolved(
+    shape: Shape, frame: _Frame, heights: Floats, radii: Floats, slope: Floats, ball: float
+) -> Mesh:
+    """Return the side of a body of revolution; its normal has an outward and an axial part."""
+    u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+    circle = np.stack([np.cos(u), np.sin(u)], -1)
+    heights, radii = heights[::-1], radii[::-1]  # counterclockwise as seen from outside
+    points = np.empty((len(heights), _TURN_PIECES, 3))
+    points[..., :2] = radii[:, None, None] * circle
+    points[..., 2] = heights[:, None]
+    unit = np.empty_like(points)
+    unit[..., :2], unit[..., 2] = slope[0] * circle, slope[1]
+    normals = -unit if shape.inside else unit
+    corners = grid(contact_mesh(points, normals, ball), (False, True))
+    if shape.inside:
+        corners = corners[:, ::-1]
+    parts = np.arange(len(corners)) // (2 * _TURN_PIECES)
+    places = corners[..., :3]
+    real = ~np.all(places == np.roll(places, -1, axis=1), axis=2).any(axis=1)
+    return _turned(Mesh.of(corners[real], parts[real]), frame)
+
+
+def _circle(frame: _Frame, at: float, radius: float) -> Floats:
+    u = np.linspace(0.0, 2.0 * np.pi, _TURN_PIECES, endpoint=False)
+    points = np.stack([radius * np.cos(u), radius * np.sin(u), np.full(len(u), at)], -1)
+    return frame.place(points)
+
+
+def _cap(
+    frame: _Frame,
+    at: float,
+    radius: float,
+    way: int,
+    ball: float,
+    beside: float,
+    bounds: Sequence[Bound],
+) -> Mesh:
+    """Return an end face, which nothing touches: a body without one would look hollow."""
+    rim = _circle(frame, at, radius)
+    middle = np.broadcast_to(frame.place(np.array([0.0, 0.0, at])), rim.shape)
+    turn = (rim, np.roll(rim, -1, axis=0))
+    corners = np.stack([middle, *turn[::way]], 1)
+    asked = corners + beside / radius * (corners - middle[:, None])
+    left = cut(Mesh.of(np.concatenate([corners, asked], -1)), bounds).corners
+    left[..., 3:] = left[..., :3] + way * ball * frame.axes[2]
+    return Mesh.of(left)
+
+
+def _with_rims(
+    mesh: Mesh,
+    frame: _Frame,
+    heights: Floats,
+    radii: Floats,
+    ends: tuple[float, float],
+    room: Box,
+) -> Mesh:
+    """Return a thin shell with the lines of its ends, as far as they are in the room."""
+    found = [mesh.rims]
+    for at, radius in ((heights[0], radii[0]), (heights[-1], radii[-1])):
+        if at in ends and radius > 0.0 and len(mesh.corners):
+            line = _circle(frame, float(at), float(radius))
+            segments = np.stack([line, np.roll(line, -1, axis=0)], 1)
+            kept = np.ones(len(segments), np.bool_)
+            for wall in walls(room):
+                kept &= (wall(segments) <= 0.0).all(axis=1)
+            found.append(segments[kept])
+    return Mesh(mesh.corners, np.concatenate(found), mesh.parts)
+
+
+def oblique_extent(shape: Shape, number: Number) -> tuple[list[float], list[float]]:
+    """Return the corners of the box that contains a body along any direction.
+
+    Parameters
+    ----------
+    shape
+        The body.
+    number
+        The value of its sizes.
+    """
+    if shape.kind == "inclined plane":
+        return [-np.inf] * 3, [np.inf] * 3
+    direction = _vector(shape, number, "direction")
+    direction /= np.linalg.norm(direction)
+    reach = np.sqrt(np.maximum(1.0 - direction**2, 0.0))
+    if shape.kind == "disc":
+        circles = [(_vector(shape, number, "centre"), number(shape["radius"]))]
+    else:
+        origin = _origin(shape, number)
+        slope, radius = (
+            number(shape[name]) if name in dict(shape.sizes) else 0.0
+            for name in ("slope", "radius")
+        )
+        circles = []
+        for end in _ends(shape, number):
+            with np.errstate(invalid="ignore"):
+                shift = np.where(direction == 0.0, 0.0, end * direction)
+            circles.append((origin + shift, radius + slope * end))
+    low = np.min([middle - radius * reach for middle, radius in circles], axis=0)
+    high = np.max([middle + radius * reach for middle, radius in circles], axis=0)
+    low, high = np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high)
+    return low.tolist(), high.tolist()
