@@ -175,8 +175,9 @@ class Shots:
         __getattr__ = _field
 
     def __dir__(self) -> list[str]:
-        made = ["made"] if hasattr(self, "made") else []
-        return sorted({*super().__dir__(), *self._fields, *made})
+        optional = ("made", "jacobian", "differentiable")
+        lacking = {name for name in optional if not hasattr(self, name)}
+        return sorted({*super().__dir__(), *self._fields, *optional} - lacking)
 
     def __len__(self) -> int:
         return len(self._states)
