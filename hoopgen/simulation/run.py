@@ -219,15 +219,15 @@ def run(
         logs = _run(batch, out, workers, logged)
     if logged:
         results["events"] = np.concatenate([np.empty(0, engine.layout.event), *logs])
+    variations = None  # along the recorded events, which settling does not change
+    if by is not None:
+        variations = find_derivatives(engine, by, named, results, results["events"])
     if settle:
         # Imported here, because the judge needs SymPy and python-flint.
         from hoopgen.judge.settle import settle as decide
 
         left, limit = batch.leaving, batch.time_limit
         decide(results, releases, named, most, scene=engine, leaving=left, time_limit=limit)
-    variations = None
-    if by is not None:
-        variations = find_derivatives(engine, by, named, results, results["events"])
     kept = (*wanted, "events") if record else wanted
     if needed or logged != record:
         results = {name: array for name, array in results.items() if name in kept}

@@ -27,7 +27,7 @@ NEEDED = ("outcome", "uncertain")
 """Results that tell whether a shot has derivatives."""
 
 SHOTS_AT_ONCE = 1 << 14
-"""Shots whose derivatives are computed together, so that their columns stay in the cache."""
+"""Shots whose derivatives are computed together, which bounds the memory that this takes."""
 
 _VARIATION = tuple(f"d{name}" for name in STATE)
 _CHANGE = "change_"
