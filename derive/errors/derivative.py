@@ -55,6 +55,9 @@ def directional(expression: sp.Expr, tangents: dict[sp.Symbol, sp.Expr]) -> sp.E
             )  # reuses the computed root
         if isinstance(e, Barrier):
             return barrier(derive(e.args[0]))
+        if isinstance(e, sp.Abs):
+            (quantity,) = e.args
+            return IfLess(quantity, 0, -derive(quantity), derive(quantity))
         if isinstance(e, IfLess | IfAtMost):
             return e.func(e.args[0], e.args[1], derive(e.args[2]), derive(e.args[3]))
         raise TypeError(f"no derivative rule for {type(e).__name__}")

@@ -161,6 +161,7 @@ def check_apart(
         made += [
             ("body", f"{body}_carry", f"formulas of the body {body}"),
             ("body", f"carry_{body}", f"formulas of the body {body}"),
+            ("body", f"vary_{body}", f"formulas of the body {body}"),
             ("parameter", f"{body}_contacts", f"the column of contacts with the body {body}"),
         ]
     made += [("body", f"{end}_end", f"the plane of the end {end}") for end in ends]

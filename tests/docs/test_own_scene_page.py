@@ -22,14 +22,16 @@ def blocks(language: str) -> list[str]:
     return re.findall(rf"^```{language}(?: \S+)?\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
 
 
+HOLE, SLIDE, FRICTION = blocks("toml")
+
+
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with the page's file, in which nothing is compiled."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     monkeypatch.setattr(compilers, "compiler", lambda: None)
-    file, _ = blocks("toml")
-    Path("hole.toml").write_text(file, encoding="utf-8")
+    Path("hole.toml").write_text(HOLE, encoding="utf-8")
     return tmp_path
 
 
@@ -71,11 +73,17 @@ def test_what_the_page_says_of_a_wrong_scene_is_said(folder: Path, was: str, wri
 
 
 def test_what_the_page_says_of_friction_is_a_scene() -> None:
-    _, friction = blocks("toml")
-    made = parse_scene(f'name = "own"\nball_radius = 0.1\ngravity = 9.81\n{friction}'.encode())
+    made = parse_scene(f'name = "own"\nball_radius = 0.1\ngravity = 9.81\n{FRICTION}'.encode())
     (law,) = made.derive().laws
     assert isinstance(law, CoulombFriction)
     said = (law.restitution, law.friction, law.tangential, law.falling)
     named = {i.name: i.default for i in made.inputs}
     assert [named[symbol.name] for symbol in said] == [0.8, 0.4, 0.1, 40.0]
     assert made.values({"mu": float("inf")})[0] == float("inf")
+
+
+def test_the_page_s_inclined_bodies_are_a_scene(tmp_path: Path) -> None:
+    path = tmp_path / "slide.toml"
+    path.write_text(SLIDE, encoding="utf-8")
+    made = load_scene(path)
+    assert [body.name for body in made.bodies] == re.findall(r"^\[bodies\.(\w+)\]", SLIDE, re.M)

@@ -54,7 +54,8 @@ CELLS = {
         from IPython.core.completer import provisionalcompleter
         get_ipython().Completer.use_jedi = False  # which gives up where it is slow
         with provisionalcompleter():
-            shown = [one.text for one in get_ipython().Completer.completions("shots.", 6)]
+            found = get_ipython().Completer.completions("shots.", 6)
+            shown = ["shots."[: one.start] + one.text for one in found]
         print(*shown)""",
     "picture": "hoopgen.plots.plot_fan(shots, hoopgen.PAPER)",
     "trajectory": "shots.trajectory(0)",
@@ -142,7 +143,8 @@ def test_a_page_is_shown_in_place(outputs: dict[str, list[Any]]) -> None:
 def test_the_tab_key_completes_results(outputs: dict[str, list[Any]]) -> None:
     (shown,) = outputs["completion"]
     names = {"outcome", "made", "contacts", "counts", "first", "time", "state", "uncertain"}
-    assert names | {"events", "trajectory", "plot"} <= set(shown.text.split())
+    names |= {"events", "trajectory", "plot"}
+    assert {f"shots.{name}" for name in names} <= set(shown.text.split())
 
 
 # ------------------------------------------------------------------------------------------ pages

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -54,7 +54,7 @@ def fit_release(
     times: ArrayLike,
     positions: ArrayLike,
     *,
-    tracks: Iterable[Any] | None = None,
+    tracks: Iterable[Hashable] | None = None,
     scene: SceneLike = None,
     parameters: ParameterValues | None = None,
     noise: ArrayLike | None = None,

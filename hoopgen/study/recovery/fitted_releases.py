@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from math import floor, inf, isinf, log10
@@ -121,7 +121,7 @@ class FittedReleases(Result):
     counts: NDArray[np.int64]
     credible: Flags
     reason: tuple[str, ...]
-    labels: tuple[Any, ...]
+    labels: tuple[Hashable, ...]
     backspin: Floats | None
     spin_given: bool
     parameters: Mapping[str, Value]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -44,7 +45,7 @@ class MadeGivenTrack(Result):
     high: Floats
     shots: NDArray[np.int64]
     confidence: float
-    labels: tuple[Any, ...]
+    labels: tuple[Hashable, ...]
 
     def __len__(self) -> int:
         return len(self.probability)

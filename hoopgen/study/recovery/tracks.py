@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Hashable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -40,7 +40,7 @@ class Tracks:
     positions: Floats
     measured: Flags
     first: Floats
-    labels: tuple[Any, ...]
+    labels: tuple[Hashable, ...]
     _places: NDArray[np.intp]  # of each frame among the frames as they were given, flat
     _shape: tuple[int, ...]  # of the times as they were given
 
@@ -56,7 +56,7 @@ class Tracks:
         return found.reshape(*self._shape, *rest)
 
 
-def as_tracks(times: ArrayLike, positions: ArrayLike, labels: Iterable[Any] | None) -> Tracks:
+def as_tracks(times: ArrayLike, positions: ArrayLike, labels: Iterable[Hashable] | None) -> Tracks:
     """Return tracks from a caller's arrays.
 
     Parameters
@@ -91,13 +91,13 @@ def as_tracks(times: ArrayLike, positions: ArrayLike, labels: Iterable[Any] | No
     return _ordered(rows, xyz.reshape(*rows.shape, 3), places, tuple(range(len(rows))), t.shape)
 
 
-def _labelled(times: Floats, positions: Floats, labels: list[Any]) -> Tracks:
+def _labelled(times: Floats, positions: Floats, labels: list[Hashable]) -> Tracks:
     """Return tracks of frames that have labels, in the order in which these first appear."""
     if len(labels) != len(times):
         raise ValueError(
             f"tracks: expected a label for each of {len(times)} frames, got {len(labels)}"
         )
-    numbers: dict[Any, int] = {}
+    numbers: dict[Hashable, int] = {}
     try:
         track = np.array([numbers.setdefault(one, len(numbers)) for one in labels], np.intp)
     except TypeError:
@@ -123,7 +123,7 @@ def _ordered(
     times: Floats,
     positions: Floats,
     places: NDArray[np.intp],
-    labels: tuple[Any, ...],
+    labels: tuple[Hashable, ...],
     shape: tuple[int, ...],
 ) -> Tracks:
     """Return tracks with the frames in order of time, gaps last, and times from the first frame."""
