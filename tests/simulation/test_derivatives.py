@@ -18,6 +18,7 @@ pytest.importorskip("sympy")
 pytest.importorskip("mpmath")
 
 from tests.helpers.precise_path import PreciseScene
+from tests.helpers.scenes.leaning import LEANING
 
 FREE_THROW = {"height": 2.1336, "distance": 4.191}
 BOARD = ("ring_radius", "wire_radius", "ball_radius", "board_distance", "gravity", "end_depth")
@@ -126,6 +127,21 @@ def test_derivatives_in_a_scene_of_formulas_are_those_of_70_digits() -> None:
     states[:, 7] = 10.0
     contacts = check_against_truth(engine, states, {}, (*STATE, *engine.parameters), 30)
     assert contacts.max() >= 1
+
+
+@pytest.mark.slow
+def test_derivatives_among_leaning_bodies_are_those_of_70_digits() -> None:
+    engine = hoopgen.compile(LEANING)
+    random = np.random.default_rng(3)
+    states = np.zeros((200, 9))
+    states[:, :2] = random.uniform(-0.8, 0.8, (200, 2))
+    states[:, 2] = random.uniform(0.3, 1.5, 200)
+    states[:, 3:6] = random.normal(0, 1, (200, 3))
+    states[:, 6:] = random.normal(0, 10, (200, 3))
+    counts = engine.simulate(states, fields=["counts", "outcome"]).counts
+    assert np.all(counts.sum(axis=0) > 20)
+    contacts = check_against_truth(engine, states, {}, (*STATE, *engine.parameters), 60)
+    assert contacts.max() >= 8
 
 
 @pytest.mark.parametrize("engine", [hoopgen.HOOP, hoopgen.COURT], ids=["hoop", "court"])
