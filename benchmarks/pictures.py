@@ -27,7 +27,8 @@ from hoopgen.plots import (
     style,
 )
 from hoopgen.plots.class_legend import CLASSES, draw_names, names_height
-from hoopgen.plots.fan import draw_fan, gather_fan
+from hoopgen.plots.fan import draw_fan
+from hoopgen.plots.fan_paths import gather_fan
 from hoopgen.plots.map_cells import read_cells
 from hoopgen.plots.maps import draw_classes
 from hoopgen.plots.page import add_axes, add_view, new_page

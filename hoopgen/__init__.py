@@ -55,6 +55,7 @@ if TYPE_CHECKING:
     from .study.questions.bank import bank_or_direct as bank_or_direct
     from .study.questions.batch import batch as batch
     from .study.questions.compare import compare as compare
+    from .study.questions.counterfactual import counterfactual as counterfactual
     from .study.questions.estimate import estimate as estimate
     from .study.questions.map import map as map
     from .study.questions.margins import margins as margins
@@ -116,6 +117,7 @@ _LAZY = {
     "Grid": "study.models.grid",
     "estimate": "study.questions.estimate",
     "compare": "study.questions.compare",
+    "counterfactual": "study.questions.counterfactual",
     "solve": "study.questions.solve",
     "map": "study.questions.map",
     "optimum": "study.questions.optimum",

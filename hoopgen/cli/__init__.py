@@ -36,6 +36,7 @@ _COMMANDS = {
     "study": "study",
     "view": "view",
     "certify": "certify",
+    "counterfactual": "counterfactual",
     "compile": "scenes",
     "cache": "scenes",
     "hash": "scenes",

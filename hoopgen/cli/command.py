@@ -32,7 +32,7 @@ GROUPS: Mapping[str, tuple[str, ...]] = {
     ),
     MEASURED: ("scatter", "correlation", "from", "group", "override"),
     "The scene": ("scene", "limit", "preset", "set"),
-    COMPUTED: ("max-bits",),
+    COMPUTED: ("max-bits", "prove"),
     RESULTS: ("out", "csv", "picture", "view", "label", "title", "units", "json", "help"),
 }
 """Options that are no settings, by the heading under which a long help lists them."""

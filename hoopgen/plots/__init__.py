@@ -3,6 +3,7 @@
 from .aim_points import plot_aim_points
 from .aim_table import plot_aim
 from .animation import save_film
+from .counterfactual import plot_counterfactual
 from .estimates import plot_estimate
 from .fan import plot_fan
 from .landings import plot_landings
@@ -17,6 +18,7 @@ __all__ = [
     "PAGE",
     "plot_aim",
     "plot_aim_points",
+    "plot_counterfactual",
     "plot_estimate",
     "plot_fan",
     "plot_landings",

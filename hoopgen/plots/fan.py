@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,21 +11,17 @@ from matplotlib.collections import PathCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
-from matplotlib.path import Path
-from numpy.typing import NDArray
 
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.hoop.kinds import kinds
 from hoopgen.report.provenance import describe_scene
 from hoopgen.results.shots import Outcome, Shots
-from hoopgen.results.trajectory import Trajectory
 from hoopgen.text.numbers import format_count, format_percent
 from hoopgen.text.shorten import brief
 
-from .class_legend import CLASSES, Class, classify, draw_names, names_height, outcome_classes
+from .class_legend import draw_names, names_height
+from .fan_paths import Fan, classes_of, gather_fan
 from .figure import add_key, add_title, draw_picture, fit_view
 from .page import ABOVE, BELOW, LEFT, RIGHT, add_view, lay_pair, new_page
-from .scenery import Scenery, scenery_of
 from .small_multiples import (
     FOOT,
     Group,
@@ -39,12 +34,17 @@ from .small_multiples import (
 )
 from .style import COLOURS, EDGES, GRID, PAGE
 from .ticks import few_ticks
-from .views import Limits, Panel, Points, View, limits_around
+from .views import Limits, Panel
 
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
 
-__all__ = ["Fan", "bezier", "draw_fan", "gather_fan", "plot_fan"]
+__all__ = [
+    "draw_fan",
+    "draw_fan_on",
+    "draw_fan_page",
+    "plot_fan",
+]
 
 
 # Inches.
@@ -52,9 +52,6 @@ _MAX_HEIGHT = 3.5
 _MAX_HEIGHT_ABOVE, _MAX_HEIGHT_PART = 2.4, 1.7  # all paths above small multiples; one of these
 
 _LINE, _WIDE_LINE = 0.45, 0.75  # points, of many paths and of those of a small panel
-_MARGIN = 0.02  # around what is drawn, of its size
-_RING_MARGIN = 0.08  # m around ring and board
-_ROLL_PIECE_DURATION = 0.01  # s, of a roll: less than can be seen off a parabola
 
 
 def plot_fan(
@@ -128,8 +125,8 @@ def plot_fan(
     groups = _group_paths(fan, by)
     return draw_picture(
         ax,
-        lambda: _draw(fan, groups, key, title, description, width),
-        lambda axes: _draw_on(axes, fan, key, title, description),
+        lambda: draw_fan_page(fan, groups, key, title, description, width),
+        lambda axes: draw_fan_on(axes, fan, key, title, description),
     )
 
 
@@ -140,17 +137,9 @@ def _check_single_panel(by: str) -> str:
     return "all"
 
 
-def _classes(shots: Shots) -> tuple[Sequence[Class], NDArray[np.intp]]:
-    """Return the classes of a scene's shots, and the index of each shot's."""
-    if shots.scene.is_hoop:
-        return CLASSES, classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))
-    names = [name.lower() for name in shots.scene.outcomes.__members__]
-    return outcome_classes(names), np.asarray(shots.outcome, np.intp)
-
-
 def _key(shots: Shots, ends: str) -> list[Line2D]:
     """Return the entries of the legend: the classes with their shares, and the line of the ends."""
-    classes, codes = _classes(shots)
+    classes, codes = classes_of(shots)
     shares = {classes[code]: float(np.mean(codes == code)) for code in np.unique(codes).tolist()}
     key = [
         Line2D([], [], color=one.line, label=f"{one.words} {format_percent(share)}")
@@ -161,130 +150,32 @@ def _key(shots: Shots, ends: str) -> list[Line2D]:
     return key
 
 
-def gather_fan(shots: Shots, parameters: ParameterValues, drawn: Iterable[int]) -> Fan:
-    """Return the paths of the valid shots; arguments as for `plot_fan`.
+def draw_fan_page(
+    fan: Fan,
+    groups: list[Group],
+    key: list[Line2D],
+    title: str,
+    note: str,
+    width: float,
+    wide: float = _LINE,
+) -> Figure:
+    """Draw all paths on a page, in the article's scene with the part near the ring; or groups.
 
     Parameters
     ----------
-    shots
-        The recorded shots.
-    parameters
-        The scene's parameters.
-    drawn
-        The rows of the shots to draw.
-
-    Raises
-    ------
-    ValueError
-        If none has: short and invalid shots have not.
+    fan
+        The paths.
+    groups
+        Those that have a panel of their own; none if all share one.
+    key
+        The entries of the legend.
+    title, note
+        Above the picture and below its title.
+    width
+        Of the page, inches.
+    wide
+        The width of the lines where all share a panel, points.
     """
-    flown = {shot: shots.trajectory(shot) for shot in drawn}
-    flown = {shot: trajectory for shot, trajectory in flown.items() if len(trajectory.events)}
-    if not flown:
-        raise ValueError("shots: expected one at least that touches something or ends, got none")
-    curves = [bezier(trajectory) for trajectory in flown.values()]
-    hoop = None
-    if shots.scene.is_hoop:
-        hoop = {name: float(np.mean(np.asarray(one, float))) for name, one in parameters.items()}
-    points = np.concatenate(curves)
-    scenery = scenery_of(shots.scene, hoop or parameters, points)
-    releases = [trajectory.release for trajectory in flown.values()]
-    view = _side_view(releases)
-    if hoop is None:
-        view = scenery.look(scenery.views(scenery.upright(points))[0])
-    classes, codes = _classes(shots)
-    return Fan(
-        [_project(scenery.upright(curve), view) for curve in curves],
-        [classes[codes[shot]] for shot in flown],
-        classes,
-        view,
-        scenery,
-        hoop,
-        [_elevation(release) for release in releases],
-    )
-
-
-def _project(points: Points, view: View) -> Path:
-    """Return the projection of Bézier curves."""
-    return Path(view.flatten(points), [Path.MOVETO, *[Path.CURVE3] * (len(points) - 1)])
-
-
-def _side_view(releases: list[NDArray[np.float64]]) -> View:
-    """Return the view across the line from the releases to the ring."""
-    x, y = np.mean([release[:2] for release in releases], axis=0)
-    angle = np.arctan2(y, x)
-    right = (float(np.cos(angle)), float(np.sin(angle)), 0.0)
-    labels = ("from the ring's centre", "above the ring")
-    return View("side view", right, (0.0, 0.0, 1.0), labels)
-
-
-def _elevation(release: NDArray[np.float64]) -> float:
-    """Return the angle of a release above the horizontal, degrees."""
-    return float(np.degrees(np.arctan2(release[5], np.hypot(release[3], release[4]))))
-
-
-@dataclass(frozen=True)
-class Fan:
-    """Projected paths of the ball's centre, each with its class and release angle (°).
-
-    The article's scene has its parameters, `hoop`; there shots have kinds. `known` are the classes
-    of the scene, in order.
-    """
-
-    curves: list[Path]
-    classes: list[Class]
-    known: Sequence[Class]
-    view: View
-    scenery: Scenery
-    hoop: Mapping[str, float] | None
-    elevations: list[float]
-
-    @property
-    def ends(self) -> str:
-        """The legend's entry for the lines at which shots end, "" if none are drawn."""
-        return "" if self.hoop else self.scenery.said_of_ends
-
-    def part(self, members: Iterable[int]) -> Fan:
-        """Return a fan of some of the paths."""
-        rows = list(members)
-        return replace(
-            self,
-            curves=[self.curves[row] for row in rows],
-            classes=[self.classes[row] for row in rows],
-            elevations=[self.elevations[row] for row in rows],
-        )
-
-    def limits(self) -> Limits:
-        """Return limits around all paths."""
-        boxes = [curve.get_extents().get_points() for curve in self.curves]
-        points = np.vstack([*boxes, self.view.flatten(self.scenery.corners())])
-        return limits_around(points, _MARGIN * float(np.ptp(points, axis=0).max()))
-
-    def near_the_ring(self) -> Limits:
-        """Return limits around ring and board."""
-        assert self.hoop is not None
-        ring, ball = self.hoop["ring_radius"], self.hoop["ball_radius"]
-        corners = self.view.flatten(self.scenery.corners())[:, 0]
-        left, low = min(float(corners.min()), -ring) - _RING_MARGIN, -self.hoop["end_depth"] - ball
-        return left, 3.0 * ring, low, max(3.0 * ring, low + 0.8 * (3.0 * ring - left))
-
-
-def bezier(trajectory: Trajectory) -> NDArray[np.float64]:
-    """Return a path as Bézier curves: its start, then two points for each flight (2 n + 1, 3).
-
-    Each flight is a parabola, which is one quadratic Bézier curve; a roll is cut into short ones.
-    """
-    times, states, _ = trajectory.pieces(_ROLL_PIECE_DURATION)
-    lasting = np.diff(times)[:, np.newaxis]
-    start, velocity = states[:-1, :3], states[:-1, 3:6]
-    points = np.stack([start + velocity * lasting / 2.0, states[1:, :3]], axis=1).reshape(-1, 3)
-    return np.concatenate([states[:1, :3], points])
-
-
-def _draw(
-    fan: Fan, groups: list[Group], key: list[Line2D], title: str, note: str, width: float
-) -> Figure:
-    """Draw all paths on a page, in the article's scene with the part near the ring; or groups."""
     foot = names_height([str(line.get_label()) for line in key], width)
     near = fan.near_the_ring() if fan.hoop else None
     grid, panels = None, []
@@ -303,7 +194,7 @@ def _draw(
     top = max([panel.top + ABOVE for panel in panels] or [grid.top if grid else 0.0])
     figure = new_page(width, top - foot, title=title, note=note, foot=foot)
     for panel in panels:
-        draw_fan(add_view(figure, panel), panel, fan)
+        draw_fan(add_view(figure, panel), panel, fan, wide)
     if near:
         _outline(figure.axes[0], near)
     if grid:
@@ -327,9 +218,19 @@ def _group_paths(fan: Fan, by: str) -> list[Group]:
     return group_by_name(names, list(dict.fromkeys(order)))
 
 
-def _draw_on(axes: Axes, fan: Fan, key: list[Line2D], title: str, note: str) -> None:
-    """Draw all paths on given axes."""
-    draw_fan(axes, fit_view(axes, fan.view, fan.limits()), fan)
+def draw_fan_on(
+    axes: Axes, fan: Fan, key: list[Line2D], title: str, note: str, wide: float = _LINE
+) -> None:
+    """Draw all paths on given axes.
+
+    Parameters
+    ----------
+    axes
+        The axes.
+    fan, key, title, note, wide
+        As of `draw_fan_page`.
+    """
+    draw_fan(axes, fit_view(axes, fan.view, fan.limits()), fan, wide)
     add_title(axes, title, note)
     add_key(axes, key)
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     Drawn = TypeVar("Drawn", Figure, Axes, default=Figure)
     """A picture: the axes that are given; without any, a page of its own."""
 
-__all__ = ["EstimateOptions", "FanOptions", "TrajectoryOptions"]
+__all__ = ["CounterfactualOptions", "EstimateOptions", "FanOptions", "TrajectoryOptions"]
 
 
 class EstimateOptions(TypedDict, total=False):
@@ -31,6 +31,13 @@ class FanOptions(TypedDict, total=False):
     by: str
     title: str
     note: str
+    width: float
+
+
+class CounterfactualOptions(TypedDict, total=False):
+    """Keywords of `hoopgen.plots.plot_counterfactual`, but for the axes."""
+
+    title: str
     width: float
 
 

@@ -120,6 +120,11 @@ class Shots:
         self.scene = scene
 
     @property
+    def releases(self) -> NDArray[np.float64]:
+        """The states in which the balls are released, float64 (n, 9)."""
+        return self._states
+
+    @property
     def surfaces(self) -> tuple[str, ...]:
         """Names of the bodies, in the order of the columns of `counts`."""
         return self.scene.surfaces

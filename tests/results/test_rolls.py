@@ -188,7 +188,7 @@ def test_the_command_tells_a_roll(shots: hoopgen.Shots, rolling: list[int]) -> N
 
 def test_a_picture_s_path_lies_on_the_ball_s(shots: hoopgen.Shots, rolling: list[int]) -> None:
     pytest.importorskip("matplotlib")
-    from hoopgen.plots.fan import bezier
+    from hoopgen.plots.fan_paths import bezier
 
     path = shots.trajectory(rolling[0])
     times, states, rolls = path.pieces(0.01)

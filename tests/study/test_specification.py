@@ -43,12 +43,14 @@ FUNCTIONS = {
     specification.BatchQuestion: hoopgen.batch,
     specification.MarginsQuestion: hoopgen.margins,
     specification.FitQuestion: fit_table,
+    specification.CounterfactualQuestion: hoopgen.counterfactual,
 }
 
 NOT_SETTINGS = {
     *("model", "first", "second", "parameters", "scene", "source", "out", "release", "places"),
     *("distances", "height", "angle", "backspin", "sidespin"),  # the release of a table of aim
     *("override", "rows", "progress", "report"),
+    "i",
 }
 """Arguments of functions that are not settings: shots, their scene, and a program's own."""
 
@@ -64,7 +66,8 @@ def test_the_signature_of_a_function_is_its_specification(question: Any) -> None
         for name, hint, found, default in settings(one):
             if found.argument:
                 specified[RENAMED.get(name, name)] = hint, default
-    assert set(parameters) - NOT_SETTINGS <= set(specified)
+    given = {"shots"} if question is specification.CounterfactualQuestion else set()
+    assert set(parameters) - NOT_SETTINGS - given <= set(specified)
     for name, (_, default) in specified.items():
         parameter = parameters[name]
         assert parameter.kind is not inspect.Parameter.VAR_KEYWORD

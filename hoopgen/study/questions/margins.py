@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.units import DEGREE, TURN
 from hoopgen.core.validation import check_count
 from hoopgen.core.variables import check_names
 from hoopgen.hoop.presets import PAPER
@@ -31,6 +30,7 @@ from hoopgen.study.result import Result
 from hoopgen.study.statistics.tally import check_share
 from hoopgen.text.numbers import format_count
 
+from .search_range import search_range
 from .specification import MARGINS
 
 _EXACT = (2000, 40)
@@ -39,14 +39,6 @@ intervals narrower than a step may be overlooked, and ends are found to the twel
 
 _SMOOTH = (24, 12)
 """The same with scatter, where the probability changes smoothly."""
-
-
-_ENDS: Mapping[str, Bounds] = {
-    "elevation": (-90 * DEGREE, 90 * DEGREE),
-    "entry": (-90 * DEGREE, 90 * DEGREE),
-    "restitution": (0.0, 1.0),
-}
-"""Nothing is looked for beyond these, unless the release itself lies there."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -195,7 +187,7 @@ def margins_about(
     for name in names:
         values = _held(release, name, player.parameters)
         line = _Line(name, values, exact, 1, 1.0, 0)
-        searched = _searched(name, values[name])
+        searched = search_range(name, values[name])
         (low, high), elsewhere = line.intervals(searched, *_EXACT)
         steady = None
         if not player.model.still:
@@ -271,21 +263,3 @@ def _held(
     if name not in values:
         raise ValueError(f"names: {name} is no variable of this release; {', '.join(values)} are")
     return values
-
-
-def _searched(name: str, value: float) -> Bounds:
-    """Return where to look along a variable; the release itself is never outside."""
-    away: dict[str, float] = {
-        "elevation": 25 * DEGREE,
-        "entry": 25 * DEGREE,
-        "azimuth": 25 * DEGREE,
-        "angle": 25 * DEGREE,
-        "backspin": 10 * TURN,
-        "sidespin": 10 * TURN,
-        "aim": 1.0,
-        "height": 1.0,
-        "distance": min(1.0, abs(value)),
-    }
-    half = away.get(name, 0.25 * abs(value))
-    least, most = _ENDS.get(name, (-math.inf, math.inf))
-    return min(max(value - half, least), value), max(min(value + half, most), value)

@@ -240,6 +240,33 @@ class BatchQuestion(TableSettings):
 
 
 @dataclass(frozen=True, kw_only=True)
+class CounterfactualQuestion:
+    """The smallest changes of a release with which its shot ends otherwise."""
+
+    shared: ClassVar = ()
+    vary: Sequence[str] | None = setting(
+        "Variables that are changed, each alone; by default speed, elevation and azimuth, in a "
+        "scene of one's own vx, vy and vz. Parameters of the scene are variables, too.",
+        Listed(Text(words="a variable's name", metavar="NAME")),
+        None,
+    )
+    by: str | None = of.end()
+    steady: float = setting(
+        "How much further than a change the other result must last, as a share of the change; 0 "
+        "for the very nearest change, of however narrow an interval.",
+        Quantity("number", low=0.0),
+        0.05,
+    )
+    max_contacts: int | None = of.max_contacts()
+    prove: bool = setting(
+        "Whether the judge proves the results on both sides of each change.",
+        Flag(),
+        True,
+        option=None,
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
 class FitQuestion:
     """The releases of measured tracks."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
@@ -218,7 +218,7 @@ def _write(
 ) -> None:
     """Write releases with the provenance by which they are simulated in their scene."""
     columns = fitted.columns(units)
-    rows = {one: row for row, one in reversed(list(enumerate(frames.labels)))}
+    rows: dict[Hashable, int] = {one: row for row, one in reversed(list(enumerate(frames.labels)))}
     table: dict[str, Any] = {label: pa.array(list(map(str, columns.pop("track"))), pa.string())}
     for name, cells in frames.kept.items():
         table[name] = pa.array([cells[rows[one]] for one in fitted.labels], pa.string())

@@ -1,0 +1,195 @@
+"""Counterfactuals: the smallest changes of a release with which a shot ends otherwise."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.results.shots import Shots
+from hoopgen.simulation.engine import Engine
+from hoopgen.simulation.invalid import why_invalid
+from hoopgen.simulation.simulate import simulate
+from hoopgen.study.jobs.monte_carlo import outcome_by
+from hoopgen.text.shorten import brief
+
+from .counterfactual_result import Change, Counterfactual
+from .one_variable import OneShot, variables_of_shot
+
+_FURTHER = (0.0, *np.geomspace(1e-7, 0.03, 12).tolist())
+"""Distances from a change at which the judge is asked, as shares of the change: at its very edge
+there may be so many contacts that a ball rolls, which the judge does not follow."""
+
+
+def counterfactual(
+    shots: Shots,
+    i: int = 0,
+    vary: Sequence[str] | None = None,
+    *,
+    by: str | None = None,
+    steady: float = 0.05,
+    max_contacts: int | None = None,
+    prove: bool = True,
+) -> Counterfactual:
+    """Find the smallest changes with which a shot ends otherwise: missed ones go in, made ones not.
+
+    Each variable is changed alone. Thousands of values are tried, more of them where the contacts
+    differ between neighbours; the nearest change of the result is then narrowed down to what
+    doubles decide, and the judge proves how the shot ends on both of its sides.
+
+    Parameters
+    ----------
+    shots
+        Of `hoopgen.simulate`.
+    i
+        Which of them.
+    vary
+        Variables: arguments of `hoopgen.release` where there is a hoop, elsewhere components of the
+        state; and parameters of the scene. By default speed, elevation and azimuth; without a hoop
+        vx, vy and vz.
+    by
+        The end that counts, in a scene of one's own; by default the first.
+    steady
+        How much further than a change the other result must last, as a share of the change. Close
+        to the edges between sequences of contacts there are intervals of made shots with a dozen
+        contacts that are narrower than any player's skill; 0 counts them, too.
+    max_contacts
+        As the shots were simulated with.
+    prove
+        Whether the judge proves the results; it needs the extra ``certify``.
+
+    Returns
+    -------
+    Counterfactual
+        Of each variable the smallest change.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not as described; if the shot is invalid, or does not end as the shots
+        say with these `max_contacts`.
+    IndexError
+        If there is no such shot.
+    ImportError
+        If a proof is wanted, and what it needs is missing.
+    """
+    if not (isinstance(steady, int | float) and 0.0 <= steady < math.inf):
+        raise ValueError(f"steady: expected a number from 0 up, got {brief(steady)}")
+    if not isinstance(shots, Shots):
+        raise TypeError(f"shots: expected the Shots of simulate, got a {type(shots).__name__}")
+    if not -len(shots) <= i < len(shots):
+        raise IndexError(f"i: expected a shot from {-len(shots)} to {len(shots) - 1}, got {i}")
+    scene = shots.scene
+    if not isinstance(scene, Engine):
+        raise TypeError("shots: expected the Shots of simulate, which know their engine")
+    index = i % len(shots)
+    one = OneShot(
+        scene,
+        np.array(shots.releases[index]),
+        {
+            name: float(np.broadcast_to(v, len(shots))[index])
+            for name, v in shots.parameters.items()
+        },
+        outcome_by(scene, by),
+        max_contacts,
+    )
+    names = variables_of_shot(vary, scene)
+    itself = simulate(one.state, one.parameters, scene=scene, max_contacts=max_contacts)
+    outcome = scene.outcomes(int(itself.outcome[0]))
+    if outcome == scene.outcomes["INVALID"]:
+        (why,) = why_invalid(one.state, one.parameters, scene=scene)
+        raise ValueError(f"shots: shot {i} is invalid: {why}")
+    if int(np.asarray(shots.outcome)[index]) != outcome:
+        raise ValueError(
+            f"max_contacts: with {max_contacts} shot {i} ends as {outcome.name}, in the shots as "
+            f"{scene.outcomes(int(shots.outcome[index])).name}; give what they were simulated with"
+        )
+    succeeds = int(outcome) == one.end
+    gaps = {name: _nearest(one, name, succeeds, steady) for name in names}
+    proofs: dict[str, bool] = {}
+    itself_proved = None
+    if prove:
+        itself_proved = bool(one.proved(names[0], np.array([one.value(names[0])]))[0] == outcome)
+        for name, gap in gaps.items():
+            if gap is not None:
+                gaps[name], proofs[name] = _proved(one, name, succeeds, gap)
+    found = {name: gap for name, gap in gaps.items() if gap is not None}
+    recorded = _simulated(one, {name: gap[1] for name, gap in found.items()})
+    changes = []
+    for name, gap in gaps.items():
+        row = 1 + [*found].index(name) if gap else 0
+        changes.append(
+            Change(
+                name=name,
+                value=one.value(name),
+                unchanged=gap[0] if gap else math.nan,
+                changed=gap[1] if gap else math.nan,
+                outcome=scene.outcomes(int(recorded.outcome[row])).name.lower() if gap else "",
+                contacts=int(recorded.contacts[row]) if gap else 0,
+                searched=one.search_range(name),
+                proved=proofs.get(name),
+            )
+        )
+    return Counterfactual(
+        outcome=outcome.name.lower(),
+        end=scene.outcomes(one.end).name.lower(),
+        succeeds=succeeds,
+        contacts=int(itself.contacts[0]),
+        proved=itself_proved,
+        changes=tuple(changes),
+        shots=recorded,
+    )
+
+
+def _nearest(one: OneShot, name: str, succeeds: bool, steady: float) -> tuple[float, float] | None:
+    """Return the nearer of the changes to both sides."""
+    value = one.value(name)
+    if not math.isfinite(value):
+        raise ValueError(f"vary: {name} is {value:g} in this shot; expected a finite number")
+    gaps = [one.nearest_change(name, succeeds, side, steady) for side in (1, -1)]
+    found = [gap for gap in gaps if gap is not None]
+    return min(found, key=lambda gap: abs(gap[1] - value), default=None)
+
+
+def _proved(
+    one: OneShot, name: str, succeeds: bool, gap: tuple[float, float]
+) -> tuple[tuple[float, float], bool]:
+    """Return two values, close to a change, on either side of which it is proved; and if there are.
+
+    Where it cannot be proved, they are those of the engine.
+    """
+    unchanged, changed = gap
+    further = (changed - one.value(name)) * np.array(_FURTHER)
+    sides = np.concatenate([unchanged - further, changed + further])
+    outcome = one.proved(name, sides)
+    decided = outcome >= 0
+    as_it_was = (outcome == one.end) == succeeds
+    before = np.flatnonzero((decided & as_it_was)[: len(further)])
+    after = np.flatnonzero((decided & ~as_it_was)[len(further) :])
+    if not len(before) or not len(after):
+        return gap, False
+    return (float(sides[before[0]]), float(sides[len(further) + after[0]])), True
+
+
+def _simulated(one: OneShot, changed: Mapping[str, float]) -> Shots:
+    """Return the shot itself and the changed ones, recorded."""
+    states, parameters = [one.state], [dict(one.parameters)]
+    for name, value in changed.items():
+        (state,), own = one.with_values(name, np.array([value]))
+        states.append(state)
+        parameters.append({key: float(np.ravel(value)[0]) for key, value in own.items()})
+    columns = {name: np.array([own[name] for own in parameters]) for name in one.parameters}
+    return simulate(
+        np.array(states),
+        {name: _alike(values) for name, values in columns.items()},
+        scene=one.scene,
+        max_contacts=one.max_contacts,
+        record=True,
+    )
+
+
+def _alike(values: NDArray[np.float64]) -> float | NDArray[np.float64]:
+    """Return one number for numbers that are all the same."""
+    return float(values[0]) if np.all(values == values[0]) else values
