@@ -25,7 +25,7 @@ from .scenes.names import check_kernels
 from .scenes.passage import passage_kernels
 from .scenes.scene import Scene
 from .state import shared_kernels
-from .state.fields import NO_ROLLING, Result, fields, results
+from .state.fields import NO_ROLLING, ResultField, fields, results
 from .state.shared_kernels import LoopSurface
 from .studies import study_kernels
 from .surfaces import Surface
@@ -65,8 +65,8 @@ class Model:
     end_planes: tuple[SurfaceKernels, ...] = field(repr=False)
     study: tuple[Kernel, ...] = field(repr=False)
     loop: Loop
-    results: tuple[Result, ...]
-    absent_results: tuple[Result, ...] = ()
+    results: tuple[ResultField, ...]
+    absent_results: tuple[ResultField, ...] = ()
     law_parameters: Mapping[Law, Symbols] = field(default_factory=dict, repr=False)
 
     @property

@@ -1,7 +1,8 @@
 """The fields of a shot, which it keeps from event to event, and the results made of them.
 
-A `Result` is the one record of a result. The generated NumPy module of a scene carries it as data,
-and engines, `Shots`, tables, tallies, certificates, the command line and the pages read it there.
+A `ResultField` is the one record of a result. The generated NumPy module of a scene carries it as
+data, and engines, `Shots`, tables, tallies, certificates, the command line and the pages read it
+there.
 """
 
 from __future__ import annotations
@@ -48,7 +49,7 @@ NO_ROLLING = "no ball rolls"
 
 
 @dataclass(frozen=True)
-class Result:
+class ResultField:
     """A result of a batch, one row for each shot: all that is known of it.
 
     Attributes
@@ -204,7 +205,7 @@ def fields(
 
 
 _ROLLING = (
-    Result(
+    ResultField(
         "rolls",
         "int32",
         ("rolls",),
@@ -214,7 +215,7 @@ _ROLLING = (
         tally_summary="shots that rolled",
         proved=0.0,
     ),
-    Result(
+    ResultField(
         "slip_left",
         "bool",
         ("slip_left",),
@@ -224,7 +225,7 @@ _ROLLING = (
         tally_summary="capped shots whose bounces ended with slip left",
         proved=0.0,
     ),
-    Result(
+    ResultField(
         "grip_lost",
         "float64",
         ("grip_lost",),
@@ -244,7 +245,7 @@ _PARTS = ("position", "velocity", "spin")
 
 def results(
     bodies: Sequence[str], outcomes: Iterable[str], is_counted: bool = False
-) -> tuple[Result, ...]:
+) -> tuple[ResultField, ...]:
     """Return the results of shots, in the order of the targets' structs.
 
     Those that the scene lacks are among them; `absence` says why a scene may lack a result.
@@ -260,9 +261,9 @@ def results(
     """
     state = tuple(symbol.name for symbol in STATE)
     return (
-        Result("outcome", "uint8", ("outcome",), "how it ended", flags=tuple(outcomes)),
-        Result("contacts", "int32", ("contacts",), "contacts before the end"),
-        Result(
+        ResultField("outcome", "uint8", ("outcome",), "how it ended", flags=tuple(outcomes)),
+        ResultField("contacts", "int32", ("contacts",), "contacts before the end"),
+        ResultField(
             "counts",
             "int32",
             tuple(f"count_{k}" for k in range(len(bodies))),
@@ -273,7 +274,7 @@ def results(
             dimension="surface",
             coordinates=tuple(bodies),
         ),
-        Result(
+        ResultField(
             "first",
             "int8" if len(bodies) <= 2**7 else "int16",
             ("first",),
@@ -281,7 +282,7 @@ def results(
             flags=("none", *bodies),
             first_flag=NONE,
         ),
-        Result(
+        ResultField(
             "time",
             "float64",
             ("clock",),
@@ -290,7 +291,7 @@ def results(
             units=("s",),
             is_at_end=True,
         ),
-        Result(
+        ResultField(
             "state",
             "float64",
             state,
@@ -305,7 +306,7 @@ def results(
             is_at_end=True,
         ),
         *_ROLLING,
-        Result(
+        ResultField(
             "time_error",
             "float64",
             REPORTED_ERRORS[3:],
@@ -316,7 +317,7 @@ def results(
             switch="claims",
             units=("s",),
         ),
-        Result(
+        ResultField(
             "state_error",
             "float64",
             REPORTED_ERRORS[:3],
@@ -331,7 +332,7 @@ def results(
             dimension="part",
             coordinates=_PARTS,
         ),
-        Result(
+        ResultField(
             "uncertain",
             "bool",
             ("uncertain",),

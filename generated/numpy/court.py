@@ -207,10 +207,10 @@ class Field(NamedTuple):
     dtype: str = "float64"
 
 
-class Result(NamedTuple):
+class ResultField(NamedTuple):
     """A result of a batch, one row for each shot: all that is known of it.
 
-    `hoopgen.derive.state.fields.Result` describes each attribute.
+    `hoopgen.derive.state.fields.ResultField` describes each attribute.
     """
 
     name: str
@@ -284,23 +284,23 @@ FIELDS: tuple[Field, ...] = (
     Field("outcome", -1, False),
 )
 
-RESULTS: tuple[Result, ...] = (
-    Result(name="outcome", dtype="uint8", columns=("outcome",), summary="how it ended", flags=("made", "missed", "capped", "short", "invalid", "lodged", "endless")),
-    Result(name="contacts", dtype="int32", columns=("contacts",), summary="contacts before the end"),
-    Result(name="counts", dtype="int32", columns=("count_0", "count_1", "count_2"), summary="contacts with each body", row=True, labels=("ring_contacts", "backboard_contacts", "bridge_contacts"), dimension="surface", coordinates=("ring", "backboard", "bridge")),
-    Result(name="first", dtype="int8", columns=("first",), summary="first body touched, -1: none", flags=("none", "ring", "backboard", "bridge"), first_flag=-1),
-    Result(name="time", dtype="float64", columns=("clock",), summary="s, at the end; capped or short: at the last contact", is_empty_if_invalid=True, units=("s",), is_at_end=True),
-    Result(name="state", dtype="float64", columns=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), summary="then", row=True, is_empty_if_invalid=True, labels=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), units=("m", "m", "m", "m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"), dimension="component", coordinates=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), unit_coordinate="unit", is_at_end=True),
-    Result(name="rolls", dtype="int32", columns=("rolls",), summary="how many times it began to roll", absence="no ball rolls", tally="rolled", tally_summary="shots that rolled", proved=0.0),
-    Result(name="slip_left", dtype="bool", columns=("slip_left",), summary="its bounces ended with slip left, and so it is capped", absence="no ball rolls", tally="slip_left", tally_summary="capped shots whose bounces ended with slip left", proved=0.0),
-    Result(name="grip_lost", dtype="float64", columns=("grip_lost",), summary="s, when friction first was too little for the ball to roll as it did; infinite: never", is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, absence="no ball rolls", units=("s",), proved=_inf),
-    Result(name="time_error", dtype="float64", columns=("time_claim",), summary="bound on the error of time", is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", units=("s",)),
-    Result(name="state_error", dtype="float64", columns=("position_claim", "velocity_claim", "spin_claim"), summary="bounds on the errors of each component of position, velocity and spin", row=True, is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", labels=("position_error", "velocity_error", "spin_error"), units=("m", "m/s", "rad/s"), dimension="part", coordinates=("position", "velocity", "spin")),
-    Result(name="uncertain", dtype="bool", columns=("uncertain",), summary="a decision lies within its rounding-error bound", is_diagnostic=True),
+RESULTS: tuple[ResultField, ...] = (
+    ResultField(name="outcome", dtype="uint8", columns=("outcome",), summary="how it ended", flags=("made", "missed", "capped", "short", "invalid", "lodged", "endless")),
+    ResultField(name="contacts", dtype="int32", columns=("contacts",), summary="contacts before the end"),
+    ResultField(name="counts", dtype="int32", columns=("count_0", "count_1", "count_2"), summary="contacts with each body", row=True, labels=("ring_contacts", "backboard_contacts", "bridge_contacts"), dimension="surface", coordinates=("ring", "backboard", "bridge")),
+    ResultField(name="first", dtype="int8", columns=("first",), summary="first body touched, -1: none", flags=("none", "ring", "backboard", "bridge"), first_flag=-1),
+    ResultField(name="time", dtype="float64", columns=("clock",), summary="s, at the end; capped or short: at the last contact", is_empty_if_invalid=True, units=("s",), is_at_end=True),
+    ResultField(name="state", dtype="float64", columns=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), summary="then", row=True, is_empty_if_invalid=True, labels=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), units=("m", "m", "m", "m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"), dimension="component", coordinates=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), unit_coordinate="unit", is_at_end=True),
+    ResultField(name="rolls", dtype="int32", columns=("rolls",), summary="how many times it began to roll", absence="no ball rolls", tally="rolled", tally_summary="shots that rolled", proved=0.0),
+    ResultField(name="slip_left", dtype="bool", columns=("slip_left",), summary="its bounces ended with slip left, and so it is capped", absence="no ball rolls", tally="slip_left", tally_summary="capped shots whose bounces ended with slip left", proved=0.0),
+    ResultField(name="grip_lost", dtype="float64", columns=("grip_lost",), summary="s, when friction first was too little for the ball to roll as it did; infinite: never", is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, absence="no ball rolls", units=("s",), proved=_inf),
+    ResultField(name="time_error", dtype="float64", columns=("time_claim",), summary="bound on the error of time", is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", units=("s",)),
+    ResultField(name="state_error", dtype="float64", columns=("position_claim", "velocity_claim", "spin_claim"), summary="bounds on the errors of each component of position, velocity and spin", row=True, is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", labels=("position_error", "velocity_error", "spin_error"), units=("m", "m/s", "rad/s"), dimension="part", coordinates=("position", "velocity", "spin")),
+    ResultField(name="uncertain", dtype="bool", columns=("uncertain",), summary="a decision lies within its rounding-error bound", is_diagnostic=True),
 )
 """The results of a shot, in the order of the C struct."""
 
-ABSENT_RESULTS: tuple[Result, ...] = (
+ABSENT_RESULTS: tuple[ResultField, ...] = (
 )
 """The results of other scenes that this one lacks."""
 

@@ -25,7 +25,7 @@ from .shot_report import event_table, story
 from .types import FOLDER
 
 if TYPE_CHECKING:
-    from hoopgen.simulation.article import Result
+    from hoopgen.simulation.article import ArticleResult
 
 TABLE = "table.txt"
 """Name of the file that holds the table and its notes."""
@@ -95,7 +95,7 @@ def _suffixes(text: str) -> list[str]:
     return suffixes
 
 
-def _overview(results: tuple[Result, ...]) -> str:
+def _overview(results: tuple[ArticleResult, ...]) -> str:
     headers = ["figure", "events (s)", "outcome", "uncertain", "the article shows", "agrees"]
     rows = [
         [
@@ -111,7 +111,7 @@ def _overview(results: tuple[Result, ...]) -> str:
     return table(headers, rows, wrap={1: 31, 4: 22, 5: 12})
 
 
-def _notes(results: tuple[Result, ...]) -> str:
+def _notes(results: tuple[ArticleResult, ...]) -> str:
     """List what is wrong or unclear in print, each once."""
     notes: dict[str, str] = {}
     for result in results:
@@ -124,12 +124,12 @@ def _notes(results: tuple[Result, ...]) -> str:
     return "\n".join(["", "In print:", *lines])
 
 
-def _log(result: Result) -> str:
+def _log(result: ArticleResult) -> str:
     events = event_table(result.case.state, result.events)
     return f"\nFig. {result.case.name}: {result.case.title}\n{events}"
 
 
-def _draw(results: tuple[Result, ...], folder: Path, suffixes: list[str]) -> int:
+def _draw(results: tuple[ArticleResult, ...], folder: Path, suffixes: list[str]) -> int:
     """Write the pictures and return how many there are."""
     plots = hoopgen.plots
 

@@ -38,7 +38,7 @@ from .types import PAGE, PICTURE_OR_FILM
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from hoopgen.generated.numpy.hoop import Result
+    from hoopgen.generated.numpy.hoop import ResultField
 
 
 @command(
@@ -156,7 +156,7 @@ def _draw(shots: hoopgen.Shots, picture: Path) -> None:
         plots.save(drawn, picture)
 
 
-def _value(result: Result, value: Any) -> Any:
+def _value(result: ResultField, value: Any) -> Any:
     """Return a result of the shot in types that JSON knows; None for a code that says nothing."""
     if result.flags:
         return result.flags[int(value) - result.first_flag] if value >= 0 else None

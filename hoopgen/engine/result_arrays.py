@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.generated.numpy.hoop import Result
+from hoopgen.generated.numpy.hoop import ResultField
 
 from . import array_pool
 
 LOG = ("events", "event_counts")
 
 
-def labels(result: Result) -> tuple[str, ...]:
+def labels(result: ResultField) -> tuple[str, ...]:
     """Return the names of a result's columns in tables."""
     return result.labels or (result.name,)
 
@@ -77,8 +77,8 @@ class Layout:
     """
 
     def __init__(self, kernels: ModuleType) -> None:
-        self.results: dict[str, Result] = {one.name: one for one in kernels.RESULTS}
-        self.absent: dict[str, Result] = {one.name: one for one in kernels.ABSENT_RESULTS}
+        self.results: dict[str, ResultField] = {one.name: one for one in kernels.RESULTS}
+        self.absent: dict[str, ResultField] = {one.name: one for one in kernels.ABSENT_RESULTS}
         self._rooms: dict[str, tuple[tuple[int, ...], np.dtype[Any]]] = {
             name: ((len(result.columns),) if result.row else (), np.dtype(result.dtype))
             for name, result in self.results.items()
@@ -102,7 +102,7 @@ class Layout:
         )
 
     @property
-    def by_column(self) -> tuple[Result, ...]:
+    def by_column(self) -> tuple[ResultField, ...]:
         """The results in the order of a table's columns.
 
         Those on request come after all others; last are those of them that only some scenes have.
@@ -115,7 +115,7 @@ class Layout:
         return tuple(sorted(self.results.values(), key=lambda one: order[one.name]))
 
     @property
-    def tallied(self) -> tuple[Result, ...]:
+    def tallied(self) -> tuple[ResultField, ...]:
         """The results of which studies count the shots in which they are not zero."""
         return tuple(result for result in self.results.values() if result.tally)
 

@@ -16,7 +16,7 @@ from hoopgen.core.units import System, column_name, file_unit
 from hoopgen.core.variables import STATE, STATE_UNITS
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.result_arrays import labels
-from hoopgen.generated.numpy.hoop import Result
+from hoopgen.generated.numpy.hoop import ResultField
 from hoopgen.report.provenance import describe_scene
 from hoopgen.report.quantities import for_json
 from hoopgen.text.html import MAX_ROWS, some_rows, table
@@ -71,7 +71,7 @@ class Trajectory(Protocol):
     def events(self) -> NDArray[np.void]: ...
 
 
-def _present(shots: Shots) -> list[Result]:
+def _present(shots: Shots) -> list[ResultField]:
     """Return the results that the shots have, in the order of columns."""
     return [result for result in shots.scene.layout.by_column if hasattr(shots, result.name)]
 
@@ -249,7 +249,7 @@ def _speed(state: NDArray[np.float64]) -> float:
     return float(np.linalg.norm(state[3:6]))
 
 
-def _headings(result: Result) -> Sequence[str]:
+def _headings(result: ResultField) -> Sequence[str]:
     """Return the headings of the columns of a result, with units in brackets."""
     if result.units:
         units = zip(labels(result), result.units, strict=True)

@@ -21,7 +21,7 @@ from hoopgen.results.trajectory import Trajectory
 
 from .simulate import simulate
 
-__all__ = ["CASES", "Case", "Result", "Shown", "release_states", "run"]
+__all__ = ["CASES", "Case", "ArticleResult", "Shown", "release_states", "run"]
 
 MIN_SWIRL_CONTACTS = 6
 """Smallest number of contacts of a swirl; the article gives no number."""
@@ -105,7 +105,7 @@ class Case:
 
 
 @dataclass(frozen=True)
-class Result:
+class ArticleResult:
     """One case, simulated.
 
     Attributes
@@ -248,7 +248,7 @@ def run(
     *,
     parameters: Mapping[str, float] | None = None,
     backend: BackendName = "auto",
-) -> tuple[Result, ...]:
+) -> tuple[ArticleResult, ...]:
     """Simulate the article's shots, 40 contacts at most, as the article does.
 
     Parameters
@@ -262,7 +262,7 @@ def run(
 
     Returns
     -------
-    tuple of Result
+    tuple of ArticleResult
         One for each case, in order.
     """
     chosen = tuple(cases)
@@ -277,11 +277,11 @@ def run(
     return tuple(_result(case, shots, row, scene) for row, case in enumerate(chosen))
 
 
-def _result(case: Case, shots: Shots, row: int, scene: Mapping[str, float]) -> Result:
+def _result(case: Case, shots: Shots, row: int, scene: Mapping[str, float]) -> ArticleResult:
     trajectory = shots.trajectory(row)
     events = trajectory.events
     contacts = events["surface"][events["surface"] < len(SURFACES)]
-    return Result(
+    return ArticleResult(
         case=case,
         outcome=Outcome(int(shots.outcome[row])),
         sequence=tuple(SURFACES[int(surface)] for surface in contacts),

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import hoopgen
-from hoopgen.simulation.article import Result, run
+from hoopgen.simulation.article import ArticleResult, run
 from hoopgen.simulation.hoop import HOOP
 
 matplotlib = pytest.importorskip("matplotlib")
@@ -37,14 +37,14 @@ RESULTS = {result.case.slug: result for result in run()}
 OUT_OF_PLANE = ["6a", "6b-wz0", "6b-wz2"]
 
 
-def draw(result: Result) -> Figure:
+def draw(result: ArticleResult) -> Figure:
     return plot_trajectory(
         result.trajectory, result.parameters, outcome=result.outcome, title=result.case.title
     )
 
 
 @pytest.fixture(scope="module", params=list(RESULTS))
-def picture(request: pytest.FixtureRequest) -> tuple[Result, Figure]:
+def picture(request: pytest.FixtureRequest) -> tuple[ArticleResult, Figure]:
     result = RESULTS[request.param]
     figure = draw(result)
     FigureCanvasAgg(figure).draw()
@@ -60,13 +60,15 @@ def badges(axes: Axes) -> Iterator[Text]:
 
 
 @pytest.mark.sampled(3)
-def test_the_views_are_side_and_top_and_out_of_plane_3d(picture: tuple[Result, Figure]) -> None:
+def test_the_views_are_side_and_top_and_out_of_plane_3d(
+    picture: tuple[ArticleResult, Figure],
+) -> None:
     result, figure = picture
     wanted = ["side view", "top view"] + ["3D view"] * (result.case.slug in OUT_OF_PLANE)
     assert list(views(figure)) == wanted
 
 
-def test_axes_are_named_with_their_unit(picture: tuple[Result, Figure]) -> None:
+def test_axes_are_named_with_their_unit(picture: tuple[ArticleResult, Figure]) -> None:
     _, figure = picture
     flat = views(figure)
     assert flat["side view"].get_xlabel() == flat["top view"].get_xlabel() == "x (m)"
@@ -77,7 +79,7 @@ def test_axes_are_named_with_their_unit(picture: tuple[Result, Figure]) -> None:
         assert {"x (m)", "y (m)", "z (m)"} <= written
 
 
-def test_a_metre_is_as_long_across_as_up(picture: tuple[Result, Figure]) -> None:
+def test_a_metre_is_as_long_across_as_up(picture: tuple[ArticleResult, Figure]) -> None:
     _, figure = picture
     for axes in views(figure).values():
         assert axes.get_aspect() == 1.0
@@ -86,7 +88,9 @@ def test_a_metre_is_as_long_across_as_up(picture: tuple[Result, Figure]) -> None
         assert across[0] - origin[0] == pytest.approx(up[1] - origin[1], rel=1e-9, abs=0)
 
 
-def test_the_ball_is_drawn_to_scale_at_release_and_events(picture: tuple[Result, Figure]) -> None:
+def test_the_ball_is_drawn_to_scale_at_release_and_events(
+    picture: tuple[ArticleResult, Figure],
+) -> None:
     result, figure = picture
     for axes in views(figure).values():
         balls = [patch for patch in axes.patches if isinstance(patch, Circle)]
@@ -100,7 +104,7 @@ def test_the_ball_is_drawn_to_scale_at_release_and_events(picture: tuple[Result,
         assert any(np.array_equal(place, centre) for centre in centres)
 
 
-def test_every_contact_is_numbered_once(picture: tuple[Result, Figure]) -> None:
+def test_every_contact_is_numbered_once(picture: tuple[ArticleResult, Figure]) -> None:
     result, figure = picture
     for axes in views(figure).values():
         numbers: list[int] = []
@@ -111,7 +115,7 @@ def test_every_contact_is_numbered_once(picture: tuple[Result, Figure]) -> None:
         assert numbers == list(range(1, len(result.sequence) + 1))
 
 
-def test_no_text_lies_on_another_or_off_the_page(picture: tuple[Result, Figure]) -> None:
+def test_no_text_lies_on_another_or_off_the_page(picture: tuple[ArticleResult, Figure]) -> None:
     _, figure = picture
     canvas = figure.canvas
     assert isinstance(canvas, FigureCanvasAgg)

@@ -33,7 +33,8 @@ CHANGES = {
         "        ),\n": '            "a decision lies within its rounding-error bound",\n'
         "            is_diagnostic=True,\n"
         "        ),\n"
-        '        Result("longest_flight", "float64", ("longest_flight",), "s, longest flight",\n'
+        '        ResultField("longest_flight", "float64", ("longest_flight",),\n'
+        '            "s, longest flight",\n'
         '            is_empty_if_invalid=True, is_diagnostic=True, units=("s",),\n'
         '            tally="moved", tally_summary="shots that moved", is_judged=False),\n',
     },

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import hoopgen
-from hoopgen.simulation.article import CASES, Case, Result, release_states, run
+from hoopgen.simulation.article import CASES, ArticleResult, Case, release_states, run
 
 
 @pytest.fixture(scope="module")
-def results() -> dict[str, Result]:
+def results() -> dict[str, ArticleResult]:
     return {result.case.slug: result for result in run()}
 
 
@@ -62,23 +62,23 @@ def test_releases_are_one_row_a_case_with_backspin_as_positive_wy() -> None:
     ],
 )
 def test_the_sequence_and_the_outcome_are_those_of_the_figure(
-    results: dict[str, Result], slug: str, sequence: tuple[str, ...], outcome: str
+    results: dict[str, ArticleResult], slug: str, sequence: tuple[str, ...], outcome: str
 ) -> None:
     assert results[slug].sequence == sequence
     assert results[slug].outcome.name == outcome
 
 
-def test_5b_touches_the_ring_twice_and_ends(results: dict[str, Result]) -> None:
+def test_5b_touches_the_ring_twice_and_ends(results: dict[str, ArticleResult]) -> None:
     assert results["5b"].sequence == ("ring", "ring")
     assert results["5b"].events["surface"][-1] == len(hoopgen.SURFACES)
 
 
-def test_5d_touches_ring_bridge_and_backboard_and_ends(results: dict[str, Result]) -> None:
+def test_5d_touches_ring_bridge_and_backboard_and_ends(results: dict[str, ArticleResult]) -> None:
     assert set(results["5d"].sequence) == {"ring", "bridge", "backboard"}
     assert results["5d"].events["surface"][-1] == len(hoopgen.SURFACES)
 
 
-def test_6a_meets_the_board_near_the_top_of_its_flight(results: dict[str, Result]) -> None:
+def test_6a_meets_the_board_near_the_top_of_its_flight(results: dict[str, ArticleResult]) -> None:
     contact = results["6a"].events[0]
     top = results["6a"].case.state[5] ** 2 / (2 * hoopgen.PAPER["gravity"])
     height = contact["before"][2] - results["6a"].case.state[2]
@@ -86,7 +86,9 @@ def test_6a_meets_the_board_near_the_top_of_its_flight(results: dict[str, Result
 
 
 @pytest.mark.parametrize("slug", ["6b-wz0", "6b-wz2"])
-def test_6b_swirls_on_the_ring_alone_ever_faster(results: dict[str, Result], slug: str) -> None:
+def test_6b_swirls_on_the_ring_alone_ever_faster(
+    results: dict[str, ArticleResult], slug: str
+) -> None:
     result = results[slug]
     assert set(result.sequence) == {"ring"}
     assert len(result.sequence) >= 6
@@ -94,7 +96,7 @@ def test_6b_swirls_on_the_ring_alone_ever_faster(results: dict[str, Result], slu
     assert np.diff(contacts)[:6].max() == np.diff(contacts)[0]
 
 
-def test_all_agree_and_only_a_capped_one_is_uncertain(results: dict[str, Result]) -> None:
+def test_all_agree_and_only_a_capped_one_is_uncertain(results: dict[str, ArticleResult]) -> None:
     assert len(results) == 8
     for result in results.values():
         assert result.agrees, (result.case.name, result.differences)
@@ -102,7 +104,9 @@ def test_all_agree_and_only_a_capped_one_is_uncertain(results: dict[str, Result]
 
 
 @pytest.mark.parametrize("backend", ["numpy", "c"])
-def test_every_backend_gives_the_same_events(results: dict[str, Result], backend: str) -> None:
+def test_every_backend_gives_the_same_events(
+    results: dict[str, ArticleResult], backend: str
+) -> None:
     try:
         again = run(backend=backend)
     except (ImportError, RuntimeError, ValueError):
@@ -111,7 +115,7 @@ def test_every_backend_gives_the_same_events(results: dict[str, Result], backend
         np.testing.assert_array_equal(result.events, results[result.case.slug].events)
 
 
-def _otherwise(result: Result, **changes: object) -> Result:
+def _otherwise(result: ArticleResult, **changes: object) -> ArticleResult:
     shown = dataclasses.replace(result.case.shown, **changes)  # type: ignore[arg-type]
     return dataclasses.replace(result, case=dataclasses.replace(result.case, shown=shown))
 
@@ -127,7 +131,7 @@ def _otherwise(result: Result, **changes: object) -> Result:
     ],
 )
 def test_what_a_figure_does_not_show_is_said(
-    results: dict[str, Result], slug: str, changes: dict[str, object], difference: str
+    results: dict[str, ArticleResult], slug: str, changes: dict[str, object], difference: str
 ) -> None:
     changed = _otherwise(results[slug], **changes)
     assert not changed.agrees

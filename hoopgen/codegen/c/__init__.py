@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from importlib.resources.abc import Traversable
 from typing import Any
 
-from hoopgen.derive.state.fields import Result
+from hoopgen.derive.state.fields import ResultField
 
 from ..backend import TEMPLATES, LoweredScene
 from ..identifiers import identifier
@@ -34,7 +34,7 @@ C_TYPES = {name: f"{name}_t" for name in ("uint8", "int8", "int16", "int32")} | 
 class ResultView:
     """A view of a result for templates."""
 
-    result: Result
+    result: ResultField
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.result, name)

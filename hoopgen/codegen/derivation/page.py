@@ -51,9 +51,9 @@ from .explain import Formulas, Line, explain, plainly
 from .latex import number, show
 from .outline import outline
 from .parts import Abbreviations, SearchText, SurfaceText, known, search_text, surface_text
+from .premise_texts import KernelText, PremiseText, premise_texts
+from .premises import PREMISES, stated
 from .scene_notation import SceneNotation
-from .statement_texts import KernelText, StatementText, statement_texts
-from .statements import STATEMENTS, stated
 
 
 @dataclass(frozen=True)
@@ -109,7 +109,7 @@ class PageData:
     displacement: Formulas
     outline: str
     kernels: Mapping[str, KernelText]
-    statements: Mapping[str, StatementText]
+    premises: Mapping[str, PremiseText]
     series: tuple[SymbolText, ...]
 
     @property
@@ -119,18 +119,18 @@ class PageData:
 
     @property
     def resting(self) -> dict[str, str]:
-        """The key of the statement that each kernel rests on."""
-        return {name: key for key, statement in self.statements.items() for name in statement.links}
+        """The key of the premise that each kernel rests on."""
+        return {name: key for key, premise in self.premises.items() for name in premise.links}
 
     @property
     def links(self) -> dict[str, str]:
         """Each kernel's name, linked to its formulas if a page has them."""
-        return _links(self.statements)
+        return _links(self.premises)
 
     def refer(self, key: str) -> str:
-        """Return a linked reference to a statement; its title if the page lacks it."""
-        found = self.statements.get(key)
-        return f"[{found.label}]({found.target})" if found else f"({STATEMENTS[key].title})"
+        """Return a linked reference to a premise; its title if the page lacks it."""
+        found = self.premises.get(key)
+        return f"[{found.label}]({found.target})" if found else f"({PREMISES[key].title})"
 
 
 def _kernel(
@@ -183,8 +183,8 @@ def _kernels(model: Model, notation: SceneNotation) -> dict[str, KernelText]:
     return texts
 
 
-def _links(statements: Mapping[str, StatementText]) -> dict[str, str]:
-    return {k: link for statement in statements.values() for k, link in statement.links.items()}
+def _links(premises: Mapping[str, PremiseText]) -> dict[str, str]:
+    return {k: link for premise in premises.values() for k, link in premise.links.items()}
 
 
 def _series(model: Model) -> tuple[SymbolText, ...]:
@@ -270,10 +270,10 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
     flown = (f"{left}(t)" for left in (*AXES, *(f"v_{axis}" for axis in AXES)))
     kernels = _kernels(model, notation)
 
-    statements = statement_texts(
+    premises = premise_texts(
         stated(model),
         kernels,
-        reference.statements if reference else {},
+        reference.premises if reference else {},
         reference.kernels if reference else {},
     )
     letters = reference.arguments if reference else ()
@@ -327,8 +327,8 @@ def derivation_context(model: Model, reference: PageData | None = None) -> PageD
         displacement=explain(
             {r"\epsilon": event_polynomials.displacement(flight, lengths)}, {}, notation
         ),
-        outline=outline(model.loop, _links(statements)),
+        outline=outline(model.loop, _links(premises)),
         kernels=kernels,
-        statements=statements,
+        premises=premises,
         series=_series(model),
     )

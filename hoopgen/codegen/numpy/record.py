@@ -6,7 +6,7 @@ from dataclasses import MISSING, dataclass, fields
 from typing import Any
 
 from hoopgen.derive.model import Model
-from hoopgen.derive.state.fields import Result
+from hoopgen.derive.state.fields import ResultField
 
 from ..identifiers import python_string
 from .spelling import NUMPY
@@ -22,8 +22,8 @@ class ResultRecord:
 
     @property
     def summary(self) -> str:
-        """The first line of the docstring of `Result`."""
-        return (Result.__doc__ or "").partition("\n")[0]
+        """The first line of the docstring of `ResultField`."""
+        return (ResultField.__doc__ or "").partition("\n")[0]
 
     @property
     def attributes(self) -> list[str]:
@@ -31,7 +31,7 @@ class ResultRecord:
         return [
             f"{own.name}: {own.type}"
             + ("" if own.default is MISSING else f" = {_literal(own.default)}")
-            for own in fields(Result)
+            for own in fields(ResultField)
         ]
 
     @property
@@ -45,7 +45,7 @@ class ResultRecord:
         return [_arguments(result) for result in self.model.absent_results]
 
 
-def _arguments(result: Result) -> str:
+def _arguments(result: ResultField) -> str:
     """Return the attributes of a result as arguments, those with their defaults left out."""
     own = ((f.name, getattr(result, f.name), f.default) for f in fields(result))
     return ", ".join(f"{name}={_literal(value)}" for name, value, usual in own if value != usual)

@@ -46,8 +46,8 @@ from hoopgen.codegen.derivation import Formulas, Line, derivation_context, expla
 from hoopgen.codegen.derivation.contacts import contact_text
 from hoopgen.codegen.derivation.latex import number, show
 from hoopgen.codegen.derivation.parts import Abbreviations, search_text, surface_text
+from hoopgen.codegen.derivation.premise_texts import FAMILY
 from hoopgen.codegen.derivation.scene_notation import SceneNotation
-from hoopgen.codegen.derivation.statement_texts import FAMILY
 from hoopgen.codegen.program import lower
 from tests.codegen.test_kernels import DIGITS, Evaluator, model
 from tests.helpers import ROOT

@@ -20,8 +20,8 @@ from mpmath import mp, mpf
 
 import hoopgen
 from hoopgen.codegen.derivation.contacts import ContactText, FrictionText, contact_text
+from hoopgen.codegen.derivation.premises import PREMISES
 from hoopgen.codegen.derivation.scene_notation import SceneNotation, parameter_letters
-from hoopgen.codegen.derivation.statements import STATEMENTS
 from hoopgen.scene import Box, End, Parameter, Plane, Scene, Sphere
 from tests.helpers import ROOT
 from tests.helpers.effort import trials
@@ -326,7 +326,7 @@ def test_every_lemma_is_proved_and_every_choice_says_where_it_is_tested() -> Non
         re.sub(r"^(?:Lemma|Choice) \d+: |^Definition: ", "", h)
         for h in re.findall(r"^### (.*)$", text, re.M)
     }
-    assert titles <= {statement.title for statement in STATEMENTS.values()}
+    assert titles <= {statement.title for statement in PREMISES.values()}
 
 
 def test_tests_that_the_pages_name_exist() -> None:

@@ -1,6 +1,6 @@
-"""The statements of the derivation page, and the kernels that rest on each of them.
+"""The premises of the derivation page, and the kernels that rest on each of them.
 
-The prose is in the template, under the same keys; a kernel's formulas stand below the statement
+The prose is in the template, under the same keys; a kernel's formulas stand below the premise
 that it rests on.
 """
 
@@ -22,8 +22,8 @@ meaning."""
 
 
 @dataclass(frozen=True)
-class Statement:
-    """A statement of the page.
+class Premise:
+    """A premise of the page.
 
     Attributes
     ----------
@@ -35,7 +35,7 @@ class Statement:
         The kernels that rest on it, by kind and part, such as ``ring.advance``; ``*`` as the kind
         stands for every kind, and at the end for all parts that begin so.
     beside
-        For a statement without kernels: the key of the statement that it is shown with; "": always.
+        For a premise without kernels: the key of the premise that it is shown with; "": always.
     """
 
     kind: str
@@ -48,16 +48,16 @@ def _kernels(text: str) -> tuple[str, ...]:
     return tuple(text.split())
 
 
-STATEMENTS: dict[str, Statement] = {
+PREMISES: dict[str, Premise] = {
     # Definitions, and planes
-    "geometry": Statement(
+    "geometry": Premise(
         DEFINITION,
         "flight, surfaces and contact frame",
         _kernels(
             "common.flight common.contact_frame *.coefficients *.deflated *.normal *.bounds *.place"
         ),
     ),
-    "start": Statement(
+    "start": Premise(
         DEFINITION,
         "which shots can start",
         _kernels(
@@ -65,33 +65,33 @@ STATEMENTS: dict[str, Statement] = {
             "common.aside *.start common.admitted"
         ),
     ),
-    "plane_first": Statement(
+    "plane_first": Premise(
         LEMMA,
         "the only arrival on a plane",
         _kernels("plane.arrival end.arrival common.meeting_plane common.grazed"),
     ),
-    "impact": Statement(
+    "impact": Premise(
         DEFINITION,
         "contacts",
         _kernels("law.impact law.taken *.taken common.impact_through_frame common.untaken"),
     ),
-    "law_doubt": Statement(LEMMA, "grip or slip", _kernels("law.doubt common.undecided")),
+    "law_doubt": Premise(LEMMA, "grip or slip", _kernels("law.doubt common.undecided")),
     # Rounding
-    "rounding": Statement(
+    "rounding": Premise(
         LEMMA, "running error", _kernels("common.scale common.measure common.begun_with")
     ),
-    "flight_rounding": Statement(LEMMA, "rounding of a flight"),
-    "plane_margin": Statement(CHOICE, "margin of a plane", _kernels("plane.margin end.margin")),
-    "displacement": Statement(
+    "flight_rounding": Premise(LEMMA, "rounding of a flight"),
+    "plane_margin": Premise(CHOICE, "margin of a plane", _kernels("plane.margin end.margin")),
+    "displacement": Premise(
         LEMMA, "error of a length at a computed arrival", _kernels("common.displacement")
     ),
     # The search from the left
-    "from_left": Statement(LEMMA, "a parabola from below", beside="one_root"),
-    "first_root": Statement(
+    "from_left": Premise(LEMMA, "a parabola from below", beside="one_root"),
+    "first_root": Premise(
         LEMMA, "the first root of that parabola, without cancellation", beside="one_root"
     ),
-    "bernstein": Statement(LEMMA, "a bound from Bernstein coefficients", beside="general"),
-    "one_root": Statement(
+    "bernstein": Premise(LEMMA, "a bound from Bernstein coefficients", beside="general"),
+    "one_root": Premise(
         LEMMA,
         "existence of one simple root, and convergence of Newton's method",
         _kernels(
@@ -99,15 +99,15 @@ STATEMENTS: dict[str, Statement] = {
             "common.refined_candidate *.refine"
         ),
     ),
-    "crossing": Statement(
+    "crossing": Premise(
         LEMMA,
         "a certain crossing, and its delay",
         _kernels("common.crossing common.crossed common.landed_surely"),
     ),
-    "deflation": Statement(
+    "deflation": Premise(
         LEMMA, "deflation after a contact", _kernels("common.left common.nearby common.own_margin")
     ),
-    "ending": Statement(
+    "ending": Premise(
         CHOICE,
         "end and error budget of a search",
         _kernels(
@@ -117,16 +117,16 @@ STATEMENTS: dict[str, Statement] = {
         ),
     ),
     # The ring
-    "ring_bend": Statement(LEMMA, "second derivative of the ring's gap", beside="ring_windows"),
-    "ring_windows": Statement(
+    "ring_bend": Premise(LEMMA, "second derivative of the ring's gap", beside="ring_windows"),
+    "ring_windows": Premise(
         LEMMA, "three windows hold every contact", _kernels("ring.enter ring.prepare")
     ),
-    "ring_curvature": Statement(
+    "ring_curvature": Premise(
         LEMMA, "bounds on the second derivative within a window", _kernels("ring.advance")
     ),
-    "ring_margins": Statement(LEMMA, "the ring's margins", _kernels("ring.margins")),
-    "ring_clear": Statement(LEMMA, "a certain miss of the ring", _kernels("ring.clear")),
-    "single": Statement(
+    "ring_margins": Premise(LEMMA, "the ring's margins", _kernels("ring.margins")),
+    "ring_clear": Premise(LEMMA, "a certain miss of the ring", _kernels("ring.clear")),
+    "single": Premise(
         CHOICE,
         "the ring's search in single precision",
         _kernels(
@@ -135,40 +135,40 @@ STATEMENTS: dict[str, Statement] = {
         ),
     ),
     # Boxes and other surfaces
-    "box_windows": Statement(
+    "box_windows": Premise(
         LEMMA,
         "windows of a box, and the time to leave it",
         _kernels("box.prepare box.enter general.prepare general.enter general.clear"),
     ),
-    "box_bend": Statement(
+    "box_bend": Premise(
         LEMMA, "second derivative of a box's gap", _kernels("box.advance box.margins")
     ),
-    "general": Statement(LEMMA, "any other surface", _kernels("general.advance general.margins")),
+    "general": Premise(LEMMA, "any other surface", _kernels("general.advance general.margins")),
     # The first event
-    "within": Statement(
+    "within": Premise(
         LEMMA,
         "bounds at an arrival",
         _kernels("*.within *.edges end.reached end.edge common.questioned"),
     ),
-    "first": Statement(
+    "first": Premise(
         LEMMA,
         "the first event is certain or undecided",
         _kernels("common.opening common.within_time common.tied common.earliest common.doubted"),
     ),
-    "horizon": Statement(
+    "horizon": Premise(
         LEMMA,
         "the horizon",
         _kernels("common.horizon common.out_of_budget common.out_of_budget_in_windows"),
     ),
-    "plates": Statement(LEMMA, "a filter of plates", _kernels("common.released common.reachable")),
-    "far": Statement(
+    "plates": Premise(LEMMA, "a filter of plates", _kernels("common.released common.reachable")),
+    "far": Premise(
         LEMMA,
         "disjoint boxes",
         _kernels("common.swept common.halved *.near *.near_any *.box"),
     ),
-    "passage": Statement(LEMMA, "passage through the ring", _kernels("common.passing*")),
+    "passage": Premise(LEMMA, "passage through the ring", _kernels("common.passing*")),
     # Errors
-    "carried": Statement(
+    "carried": Premise(
         LEMMA,
         "propagation of errors through a flight and a contact",
         _kernels(
@@ -177,18 +177,18 @@ STATEMENTS: dict[str, Statement] = {
             "common.anew *.curvature"
         ),
     ),
-    "growth": Statement(
+    "growth": Premise(
         CHOICE,
         "growth of errors",
         _kernels("common.error_bounds common.claimed_errors common.closing common.floored"),
     ),
-    "variations": Statement(
+    "variations": Premise(
         LEMMA,
         "variations of a shot",
         _kernels("common.vary_flight *.vary law.vary common.vary_departure"),
     ),
     # In contact
-    "bounces": Statement(
+    "bounces": Premise(
         LEMMA,
         "Zeno accumulation of bounces",
         _kernels(
@@ -197,7 +197,7 @@ STATEMENTS: dict[str, Statement] = {
             "*.closing *.separation common.settled common.begun_errors common.beginning_contact"
         ),
     ),
-    "series": Statement(
+    "series": Premise(
         LEMMA,
         "rolling as a power series",
         _kernels(
@@ -206,15 +206,15 @@ STATEMENTS: dict[str, Statement] = {
             "*.distance common.roll_moved common.roll_placed"
         ),
     ),
-    "round": Statement(
+    "round": Premise(
         LEMMA,
         "rolling on a ring",
         _kernels("ring.round_* common.circles common.half_steps common.rejoined"),
     ),
-    "endless": Statement(
+    "endless": Premise(
         LEMMA, "rolling for ever", _kernels("ring.swung common.cleared common.for_ever *.around")
     ),
-    "leaving": Statement(
+    "leaving": Premise(
         LEMMA,
         "the end of a contact",
         _kernels(
@@ -222,7 +222,7 @@ STATEMENTS: dict[str, Statement] = {
             "common.rolled_on common.holding common.resumed"
         ),
     ),
-    "parting": Statement(
+    "parting": Premise(
         LEMMA,
         "tangential departure",
         _kernels(
@@ -231,12 +231,12 @@ STATEMENTS: dict[str, Statement] = {
             "common.carry_hop"
         ),
     ),
-    "neighbour": Statement(
+    "neighbour": Premise(
         CHOICE,
         "errors of a motion in contact",
         _kernels("common.neighbour_scale common.neighbour common.compared"),
     ),
-    "grip": Statement(
+    "grip": Premise(
         CHOICE,
         "the limit of friction",
         _kernels(
@@ -246,7 +246,7 @@ STATEMENTS: dict[str, Statement] = {
         ),
     ),
     # Definitions
-    "bookkeeping": Statement(
+    "bookkeeping": Premise(
         DEFINITION,
         "counts, clocks and outcomes",
         _kernels(
@@ -257,9 +257,9 @@ STATEMENTS: dict[str, Statement] = {
             "common.stay_in_contact"
         ),
     ),
-    "studies": Statement(DEFINITION, "kernels of studies", _kernels("study.*")),
+    "studies": Premise(DEFINITION, "kernels of studies", _kernels("study.*")),
 }
-"""Statements of the page in their order, by the key in the template."""
+"""Premises of the page in their order, by the key in the template."""
 
 
 def kind_of(made: SurfaceKernels) -> str:
@@ -288,37 +288,37 @@ def parts(model: Model) -> Iterator[tuple[str, str]]:
         yield kernel.name, f"study.{kernel.name}"
 
 
-def statement_of(part: str) -> str:
-    """Return the key of the statement that a kernel rests on.
+def premise_of(part: str) -> str:
+    """Return the key of the premise that a kernel rests on.
 
     Raises
     ------
     ValueError
-        If no statement names it.
+        If no premise names it.
     """
     _, _, own = part.partition(".")
     for wanted in (part, f"*.{own}"):
-        for key, statement in STATEMENTS.items():
-            if wanted in statement.kernels:
+        for key, premise in PREMISES.items():
+            if wanted in premise.kernels:
                 return key
-    for key, statement in STATEMENTS.items():
-        for name in statement.kernels:
+    for key, premise in PREMISES.items():
+        for name in premise.kernels:
             kind, _, start = name.partition(".")
             own_kind = kind in ("*", part.partition(".")[0])
             if own_kind and start.endswith("*") and own.startswith(start[:-1]):
                 return key
-    raise ValueError(f"statements.py names no statement for the kernel {part}")
+    raise ValueError(f"premises.py names no premise for the kernel {part}")
 
 
 def stated(model: Model) -> dict[str, tuple[str, ...]]:
-    """Return the statements of a scene's page, and the names of the kernels that rest on each."""
+    """Return the premises of a scene's page, and the names of the kernels that rest on each."""
     found: dict[str, list[str]] = {}
     keys = dict(parts(model))
     for kernel in model.kernels:
-        found.setdefault(statement_of(keys[kernel.name]), []).append(kernel.name)
+        found.setdefault(premise_of(keys[kernel.name]), []).append(kernel.name)
     shown = {
         key
-        for key, statement in STATEMENTS.items()
-        if key in found or (not statement.kernels and statement.beside in ("", *found))
+        for key, premise in PREMISES.items()
+        if key in found or (not premise.kernels and premise.beside in ("", *found))
     }
-    return {key: tuple(found.get(key, ())) for key in STATEMENTS if key in shown}
+    return {key: tuple(found.get(key, ())) for key in PREMISES if key in shown}

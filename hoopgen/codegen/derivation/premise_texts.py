@@ -1,6 +1,6 @@
-"""The statements of a page with their kernels, and what it links on another page instead.
+"""The premises of a page with their kernels, and what it links on another page instead.
 
-The page of a scene of hoopgen's own does not repeat a statement that the first scene's page has,
+The page of a scene of hoopgen's own does not repeat a premise that the first scene's page has,
 nor a kernel below it that has the same formulas there: it links them.
 """
 
@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from .explain import Formulas
-from .statements import DEFINITION, STATEMENTS
+from .premises import DEFINITION, PREMISES
 
 REFERENCE_FILE = "derivation.md"
 """The page of the first scene, which repeats nothing of another."""
@@ -43,13 +43,13 @@ class KernelText:
 
 
 @dataclass(frozen=True)
-class StatementText:
-    """A statement, and the kernels that rest on it.
+class PremiseText:
+    """A premise, and the kernels that rest on it.
 
     Attributes
     ----------
     label
-        Its kind and its number among the statements of the page.
+        Its kind and its number among the premises of the page.
     title
         Its subject.
     file
@@ -87,30 +87,30 @@ class StatementText:
         return found | {name: f"`{name}`" for name in self.omitted}
 
 
-def statement_texts(
+def premise_texts(
     stated: Mapping[str, tuple[str, ...]],
     kernels: Mapping[str, KernelText],
-    reference: Mapping[str, StatementText],
+    reference: Mapping[str, PremiseText],
     known: Mapping[str, KernelText],
-) -> dict[str, StatementText]:
-    """Return the statements of a page; lemmas and choices are numbered together.
+) -> dict[str, PremiseText]:
+    """Return the premises of a page; lemmas and choices are numbered together.
 
     Parameters
     ----------
     stated
-        The names of the kernels that rest on each statement.
+        The names of the kernels that rest on each premise.
     kernels
         The texts of these kernels.
     reference, known
-        The statements and the kernels of the page to link instead of repeating it, if there is one.
-        The numbers of further statements follow those of its own.
+        The premises and the kernels of the page to link instead of repeating it, if there is one.
+        The numbers of further premises follow those of its own.
     """
-    texts: dict[str, StatementText] = {}
+    texts: dict[str, PremiseText] = {}
     count = sum(text.label != DEFINITION for text in reference.values())
     for key, names in stated.items():
-        statement, there = STATEMENTS[key], reference.get(key)
-        label = there.label if there else statement.kind
-        if label == statement.kind != DEFINITION:
+        premise, there = PREMISES[key], reference.get(key)
+        label = there.label if there else premise.kind
+        if label == premise.kind != DEFINITION:
             count += 1
             label = f"{label} {count}"
         linked = tuple(
@@ -122,5 +122,5 @@ def statement_texts(
         omitted = tuple(name for name, order in orders.items() if order and int(order[1]) > 1)
         own = tuple(name for name in names if name not in (*linked, *omitted))
         file = REFERENCE_FILE if there else ""
-        texts[key] = StatementText(label, statement.title, file, own, linked, omitted)
+        texts[key] = PremiseText(label, premise.title, file, own, linked, omitted)
     return texts
