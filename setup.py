@@ -63,7 +63,7 @@ class BuildPlainLibrary(build_ext):
             return
         widths = f"{width} lanes and one" if width else "all widths"
         place = f"{1 + SCENES.index(scene)} of {len(SCENES)}"
-        print(f"compiling the C engine of {scene}, {place}: {widths}", file=sys.stderr, flush=True)
+        print(f"compiling the C library {scene}, {place}: {widths}", file=sys.stderr, flush=True)
         super().build_extension(ext)
         compiled.parent.mkdir(parents=True, exist_ok=True)
         # Another installation may be reading: the file appears whole or not at all.

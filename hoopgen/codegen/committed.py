@@ -8,7 +8,7 @@ from pathlib import Path
 from hoopgen.core.owned_folders import MARKER, find_store, marker_text, open_store
 from hoopgen.derive.scenes import SCENES
 
-from .render import render_scene
+from .render import render_elementary, render_scene
 
 __all__ = ["KEPT", "PURPOSE", "check", "generate", "render_all"]
 
@@ -21,7 +21,7 @@ PURPOSE = "generated code"
 
 def render_all() -> dict[str, str]:
     """Return the text of every file of generated/, the marker too, by its path below it."""
-    files: dict[str, str] = {}
+    files = render_elementary()
     for scene in SCENES:
         files |= render_scene(scene)
     return files | {MARKER: marker_text(PURPOSE, files)}

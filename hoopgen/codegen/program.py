@@ -6,6 +6,7 @@ print the same program, which is why they give the same bits.
 
 from __future__ import annotations
 
+import hashlib
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -283,3 +284,12 @@ def lower(kernel: Kernel, parameters: Sequence[sp.Symbol] = ()) -> Program:
         program.lower(argument)
     program.outputs = [program.lower(expression) for expression in kernel.expressions]
     return program
+
+
+def derivation_hash(programs: Sequence[Program]) -> str:
+    """Return a hash of what the programs compute, the same on every machine."""
+    lines = [
+        repr((p.kernel.name, p.kernel.output_names, p.operations, p.outputs, p.kernel.single))
+        for p in programs
+    ]
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]

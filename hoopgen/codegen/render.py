@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from importlib.resources.abc import Traversable
 from pathlib import PurePosixPath
 from typing import Any
@@ -23,10 +22,12 @@ from .backend import TEMPLATES, KernelView, LoweredScene
 from .c.spelling import LANES
 from .derivation import REFERENCE_FILE, PageData, anchor, derivation_context
 from .derivation.summary import worked_shot
+from .elementary import FILES as ELEMENTARY_FILES
+from .elementary import elementary_context
 from .identifiers import FILTERS, identifier
 from .numpy import local
 from .numpy.spelling import NUMPY
-from .program import Program, lower
+from .program import derivation_hash, lower
 from .registry import BACKENDS
 from .stamp import shared_stamp_of, stamp_of
 from .variants import variants
@@ -42,15 +43,6 @@ def outputs(targets: Iterable[str] | None = None) -> dict[str, str]:
     """Return each template of some targets, all by default, and the file that it makes."""
     chosen = BACKENDS if targets is None else targets
     return {name: file for target in chosen for name, file in BACKENDS[target].files.items()}
-
-
-def derivation_hash(programs: Sequence[Program]) -> str:
-    """Return a hash of what the programs compute, the same on every machine."""
-    lines = [
-        repr((p.kernel.name, p.kernel.output_names, p.operations, p.outputs, p.kernel.single))
-        for p in programs
-    ]
-    return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
 
 
 def _environment(templates: Traversable = TEMPLATES) -> jinja2.Environment:
@@ -130,6 +122,15 @@ def render_scene(
     for name, text in _pages(lowered) if page else ():
         files[name] = text
     return files
+
+
+def render_elementary() -> dict[str, str]:
+    """Return the files of the elementary functions: path below generated/, and text."""
+    environment = _environment()
+    return {
+        file: environment.get_template(template).render(elementary_context(template))
+        for template, file in ELEMENTARY_FILES.items()
+    }
 
 
 def render_target(lowered: LoweredScene, target: str) -> dict[str, str]:

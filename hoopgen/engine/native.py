@@ -47,7 +47,7 @@ class Error(IntEnum):
     PARTS = -14
 
 
-_ENVIRONMENT_WORDS = 8
+ENVIRONMENT_WORDS = 8
 """Words of a floating-point environment, as in the header."""
 
 _EMPTY = ctypes.c_char * 0
@@ -163,7 +163,7 @@ class Library:
     @contextmanager
     def default_environment(self) -> Iterator[None]:
         """Set this thread's default floating-point environment; restore the earlier one at exit."""
-        before = (ctypes.c_uint64 * _ENVIRONMENT_WORDS)()
+        before = (ctypes.c_uint64 * ENVIRONMENT_WORDS)()
         getattr(self._library, f"{self._scene}_enter")(before)
         try:
             yield

@@ -9,6 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.engine.elementary import arc_tangent, hypotenuse, sine_cosine
+
 from .releases import RING_HEIGHT
 
 Floats = NDArray[np.float64]
@@ -32,16 +34,17 @@ def arguments_of(states: Floats) -> dict[str, Floats]:
         All arguments of `release`, (...), m, m/s, rad, rad/s; the azimuth within half a turn.
     """
     x, y, z, vx, vy, vz, wx, wy, wz = np.moveaxis(np.asarray(states, np.float64), -1, 0)
-    level, angle = np.hypot(vx, vy), np.arctan2(y, x)
-    heading = np.arctan2(-vy, -vx)
+    level, angle = hypotenuse(vy, vx), arc_tangent(y, x)
+    heading = arc_tangent(-vy, -vx)
+    sine, cosine = sine_cosine(heading)
     return {
-        "speed": np.hypot(level, vz),
-        "elevation": np.arctan2(vz, level),
+        "speed": hypotenuse(vz, level),
+        "elevation": arc_tangent(vz, level),
         "azimuth": np.pi - np.mod(np.pi - (heading - angle), 2.0 * np.pi),
-        "backspin": wy * np.cos(heading) - wx * np.sin(heading),
+        "backspin": wy * cosine - wx * sine,
         "sidespin": wz,
         "height": z + RING_HEIGHT,
-        "distance": np.hypot(x, y),
+        "distance": hypotenuse(y, x),
         "angle": angle,
     }
 
@@ -60,8 +63,8 @@ def arguments_jacobian(states: Floats) -> Floats:
         (..., 6, 6); not finite for a vertical flight, or a place below the ring's centre.
     """
     x, y, _, vx, vy, vz = np.moveaxis(np.asarray(states, np.float64)[..., :6], -1, 0)
-    level, reach = np.hypot(vx, vy), np.hypot(x, y)
-    speed = np.hypot(level, vz)
+    level, reach = hypotenuse(vy, vx), hypotenuse(y, x)
+    speed = hypotenuse(vz, level)
     found = np.zeros((*np.shape(x), 6, 6))
     with np.errstate(divide="ignore", invalid="ignore"):
         turn = np.stack([-y / reach**2, x / reach**2], axis=-1)

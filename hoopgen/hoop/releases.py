@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.jacobian import Jacobian
 from hoopgen.core.validation import as_doubles, check_angles, check_spins
+from hoopgen.engine.elementary import sine_cosine
 
 RING_HEIGHT = 3.048
 """Height of the ring above the floor, m: 10 ft."""
@@ -179,15 +180,16 @@ def _states(
     # Nothing is broadcast before it is stored: what all shots share is computed once.
     # Towards the centre is angle + pi; the shooter's left, seen from above, is counter-clockwise.
     heading = arrays["azimuth"] + arrays["angle"]
-    ahead_x, ahead_y = -np.cos(heading), -np.sin(heading)
-    level = arrays["speed"] * np.cos(arrays["elevation"])
+    ahead_y, ahead_x = (-value for value in sine_cosine(heading))
+    (rise, level), (left, front) = map(sine_cosine, (arrays["elevation"], arrays["angle"]))
+    level = arrays["speed"] * level
     state = np.empty((*shape, 9))
-    state[..., 0] = arrays["distance"] * np.cos(arrays["angle"])
-    state[..., 1] = arrays["distance"] * np.sin(arrays["angle"])
+    state[..., 0] = arrays["distance"] * front
+    state[..., 1] = arrays["distance"] * left
     state[..., 2] = arrays["height"] - RING_HEIGHT
     state[..., 3] = level * ahead_x
     state[..., 4] = level * ahead_y
-    state[..., 5] = arrays["speed"] * np.sin(arrays["elevation"])
+    state[..., 5] = arrays["speed"] * rise
     # Backspin turns about the axis ahead × up rotated by half a turn: for ahead = -x it is +y.
     state[..., 6] = arrays["backspin"] * ahead_y
     state[..., 7] = arrays["backspin"] * -ahead_x
@@ -199,9 +201,9 @@ def _states(
 def _jacobian(arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]) -> Jacobian:
     """Return the derivatives of `_states` by the arguments of releases."""
     heading = arrays["azimuth"] + arrays["angle"]
-    ahead_x, ahead_y = -np.cos(heading), -np.sin(heading)
+    ahead_y, ahead_x = (-value for value in sine_cosine(heading))
     speed, backspin, distance = (arrays[name] for name in ("speed", "backspin", "distance"))
-    cos, sin = np.cos(arrays["elevation"]), np.sin(arrays["elevation"])
+    (sin, cos), (left, front) = map(sine_cosine, (arrays["elevation"], arrays["angle"]))
     by = {name: np.zeros((*shape, 9)) for name in arrays}
     by["speed"][..., 3], by["speed"][..., 4] = cos * ahead_x, cos * ahead_y
     by["speed"][..., 5] = sin
@@ -215,8 +217,6 @@ def _jacobian(arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...])
     by["backspin"][..., 6], by["backspin"][..., 7] = ahead_y, -ahead_x
     by["sidespin"][..., 8] = 1.0
     by["height"][..., 2] = 1.0
-    by["distance"][..., 0] = np.cos(arrays["angle"])
-    by["distance"][..., 1] = np.sin(arrays["angle"])
-    by["angle"][..., 0] = -distance * np.sin(arrays["angle"])
-    by["angle"][..., 1] = distance * np.cos(arrays["angle"])
+    by["distance"][..., 0], by["distance"][..., 1] = front, left
+    by["angle"][..., 0], by["angle"][..., 1] = -distance * left, distance * front
     return Jacobian({"state": np.stack(list(by.values()), axis=-1)}, tuple(by))

@@ -13,6 +13,7 @@ from hoopgen.core.units import Kind
 from hoopgen.core.validation import as_doubles, check_spins
 from hoopgen.core.validation import check_angles as check_radians
 from hoopgen.core.variables import STATE, Releases, Variable, check_names
+from hoopgen.engine.elementary import arc_tangent, hypotenuse, sine_cosine, tangent
 from hoopgen.generated.numpy import hoop
 from hoopgen.text.shorten import join_names
 
@@ -174,7 +175,7 @@ def release_arguments(
         if "x" not in given or "y" not in given:
             raise ValueError("variables: x and y are given together")
         x, y = given.pop("x"), given.pop("y")
-        given |= {"distance": np.hypot(x, y), "angle": np.arctan2(y, x)}
+        given |= {"distance": hypotenuse(y, x), "angle": arc_tangent(y, x)}
     missing = [name for name in ("height", "distance") if name not in given]
     if missing:
         raise ValueError(f"variables: missing {', '.join(missing)}")
@@ -182,8 +183,8 @@ def release_arguments(
     reach, rise = given["distance"] + given.pop("aim", 0.0), RING_HEIGHT - given["height"]
     if "entry" in given:
         with np.errstate(all="ignore"):  # from the point aimed at itself there is none
-            (slope,) = hoop.slope_of_entry(np.tan(given.pop("entry")), reach, rise)
-        given["elevation"] = np.arctan(slope)
+            (slope,) = hoop.slope_of_entry(tangent(given.pop("entry")), reach, rise)
+        given["elevation"] = arc_tangent(slope)
     if "elevation" not in given or (not aimed and "speed" not in given):
         raise ValueError(
             "variables: expected speed and elevation, or aim in place of speed, "
@@ -210,10 +211,10 @@ def _aimed_speed(
 ) -> NDArray[np.float64]:
     """Return the speed that comes down through a point ahead, or NaN where none does."""
     with np.errstate(all="ignore"):
-        slope = np.tan(elevation)
+        slope = tangent(elevation)
         (speed,) = hoop.aimed_speed(slope, reach, rise, gravity)
         (entry,) = hoop.entry_slope(slope, reach, rise)
-        there = (np.cos(elevation) > 0.0) & (np.asarray(reach) > 0.0) & (entry > 0.0)
+        there = (sine_cosine(elevation)[1] > 0.0) & (np.asarray(reach) > 0.0) & (entry > 0.0)
         return np.where(there & np.isfinite(speed), speed, np.nan)
 
 

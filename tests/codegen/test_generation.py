@@ -51,7 +51,7 @@ from hoopgen.codegen.formatter import Spelling
 from hoopgen.codegen.hoisting import partial_evaluations
 from hoopgen.codegen.js import JS
 from hoopgen.codegen.numpy.spelling import NUMPY
-from hoopgen.codegen.program import lower
+from hoopgen.codegen.program import derivation_hash, lower
 from hoopgen.codegen.registry import BACKENDS
 from hoopgen.core.owned_folders import MARKER, marker_text
 from hoopgen.engine.c_build import FLAGS
@@ -431,7 +431,8 @@ def test_the_repository_is_up_to_date(
 def test_what_is_generated_is_what_is_committed_and_nothing_else(files: dict[str, str]) -> None:
     own = {file_of(template) for template in TEMPLATES}
     other = {file.format(scene="court") for file in render.outputs().values()}
-    assert set(files) == own | other | {"derivation_court.md", "hoopgen.json"}
+    elementary = set(render.render_elementary())
+    assert set(files) == own | other | elementary | {"derivation_court.md", "hoopgen.json"}
     assert not set(files) & set(committed.KEPT)
     assert all(text.endswith("\n") and "\r" not in text for text in files.values())
 
@@ -670,12 +671,15 @@ def test_each_file_opens_with_its_stamp(files: dict[str, str]) -> None:
     assert len(hashes) == 1
 
 
+def test_the_elementary_functions_say_how_they_are_made(files: dict[str, str]) -> None:
+    for name in render.render_elementary():
+        assert f"Generated from templates/{name}.j2, the same for every scene" in files[name][:400]
+
+
 def test_the_hash_of_the_derivation_changes_with_every_expression() -> None:
     def hash_of(**changed: object) -> str:
         given = {"name": "f", "outputs": {"x": a - b}} | changed
-        return render.derivation_hash(
-            [lower(kernel(order=ARGUMENTS, summary="", equation="", **given))]
-        )
+        return derivation_hash([lower(kernel(order=ARGUMENTS, summary="", equation="", **given))])
 
     variants = [
         hash_of(),

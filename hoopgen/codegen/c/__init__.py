@@ -22,6 +22,7 @@ FILES = {
     "c/loop.h.j2": "c/{scene}_loop.h",
     "c/engine.h.j2": "c/{scene}_engine.h",
     "c/environment.h.j2": "c/environment.h",
+    "c/arithmetic.h.j2": "c/arithmetic.h",
     "c/exact.h.j2": "c/exact.h",
     "c/scene.h.j2": "c/{scene}.h",
     "c/scene.c.j2": "c/{scene}.c",

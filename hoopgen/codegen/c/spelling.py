@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from hoopgen.derive.ir.kernel import Kind
 
-from ..formatter import Spelling
+from ..formatter import INFIX, Spelling
 from ..statements import (
     Apply,
     Column,
@@ -53,6 +53,28 @@ SINGLES = Spelling(
     truth="Q",
     truth_output="singles_truth",
 )
+
+SCALARS = Spelling(
+    operations=INFIX
+    | {
+        "sqrt": "sqrt({0})",
+        "abs": "fabs({0})",
+        "max": "({0} < {1} ? {1} : {0})",
+        "min": "({0} < {1} ? {0} : {1})",
+        "less": "({0} < {1})",
+        "at_most": "({0} <= {1})",
+        "equal": "({0} == {1})",
+        "both": "({0} && {1})",
+        "either": "({0} || {1})",
+        "not": "(!{0})",
+        "nowhere": "0",
+        "select": "({0} ? {1} : {2})",
+    },
+    infinity="(INFINITY)",
+    number="double",
+    truth="_Bool",
+)
+"""C's spelling of operations on one number of each argument."""
 
 TYPES: dict[Kind, str] = {"double": "V", "single": "S", "truth": "M"}
 """The type of a variable in C."""

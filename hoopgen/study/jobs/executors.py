@@ -15,6 +15,7 @@ import pyarrow as pa
 
 from hoopgen.core.extras import require, version
 from hoopgen.core.validation import check_threads
+from hoopgen.generated.numpy import elementary
 from hoopgen.text.shorten import brief, cut
 
 Task = Callable[[], pa.Table]
@@ -32,12 +33,10 @@ _EXAMPLE = "tcp://10.0.0.1:8786"
 def versions() -> dict[str, str]:
     """Return the versions, by name, of all that the bits of a chunk depend on.
 
-    Tangents and quantiles are those of NumPy and SciPy.
+    Releases are drawn with hoopgen's own elementary functions; NumPy sums what is measured.
     """
-    return {"hoopgen": version(), **{name: metadata.version(name) for name in _MATHS}}
-
-
-_MATHS = ("numpy", "scipy")
+    own = {"hoopgen": version(), "elementary functions": elementary.DERIVATION}
+    return own | {"numpy": metadata.version("numpy")}
 
 
 @dataclass(frozen=True)

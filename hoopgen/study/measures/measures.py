@@ -20,6 +20,7 @@ from hoopgen.core.parameters import ParameterValues, Value, resolve
 from hoopgen.core.validation import check_states
 from hoopgen.core.variables import check_names
 from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.engine.elementary import arc_tangent, hypotenuse
 from hoopgen.generated.numpy import hoop
 from hoopgen.hoop.presets import PAPER
 from hoopgen.hoop.releases import RING_HEIGHT
@@ -113,7 +114,7 @@ def _to_the_ring(block: Block) -> dict[str, Floats]:
         flights[banked] = block.again(banked, 1, fields=("state",)).state
     _, (x, y, _, vx, vy, vz) = block.descent(flights, 0.0)
     depth, left = hoop.sighted(x, y, block.states[:, 0], block.states[:, 1])
-    return {"entry_angle": np.arctan2(-vz, np.hypot(vx, vy)), "depth": depth, "left_right": left}
+    return {"entry_angle": arc_tangent(-vz, hypotenuse(vy, vx)), "depth": depth, "left_right": left}
 
 
 def _highest(block: Block) -> dict[str, Floats]:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.units import DEGREE
+from hoopgen.engine.elementary import arc_tangent, hypotenuse
 from hoopgen.generated.numpy import hoop
 from hoopgen.hoop.releases import CATCHING_HEIGHT as CATCHING_HEIGHT
 from hoopgen.hoop.releases import RING_HEIGHT
@@ -84,7 +85,7 @@ def directions(places: ArrayLike, seen_from: tuple[float, float]) -> Floats:
 
 def _direction(x: Floats, y: Floats, from_x: ArrayLike, from_y: ArrayLike) -> Floats:
     past, left = hoop.sighted(x, y, from_x, from_y)
-    return np.asarray(np.arctan2(left, -past))
+    return arc_tangent(left, -past)
 
 
 def _caught(block: Block) -> Floats:
@@ -121,7 +122,7 @@ def rebound(block: Block) -> dict[str, Floats]:
     """Return when and where a miss comes down to the catching height."""
     time, x, y = _caught(block)
     angle = _direction(x, y, block.states[:, 0], block.states[:, 1])
-    found = {"x": x, "y": y, "distance": np.hypot(x, y), "angle": angle, "time": time}
+    found = {"x": x, "y": y, "distance": hypotenuse(y, x), "angle": angle, "time": time}
     return {f"rebound_{name}": column for name, column in found.items()}
 
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import ndtri
 
 from hoopgen.core.validation import check_count
+from hoopgen.engine.elementary import normal_quantile
 
 ROW_OF_RELEASES, ROW_OF_SAMPLE, ORDER_OF_ROWS = 1 << 32, 2 << 32, 3 << 32
 SMOOTHING = 4 << 32
@@ -54,9 +54,36 @@ def normals(seed: int, stream: int, start: int, stop: int) -> NDArray[np.float64
     The inverse of the distribution, which takes one number for one: nothing is rejected, so that
     the counter stays the shot's index.
     """
-    numbers = uniforms(seed, stream, start, stop)
-    ndtri(numbers, out=numbers)
-    return numbers
+    return normal_quantile(uniforms(seed, stream, start, stop))
+
+
+def factor(correlations: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the lower triangular factor of a correlation matrix (Cholesky), in a fixed order.
+
+    LAPACK's sums are in an order of its own, which depends on the processor.
+
+    Parameters
+    ----------
+    correlations
+        (n, n), symmetric.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If the matrix is not positive definite.
+    """
+    lower = np.zeros_like(correlations)
+    for i, j in zip(*np.tril_indices(len(lower)), strict=True):
+        rest = correlations[i, j]
+        for k in range(j):
+            rest = rest - lower[i, k] * lower[j, k]
+        if i > j:
+            lower[i, j] = rest / lower[j, j]
+        elif rest > 0.0:
+            lower[i, i] = np.sqrt(rest)
+        else:
+            raise np.linalg.LinAlgError("the matrix is not positive definite")
+    return lower
 
 
 def check_two_seeds(seed: int) -> int:

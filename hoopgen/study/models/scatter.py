@@ -24,7 +24,7 @@ from hoopgen.hoop.variables import (
 from hoopgen.scene.lookup import HOOP_VARIABLES
 from hoopgen.text.shorten import brief
 
-from .random import normals
+from .random import factor, normals
 from .release_model import (
     Floats,
     Given,
@@ -237,9 +237,9 @@ class Scatter:
                 i, j = names.index(a), names.index(b)
                 matrix[i, j] = matrix[j, i] = value
         try:
-            factor = np.linalg.cholesky(matrix)
+            lower = factor(matrix)
         except np.linalg.LinAlgError:
             raise ValueError(
                 f"correlation: no distribution has all of these: {brief(dict(self.correlation))}"
             ) from None
-        return [row[: i + 1] for i, row in enumerate(factor)]
+        return [row[: i + 1] for i, row in enumerate(lower)]

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.core.extras import require
 from hoopgen.core.parameters import ParameterValues, complete
 from hoopgen.core.validation import as_doubles, check_angles
+from hoopgen.engine.elementary import arc_tangent, sine_cosine, tangent
 from hoopgen.generated.numpy import hoop
 from hoopgen.hoop.presets import HOOP_TABLE, PAPER
 from hoopgen.hoop.releases import RING_HEIGHT, from_zero, release
@@ -258,11 +259,11 @@ def _solved(given: Mapping[str, NDArray[np.float64]], arc: Arc) -> dict[str, NDA
         reach, rise, gravity = _point(given)
         possible = reach > 0.0
         if "elevation" in given:
-            slope = np.tan(given["elevation"])
-            possible &= np.cos(given["elevation"]) > 0.0
+            slope = tangent(given["elevation"])
+            possible &= sine_cosine(given["elevation"])[1] > 0.0
         elif "entry" in given:
-            (slope,) = hoop.slope_of_entry(np.tan(given["entry"]), reach, rise)
-            possible &= np.cos(given["entry"]) > 0.0
+            (slope,) = hoop.slope_of_entry(tangent(given["entry"]), reach, rise)
+            possible &= sine_cosine(given["entry"])[1] > 0.0
         elif "speed" in given:
             low, high = hoop.slopes_of_speed(given["speed"], reach, rise, gravity)
             slope = high if arc == "high" else low
@@ -271,12 +272,12 @@ def _solved(given: Mapping[str, NDArray[np.float64]], arc: Arc) -> dict[str, NDA
             slope, _ = hoop.least_speed(reach, rise, gravity)
         (speed,) = hoop.aimed_speed(slope, reach, rise, gravity)
         (down,) = hoop.entry_slope(slope, reach, rise)
-        elevation = given.get("elevation", np.arctan(slope))
-        time, _ = hoop.descent(-rise, speed * np.sin(elevation), 0.0, gravity)
+        elevation = given.get("elevation", arc_tangent(slope))
+        time, _ = hoop.descent(-rise, speed * sine_cosine(elevation)[0], 0.0, gravity)
         found = {
             "speed": given.get("speed", speed),
             "elevation": elevation,
-            "entry_angle": given.get("entry", np.arctan(down)),
+            "entry_angle": given.get("entry", arc_tangent(down)),
             "time": time,
         }
         possible = possible & (down > 0.0) & np.isfinite(speed) & np.isfinite(time)

@@ -17,6 +17,7 @@ from hoopgen.core.extras import version
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues
 from hoopgen.core.validation import as_doubles, check_count
+from hoopgen.engine.elementary import sine_cosine
 from hoopgen.hoop.presets import NAMES, PAPER
 from hoopgen.hoop.variables import ARGUMENTS, VARIABLES, change_variables
 from hoopgen.report.provenance import describe_hoop, model_attributes
@@ -161,7 +162,8 @@ def places_of(axes: Mapping[str, ArrayLike]) -> Floats:
     check_room("places", math.prod(map(len, lists)), "places", _PLACE)
     first, second = np.array(list(itertools.product(*lists))).reshape(-1, 2).T
     if "distance" in axes:
-        first, second = first * np.cos(second), first * np.sin(second)
+        sine, cosine = sine_cosine(second)
+        first, second = first * cosine, first * sine
     return np.stack([first, second], axis=-1)
 
 

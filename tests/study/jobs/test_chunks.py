@@ -191,7 +191,7 @@ def test_another_job_is_refused_and_told_what_differs(
     assert contents(tmp_path) == before
 
 
-@pytest.mark.parametrize("package", ["hoopgen", "numpy", "scipy"])
+@pytest.mark.parametrize("package", ["hoopgen", "numpy", "elementary functions"])
 def test_chunks_of_other_versions_are_not_taken(
     package: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

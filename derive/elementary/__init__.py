@@ -1,0 +1,16 @@
+"""Elementary functions in IEEE operations alone, for what draws a release and aims it.
+
+The functions of a C library or of NumPy differ in their last bits from processor to processor and
+from version to version. These have only `+ - * / sqrt`, comparisons and selections, so that a seed
+gives the same releases, and the same shots, wherever hoopgen runs.
+"""
+
+from __future__ import annotations
+
+from .angles import arc_tangent, hypotenuse, sine_cosine, tangent
+from .normal import normal_quantile
+
+__all__ = ["KERNELS"]
+
+KERNELS = (sine_cosine(), tangent(), arc_tangent(), hypotenuse(), normal_quantile())
+"""The elementary functions, each a kernel of no scene."""

@@ -1,0 +1,54 @@
+"""The elementary functions of no scene, for arrays in C and in NumPy."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from hoopgen.derive.elementary import KERNELS
+from hoopgen.derive.scenes import SCENES
+
+from .backend import KernelView
+from .c.spelling import SCALARS
+from .formatter import Formatter
+from .numpy.formatter import ROWS_FORMATTER
+from .numpy.spelling import NUMPY
+from .program import derivation_hash, lower
+from .stamp import shared_stamp_of
+from .straight_line import PrintedBody, formatted, straight_line
+
+FILES = {
+    "numpy/elementary.py.j2": "numpy/elementary.py",
+    "c/elementary_functions.h.j2": "c/elementary_functions.h",
+    "c/elementary.c.j2": "c/elementary.c",
+}
+"""By template, the file that it makes below generated/."""
+
+# The compiler makes vectors of a conjunction without a branch.
+_WITHOUT_BRANCHES = {"both": "({0} & {1})", "either": "({0} | {1})"}
+_C = replace(SCALARS, operations={**SCALARS.operations, **_WITHOUT_BRANCHES})
+_C_FORMATTER = Formatter(_C, _C, "const {type} {name} = {value};")
+
+
+@dataclass(frozen=True)
+class ElementaryFunction(KernelView):
+    """A view of an elementary function for templates."""
+
+    @property
+    def body(self) -> PrintedBody:
+        """Its statements and results in C, for one number of each argument."""
+        return formatted(straight_line(self.program, _C), _C_FORMATTER)
+
+    @property
+    def numpy(self) -> PrintedBody:
+        """Its statements and results in NumPy."""
+        return formatted(straight_line(self.program, NUMPY), ROWS_FORMATTER)
+
+
+def elementary_context(template: str) -> dict[str, object]:
+    """Return what a template of the elementary functions is given."""
+    lowered = [lower(kernel) for kernel in KERNELS]
+    return {
+        "kernels": [ElementaryFunction(program) for program in lowered],
+        "derivation": derivation_hash(lowered),
+        "stamp": shared_stamp_of(template, SCENES[0]),
+    }
