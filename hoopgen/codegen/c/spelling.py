@@ -175,3 +175,8 @@ def choose(kind: Kind, mask: Expression, then: Expression, other: Expression) ->
         return Apply("lanes_choose", (mask, then, other))
     own = Apply("singles_of", (mask,)) if kind == "single" else mask
     return Operate("select", (own, then, other), kind == "single")
+
+
+def parameter_of_row(number: Expression) -> Expression:
+    """Return the lanes of a parameter in the row at hand, by its number in the array `p`."""
+    return load("double", offset(Item(Name("p"), number), Name("row")))

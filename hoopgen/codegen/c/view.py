@@ -20,6 +20,7 @@ from ..cost import describe_cost
 from ..hoisting import PartialEvaluation
 from ..identifiers import identifier
 from ..program import Program
+from ..rerolling import rerolled
 from ..statements import (
     Apply,
     Column,
@@ -41,8 +42,18 @@ from .hoisted import Hoisted
 from .launch import LaunchLoop
 from .masks import CLoop, Statements
 from .options import Options
-from .rerolling import rerolled
-from .spelling import LANES, SINGLES, TYPES, at, column_of, function, load, offset, store
+from .spelling import (
+    LANES,
+    SINGLES,
+    TYPES,
+    at,
+    column_of,
+    function,
+    load,
+    offset,
+    parameter_of_row,
+    store,
+)
 
 STATE_NAMES = tuple(symbol.name for symbol in STATE)
 
@@ -71,7 +82,9 @@ class CKernel(KernelView):
     def body(self) -> PrintedBody:
         """Its statements and results."""
         if self.numbers:
-            return formatted(rerolled(self.program, self.numbers), C_FORMATTER)
+            return formatted(
+                rerolled(self.program, self.numbers, LANES, parameter_of_row), C_FORMATTER
+            )
         return formatted(straight_line(self.rest, SINGLES if self.single else LANES), C_FORMATTER)
 
     @property
