@@ -54,7 +54,7 @@ _EXACT = re.compile(
     | setp\.\w+\.f(?:32|64) | setp\.\w+\.(?:and|or|xor)\.f(?:32|64) | selp\.f(?:32|64)
     | cvt\.rn\.f32\.f64 | cvt\.f64\.f32                     # single precision
     | cvt\.rn\.f64\.[su]\d+ | cvt\.rzi\.[su]\d+\.f64        # whole numbers
-    | (?:mov|(?:ld|st)\.(?:param|global|local|const|shared)(?:\.nc)?(?:\.v\d)?)\.f(?:32|64)""",
+    | (?:mov|(?:ld|st)(?:\.(?:param|global|local|const|shared|nc|v2|v4))*)\.f(?:32|64)""",
     re.VERBOSE,
 )
 """Instructions on floating-point numbers that give the bits of IEEE 754, in PTX."""
@@ -171,6 +171,12 @@ class CudaEngine:
             raise ValueError(
                 f"states: expected shape (n, {width}) or ({width},), got {tuple(array.shape)}; "
                 f"a row is {' '.join(self._kernels.STATE)}"
+            )
+        here = int(self._cupy.cuda.runtime.getDevice())
+        if array.device.id != here:
+            raise ValueError(
+                f"states: expected in the memory of the current GPU, {here}, and not of "
+                f"{array.device.id}; `with cupy.cuda.Device({array.device.id}):` makes it current"
             )
         return self._cupy.ascontiguousarray(array)
 

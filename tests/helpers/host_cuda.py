@@ -6,6 +6,7 @@ behind a head that says what a thread and its number are; then one thread comes 
 
 from __future__ import annotations
 
+import atexit
 import ctypes
 import os
 import shutil
@@ -14,7 +15,7 @@ import weakref
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from tempfile import mkdtemp
 from types import SimpleNamespace
 from typing import Any
 
@@ -29,9 +30,13 @@ COMPILER = (os.environ.get("CXX") or "c++").split()
 # All flags of C but those of the language and of speed: that everything is inlined takes long.
 _FLAGS = [flag for flag in FLAGS if flag not in ("-O3", "-std=c11")]
 
-needs_cpp = pytest.mark.skipif(
-    os.name != "posix" or shutil.which(COMPILER[0]) is None, reason="no C++ compiler"
-)
+
+def has_compiler() -> bool:
+    """Return whether there is a C++ compiler."""
+    return os.name == "posix" and shutil.which(COMPILER[0]) is not None
+
+
+needs_cpp = pytest.mark.skipif(not has_compiler(), reason="no C++ compiler")
 
 _HEAD = """\
 #include <math.h>
@@ -91,6 +96,7 @@ class DeviceArray:
         self.shape, self.dtype, self.ndim = host.shape, host.dtype, host.ndim
         self.nbytes, self.itemsize = host.nbytes, host.itemsize
         self.data = SimpleNamespace(ptr=host.ctypes.data)
+        self.device = SimpleNamespace(id=0)
         self.__cuda_array_interface__ = host.__array_interface__
 
     def __len__(self) -> int:
@@ -133,7 +139,9 @@ class HostCuPy:
         self.memory, self.used, self.launches = memory, 0, list[int]()
         self.flags = list[tuple[str, ...]]()
         self.devices = 1
-        self._instructions, self._folder = instructions, TemporaryDirectory()
+        self.engines: dict[str, cuda.CudaEngine] = {}
+        self._instructions, self._folder = instructions, Path(mkdtemp(prefix="host_cuda"))
+        atexit.register(shutil.rmtree, self._folder, ignore_errors=True)
         self.cuda = SimpleNamespace(
             runtime=SimpleNamespace(
                 getDeviceCount=lambda: self.devices,
@@ -158,7 +166,7 @@ class HostCuPy:
         self.flags.append(flags)
         scene = program[1].removesuffix(".cu")
         (variant,) = (flag for flag in flags if flag.startswith("-DVARIANT="))
-        folder = Path(self._folder.name) / variant
+        folder = self._folder / variant
         folder.mkdir(exist_ok=True)
         program[2] = bytes(compiled_for_host(program[0], scene, folder, variant))
 
@@ -224,6 +232,8 @@ def on_host(scene: CompiledScene, device: HostCuPy | None = None) -> Iterator[Ho
     device = device or HostCuPy()
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(cuda, "load_cupy", lambda: device)
-        source = scene.source("cuda")[f"{scene.name}.cu"]
-        patch.setitem(scene.__dict__, "cuda", cuda.CudaEngine(source, scene.kernels))
+        if scene.name not in device.engines:
+            source = scene.source("cuda")[f"{scene.name}.cu"]
+            device.engines[scene.name] = cuda.CudaEngine(source, scene.kernels)
+        patch.setitem(scene.__dict__, "cuda", device.engines[scene.name])
         yield device
