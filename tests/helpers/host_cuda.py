@@ -166,8 +166,7 @@ class HostCuPy:
         self.flags.append(flags)
         scene = program[1].removesuffix(".cu")
         (variant,) = (flag for flag in flags if flag.startswith("-DVARIANT="))
-        folder = self._folder / variant
-        folder.mkdir(exist_ok=True)
+        folder = Path(mkdtemp(dir=self._folder))  # a library of a known path is not loaded again
         program[2] = bytes(compiled_for_host(program[0], scene, folder, variant))
 
     def _new(self, host: np.ndarray[Any, Any]) -> DeviceArray:
