@@ -66,7 +66,7 @@ def test_without_any_of_the_flags_operations_would_round_otherwise(flag: int) ->
 
 @needs_nvrtc
 def test_nvrtc_makes_a_minimum_of_a_choice_that_gives_another_zero() -> None:
-    """Of -0.0 `a < 0.0 ? a : 0.0` is 0.0, and PTX's minimum is -0.0; our choices hide a value."""
+    """PTX's minimum of -0.0 and 0.0 is -0.0, and `a < 0.0 ? a : 0.0` is 0.0; ours hide a value."""
     assert instructions(FLAGS, "a < 0.0 ? a : 0.0") == {"min.f64": 1}
     assert instructions(FLAGS, single="f < 0.0f ? f : 0.0f") == {"min.f32": 1}
     ours = HOOP.source("cuda")["hoop.cu"].partition("/* The parameters of a shot:")[0]
@@ -115,7 +115,7 @@ def test_nvrtc_rounds_every_operation_of_a_scene_of_ones_own(file: str) -> None:
 
 @pytest.fixture(scope="module")
 def device() -> HostCuPy:
-    """Return what stands for a GPU; each scene is compiled once."""
+    """Return the stand-in for a GPU; each scene is compiled once."""
     return HostCuPy()
 
 

@@ -27,13 +27,13 @@ SHOTS = 3000
 
 @pytest.fixture(scope="module")
 def device() -> HostCuPy:
-    """Return what stands for a GPU."""
+    """Return the stand-in for a GPU."""
     return HostCuPy()
 
 
 @pytest.fixture
 def small(device: HostCuPy) -> Any:
-    """Yield what stands for a GPU with some kilobytes; what is compiled is shared."""
+    """Yield the stand-in with some kilobytes of memory; compiled scenes are shared."""
     device.launches.clear()
     device.memory = device.used + 400_000
     yield device

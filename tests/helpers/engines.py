@@ -60,7 +60,7 @@ def simulate_on(engine: str) -> Simulate:
 
 
 _HOST = HostCuPy()
-"""What stands for a GPU; the scene is compiled once."""
+"""The stand-in for a GPU; the scene is compiled once."""
 
 
 def _simulate_on_host(*arguments: Any, **options: Any) -> hoopgen.Shots:

@@ -123,7 +123,7 @@ class DeviceArray:
 
 
 class HostCuPy:
-    """What the driver takes of CuPy.
+    """The part of CuPy that the driver uses.
 
     Parameters
     ----------
