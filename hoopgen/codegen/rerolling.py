@@ -10,6 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from hoopgen.derive.ir.event_tree import Call, walk
+from hoopgen.derive.loop.stages import Loop
+
 from .formatter import Spelling
 from .program import Operation, Program
 from .statements import (
@@ -252,6 +255,11 @@ def _turns(shapes: Sequence[tuple[Shape, int]], start: int, period: int) -> int:
     while first == shapes[start + turns * period : start + (turns + 1) * period] != []:
         turns += 1
     return turns if len(first) == period else 1
+
+
+def parameter_kernels(loop: Loop) -> set[str]:
+    """Return the names of the kernels that are given all parameters."""
+    return {node.kernel.name for node in walk(loop.stages["validate"]) if isinstance(node, Call)}
 
 
 def rerolled(

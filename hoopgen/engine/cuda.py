@@ -181,8 +181,23 @@ class CudaEngine:
         return self._cupy.ascontiguousarray(array)
 
     def empty(self, shape: tuple[int, ...], dtype: Any) -> Any:
-        """Return an uninitialised array in the memory of the GPU."""
-        return self._allocated(lambda: self._cupy.empty(shape, dtype))
+        """Return an uninitialised array in the memory of the GPU.
+
+        Parameters
+        ----------
+        shape, dtype
+            Its shape and type.
+
+        Raises
+        ------
+        MemoryError
+            If it does not fit.
+        """
+        try:
+            return self._cupy.empty(shape, dtype)
+        except MemoryError as error:
+            why = f"the GPU has no memory for the results ({_first_line(error)})"
+            raise MemoryError(f"backend: {why}; give fewer shots, or fields") from None
 
     def run(
         self,
@@ -303,13 +318,6 @@ class CudaEngine:
         if not isinstance(array, np.ndarray):
             return array
         return self._cupy.asarray(np.ascontiguousarray(array))
-
-    def _allocated(self, new: Callable[[], Any]) -> Any:
-        try:
-            return new()
-        except MemoryError as error:
-            why = f"the GPU has no memory for the results ({_first_line(error)})"
-            raise MemoryError(f"backend: {why}; give fewer shots, or fields") from None
 
     def _function(self, device: int, bounds: bool) -> Any:
         """Return the function of a variant of the event loop, compiled for a GPU."""

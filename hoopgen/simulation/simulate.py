@@ -94,8 +94,8 @@ def simulate(
         If an argument is not as described; the message says what is.
     RuntimeError
         If backend "c" is asked for and was not built, or cannot be trusted; if "cuda" is and there
-        is no GPU, or its results are not NumPy's; or if there is no C engine, and this thread rounds otherwise than to the nearest double, or takes subnormals for
-        zero.
+        is no GPU, or its results are not NumPy's; or if there is no C engine, and this thread
+        rounds otherwise than to the nearest double, or takes subnormals for zero.
     ImportError
         If shots are to be settled, or "cuda" is asked for, and the extra is missing.
     MemoryError

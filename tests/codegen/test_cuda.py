@@ -1,5 +1,7 @@
-"""CUDA without a GPU: what NVRTC makes of the source rounds as IEEE 754 says, and the same source,
-compiled for this processor, has the bits of C."""
+"""CUDA without a GPU: NVRTC's instructions round as IEEE 754 says, and the source has C's bits.
+
+For the second claim the same source is compiled for this processor.
+"""
 
 from __future__ import annotations
 

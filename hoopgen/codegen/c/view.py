@@ -9,7 +9,7 @@ from itertools import groupby
 from typing import Any
 
 from hoopgen.derive.ir import event_tree as ir
-from hoopgen.derive.ir.event_tree import Node, needed, walk, writes
+from hoopgen.derive.ir.event_tree import Node, needed, writes
 from hoopgen.derive.ir.kernel import Kind
 from hoopgen.derive.loop.stages import Loop
 from hoopgen.derive.symbolic.conditionals import Boolean
@@ -20,7 +20,7 @@ from ..cost import describe_cost
 from ..hoisting import PartialEvaluation
 from ..identifiers import identifier
 from ..program import Program
-from ..rerolling import rerolled
+from ..rerolling import parameter_kernels, rerolled
 from ..statements import (
     Apply,
     Column,
@@ -188,7 +188,7 @@ def loop_view(
     }
     permitting = needed(stages["validate"][0], {"permitted"})
     sizes: dict[str, Kind] = dict.fromkeys(loop.parameters, "double")
-    by_columns = frozenset(columns_kernels(loop))
+    by_columns = frozenset(parameter_kernels(loop))
     permit = CLoop(**common, by_columns=by_columns).body(
         permitting, sizes, set(), "", {"permitted"}
     )
@@ -259,11 +259,6 @@ def _record(index: int, loop: Loop) -> Insertion:
     if loop.tallied:
         return Insertion(index, (body, If(Name("recording"), tuple(before))))
     return Insertion(index, (If(Name("recording"), (body, *before)),))
-
-
-def columns_kernels(loop: Loop) -> set[str]:
-    """Return the names of the kernels that are given all parameters, as columns."""
-    return {node.kernel.name for node in walk(loop.stages["validate"]) if isinstance(node, ir.Call)}
 
 
 def _permitted(prefix: str, measuring: Iterable[Node]) -> Statements:

@@ -11,11 +11,9 @@ from typing import Any
 from hoopgen.derive.ir.event_tree import writes
 from hoopgen.derive.symbolic.conditionals import Boolean
 
-from ..backend import TEMPLATES, KernelView, LoweredScene
-from ..c import ResultView
-from ..c.view import columns_kernels
+from ..backend import TEMPLATES, KernelView, LoweredScene, ResultView
 from ..identifiers import identifier
-from ..rerolling import rerolled
+from ..rerolling import parameter_kernels, rerolled
 from ..statements import Number
 from ..straight_line import PrintedBody, formatted, straight_line
 from ..variants import Variant
@@ -37,15 +35,6 @@ C_TYPES = {
 
 _LINE = 92
 """Characters of a line of declarations."""
-
-
-class CudaResult(ResultView):
-    """A view of a result for templates."""
-
-    @property
-    def c_type(self) -> str:
-        """Its type in CUDA."""
-        return C_TYPES.get(self.result.dtype, "double")
 
 
 @dataclass(frozen=True)
@@ -130,7 +119,7 @@ class CudaBackend:
 
     def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
         """Return the kernels that the event loop evaluates."""
-        by_numbers = columns_kernels(lowered.model.loop)
+        by_numbers = parameter_kernels(lowered.model.loop)
         numbers = {identifier(s): k for k, s in enumerate(lowered.model.scene.symbols)}
         return {
             "kernels": [
@@ -142,10 +131,10 @@ class CudaBackend:
 
     def loop(self, lowered: LoweredScene, kernels: Mapping[str, Any]) -> Mapping[str, Any]:
         """Return the event loop in its variants, its tables, and the results that it writes."""
-        lowering = ShotLoop(lowered.model.loop.parameters, columns_kernels(lowered.model.loop))
+        lowering = ShotLoop(lowered.model.loop.parameters, parameter_kernels(lowered.model.loop))
         views = [self._variant(variant, lowering) for variant in lowered.variants]
         tables = [CUDA_FORMATTER.statement(table) for table in lowering.tables]
-        results = [CudaResult(result) for result in lowered.model.results]
+        results = [ResultView(result, C_TYPES) for result in lowered.model.results]
         return {"loops": views, "tables": tables, "results": results}
 
     def _variant(self, variant: Variant, lowering: ShotLoop) -> CudaVariant:
