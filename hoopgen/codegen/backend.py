@@ -14,6 +14,7 @@ from importlib.resources.abc import Traversable
 from typing import Any, Protocol
 
 from hoopgen.derive.model import Model
+from hoopgen.derive.state.fields import ResultField
 
 from .cost import describe_cost, weighted
 from .hoisting import PartialEvaluation, partial_evaluations
@@ -105,6 +106,28 @@ class KernelView:
     def single(self) -> bool:
         """True if it computes in single precision."""
         return self.program.single
+
+
+@dataclass(frozen=True)
+class ResultView:
+    """A view of a result for templates of languages like C.
+
+    Attributes
+    ----------
+    types
+        The types of whole numbers, by their names in NumPy.
+    """
+
+    result: ResultField
+    types: Mapping[str, str] = field(repr=False)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.result, name)
+
+    @property
+    def c_type(self) -> str:
+        """Its type."""
+        return self.types.get(self.result.dtype, "double")
 
 
 class Backend(Protocol):

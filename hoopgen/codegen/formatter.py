@@ -65,6 +65,20 @@ INFIX = {
 }
 """Operations as most languages write them."""
 
+ONE_SHOT = INFIX | {
+    "max": "({0} < {1} ? {1} : {0})",
+    "min": "({0} < {1} ? {0} : {1})",
+    "less": "({0} < {1})",
+    "at_most": "({0} <= {1})",
+    "equal": "({0} == {1})",
+    "both": "({0} && {1})",
+    "either": "({0} || {1})",
+    "not": "(!{0})",
+    "nowhere": "false",
+    "select": "({0} ? {1} : {2})",
+}
+"""Operations on the numbers of one shot, as languages with the expressions of C write them."""
+
 
 @dataclass(frozen=True)
 class Formatter:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from .backend import Backend
 from .c import C_BACKEND
+from .cuda import CUDA_BACKEND
 from .js import JS_BACKEND
 from .numpy import NUMPY_BACKEND
 
@@ -30,5 +31,5 @@ def register(backend: Backend) -> None:
     BACKENDS[backend.name] = backend
 
 
-for _backend in (NUMPY_BACKEND, C_BACKEND, JS_BACKEND):
+for _backend in (NUMPY_BACKEND, C_BACKEND, CUDA_BACKEND, JS_BACKEND):
     register(_backend)

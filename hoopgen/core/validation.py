@@ -32,12 +32,14 @@ __all__ = [
     "is_whole",
 ]
 
-BackendName = Literal["auto", "c", "numpy"]
-"""Name of a backend: a target that runs in this process, or "auto" for the fastest one."""
+BackendName = Literal["auto", "c", "numpy", "cuda"]
+"""Name of a backend: a target that runs in this process, or "auto" for the faster of those on the
+processor. The registry of targets needs SymPy, so that a test compares the names."""
 
 BACKEND_NAMES: tuple[str, ...] = get_args(BackendName)
 RUNTIME_BACKENDS = BACKEND_NAMES[1:]
-"""Names of the targets that run in this process, the fastest first."""
+"""Names of the targets that run in this process: the faster of those on the processor first, then
+those that are used by name only."""
 
 MAX_CONTACTS = 40
 """Contacts after which a shot is capped by default, as in the article."""

@@ -18,8 +18,9 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.core.parameters import DerivedInputs, Parameters, Table, Value
 from hoopgen.core.validation import RUNTIME_BACKENDS
 from hoopgen.generated.numpy import hoop
+from hoopgen.text.shorten import join_alternatives
 
-from . import arithmetic, c_build, native, verification
+from . import arithmetic, c_build, cuda, native, verification
 from .result_arrays import Layout
 from .rolling import Roll
 
@@ -65,6 +66,7 @@ class CompiledScene:
         written: DerivedInputs | None = None,
         has_hoop: bool = False,
         presets: Mapping[str, Parameters[float]] | None = None,
+        trial: Callable[[], list[verification.Batch]] = list,
     ) -> None:
         self.kernels = kernels
         self.layout = Layout(kernels)
@@ -73,11 +75,25 @@ class CompiledScene:
         self.presets: Mapping[str, Parameters[float]] = {} if presets is None else presets
         self.table = Table.of(kernels, written)
         self._find, self._sources, self._scene, self._rebuild = find, sources, scene, rebuild
+        self._trial = trial
 
     @cached_property
     def found(self) -> native.Library | native.Rejection:
         """Its C engine, or why there is none that can be trusted."""
         return self._find()
+
+    @cached_property
+    def cuda(self) -> cuda.CudaEngine:
+        """Its CUDA engine, which has given NumPy's bits on this GPU.
+
+        Raises
+        ------
+        ImportError
+            If CuPy is missing: what brings it.
+        RuntimeError
+            If there is no GPU, or its results cannot be trusted.
+        """
+        return cuda.load_engine(self.source("cuda")[f"{self.name}.cu"], self.kernels, self._trial)
 
     @cached_property
     def scene(self) -> Scene:
@@ -153,7 +169,7 @@ class CompiledScene:
         return outcomes
 
     def source(self, target: str) -> dict[str, str]:
-        """Return the generated files of a target, "c" or "numpy": their names, and their texts.
+        """Return the generated files of a target, by their names: "c", "numpy" or "cuda".
 
         Raises
         ------
@@ -162,7 +178,7 @@ class CompiledScene:
         """
         if target not in RUNTIME_BACKENDS:
             raise ValueError(
-                f"target: expected {' or '.join(map(repr, RUNTIME_BACKENDS))}, got {target!r}"
+                f"target: expected {join_alternatives(map(repr, RUNTIME_BACKENDS))}, got {target!r}"
             )
         return {
             name.removeprefix(f"{target}/"): text
@@ -303,4 +319,5 @@ def generated_files(kernels: ModuleType) -> dict[str, str]:
     """Return the generated files of a scene that comes with hoopgen, by their paths."""
     root, scene = Path(str(kernels.__file__)).parents[1], kernels.SCENE
     files = [*c_build.source_files(root / "c", scene), root / "numpy" / f"{scene}.py"]
+    files.append(root / "cuda" / f"{scene}.cu")
     return {f.relative_to(root).as_posix(): f.read_text(encoding="utf-8") for f in files}

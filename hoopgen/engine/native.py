@@ -240,7 +240,9 @@ class Library:
         if used >= 0:
             return
         if used == Error.ARITHMETIC:
-            raise RuntimeError("the C engine was built with flags that change arithmetic")
+            raise verification.InexactBuildError(
+                "the C engine was built with flags that change arithmetic"
+            )
         if used == Error.MEMORY:
             raise MemoryError("there is no memory for the shots in flight")
         said = {

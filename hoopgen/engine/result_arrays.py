@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from types import ModuleType
 from typing import Any
 
@@ -134,7 +134,9 @@ class Layout:
         """Return the rows of the event log that a shot with so many contacts may need."""
         return self.rows * max_contacts + 1
 
-    def allocate(self, shots: int, wanted: Collection[str]) -> ResultArrays:
+    def allocate(
+        self, shots: int, wanted: Collection[str], new: Callable[..., Any] | None = None
+    ) -> ResultArrays:
         """Return uninitialised results of `shots` shots for the wanted fields.
 
         Parameters
@@ -143,9 +145,12 @@ class Layout:
             Number of shots.
         wanted
             Names of the fields.
+        new
+            Function of a shape and a dtype that returns an array; None for one of NumPy's.
         """
-        # A single shot is the call whose cost in Python counts.
-        new = np.empty if shots == 1 else array_pool.empty
+        if new is None:
+            # A single shot is the call whose cost in Python counts.
+            new = np.empty if shots == 1 else array_pool.empty
         rooms = self._rooms
         return ResultArrays(
             **{

@@ -27,6 +27,7 @@ from . import numpy_backend, result_arrays
 __all__ = [
     "WIDTHS",
     "Batch",
+    "InexactBuildError",
     "batches",
     "differences",
     "even_numbers",
@@ -55,6 +56,10 @@ Batch = tuple[
     NDArray[np.float64], Sequence[NDArray[np.float64] | float], NDArray[np.int8] | None, float
 ]
 """Releases, parameters, surfaces that the shots leave, and a time limit, s."""
+
+
+class InexactBuildError(RuntimeError):
+    """An engine does not compute doubles as IEEE 754 says, because of how it was built."""
 
 
 class CompiledEngine(Protocol):
@@ -160,7 +165,7 @@ def differences(engine: CompiledEngine, kernels: ModuleType, shots: Iterable[Bat
                         width,
                         time_limit=limit,
                     )
-                except RuntimeError:
+                except InexactBuildError:
                     wrong.append("arithmetic")
                     continue
                 wrong += _differing_fields(every, wanted, got)
@@ -257,7 +262,7 @@ def available_widths(engine: CompiledEngine, kernels: ModuleType) -> list[int]:
             )
         except ValueError:
             continue
-        except RuntimeError:
+        except InexactBuildError:
             pass  # the width exists, but its arithmetic is wrong
         there.append(width)
     return there

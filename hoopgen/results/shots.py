@@ -164,7 +164,8 @@ class Shots:
             found: FieldArray = fields[name]
             return found
         if name == "made" and fields and "MADE" in self.scene.outcomes.__members__:
-            return np.asarray(self.outcome == self.scene.outcomes["MADE"])
+            made: NDArray[np.bool_] = self.outcome == self.scene.outcomes["MADE"]
+            return made
         if name in ("jacobian", "differentiable"):
             raise AttributeError(f'{name}: simulate with derivatives=("vx", ...) to have it')
         if name == "events":
@@ -189,6 +190,9 @@ class Shots:
 
     def __repr__(self) -> str:
         shots = format_count(len(self), "shot")
+        if not isinstance(self._states, np.ndarray):
+            named = ", ".join(self._fields)
+            return f"Shots({shots} in the memory of a GPU: {named}; {frames.scene_of(self)})"
         what = self._counts() if "outcome" in self._fields else ", ".join(self._fields)
         return f"Shots({shots}{': ' if what else ''}{what}; {frames.scene_of(self)})"
 
@@ -203,9 +207,22 @@ class Shots:
         capped = self.uncertain & (self.outcome == self.scene.outcomes["CAPPED"])
         return f"{said}; {format_uncertain(int(self.uncertain.sum()), int(capped.sum()))}"
 
+    def to_numpy(self) -> Shots:
+        """Return the results as NumPy arrays: those in the memory of a GPU are copied from there.
+
+        Shots that are simulated by backend "cuda" from states in the memory of a GPU have their
+        results there. All methods that read them take this copy first.
+        """
+        if isinstance(self._states, np.ndarray):
+            return self
+        fields = {name: array.get() for name, array in self._fields.items()}
+        return Shots(fields, self._states.get(), self.parameters, self.scene)
+
     def plot(self, *, ax: Drawn | None = None, **options: Unpack[FanOptions]) -> Drawn:
         """Draw the paths; options, and what is returned and raised, as for `plots.plot_fan`."""
-        drawn: Drawn = plotting_module().plot_fan(self, self.parameters, ax=ax, **options)
+        drawn: Drawn = plotting_module().plot_fan(
+            self.to_numpy(), self.parameters, ax=ax, **options
+        )
         return drawn
 
     def to_pandas(self) -> DataFrame:
@@ -218,7 +235,7 @@ class Shots:
         ImportError
             If pandas is missing: what brings it.
         """
-        return frames.shots_frame(self)
+        return frames.shots_frame(self.to_numpy())
 
     def events_to_pandas(self) -> DataFrame:
         """Return the event log as a pandas.DataFrame, a row each event, units in columns' names.
@@ -233,7 +250,7 @@ class Shots:
         ImportError
             If pandas is missing: what brings it.
         """
-        return frames.events_frame(self)
+        return frames.events_frame(self.to_numpy())
 
     def events_to_arrow(self) -> ArrowTable:
         """Return the event log as a pyarrow.Table, which Polars takes too; as `events_to_pandas`.
@@ -247,7 +264,7 @@ class Shots:
         ImportError
             If pyarrow is missing: what brings it.
         """
-        return frames.events_table(self)
+        return frames.events_table(self.to_numpy())
 
     def to_xarray(self) -> Dataset:
         """Return the results as an xarray.Dataset over ``shot``, with what the codes mean.
@@ -260,10 +277,10 @@ class Shots:
         ImportError
             If xarray is missing: what brings it.
         """
-        return frames.shots_dataset(self)
+        return frames.shots_dataset(self.to_numpy())
 
     def _repr_html_(self) -> str:
-        return frames.shots_html(self)
+        return frames.shots_html(self.to_numpy())
 
     def trajectory(self, shot: int) -> Trajectory:
         """Return the path of one shot; needs ``record=True``.

@@ -283,6 +283,7 @@ def _engine(entry: Entry, scene: Any, there: SceneStore) -> Engine:
         scene=partial(_definition, scene),
         rebuild=(compile, (scene,)),
         written=scene if isinstance(scene, Scene) else None,
+        trial=lambda: verification.batches(kernels, trial_shots(kernels)),
     )
 
 

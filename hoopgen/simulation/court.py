@@ -67,6 +67,7 @@ COURT = Engine(
     rebuild=(_court, ()),
     has_hoop=True,
     presets=PRESETS,
+    trial=court_shots,
 )
 """The hoop as it stands in a gym: ring, backboard and bridge from all sides, each with its own
 restitution and friction. A ball that has come up through the ring is not MADE, whatever it does

@@ -88,5 +88,6 @@ HOOP = Engine(
     rebuild=(_hoop, ()),
     has_hoop=True,
     presets=PRESETS,
+    trial=hoop_shots,
 )
 """The article's scene."""

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-import sys
 import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import cache, partial, wraps
+from functools import partial, wraps
 from typing import Any, Concatenate, Literal, ParamSpec, TypedDict
 
 import numpy as np
@@ -18,7 +17,6 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues, Value, resolve
 from hoopgen.core.validation import (
-    BACKEND_NAMES,
     BackendName,
     check_contacts,
     check_leaving,
@@ -29,10 +27,12 @@ from hoopgen.core.validation import (
 from hoopgen.engine import native, numpy_backend, thread_pools
 from hoopgen.engine.arithmetic import is_exact
 from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.engine.cuda import CudaEngine, is_device_array, to_host
 from hoopgen.engine.result_arrays import ResultArrays
 from hoopgen.results.shots import Shots
 from hoopgen.text.shorten import brief, join_names
 
+from .backends import Library, device_states, find_library, host_parameters
 from .variations import NEEDED, check_derivatives
 from .variations import derivatives as find_derivatives
 
@@ -80,7 +80,7 @@ class _Batch:
     leaving: NDArray[np.int8] | None
     max_contacts: int
     time_limit: float
-    library: native.Library | None
+    library: Library | None
     stop: NDArray[np.int32]
 
     def stopped(self) -> bool:
@@ -106,7 +106,9 @@ class _Batch:
         In C these are the shots of a share; in NumPy they may be the rows of `out` from `first` on.
         """
         given = (self.states, self.parameters, self.leaving, most, out)
-        if self.library is not None:
+        if isinstance(self.library, CudaEngine):
+            self.library.run(*given, self.stop, time_limit=self.time_limit)
+        elif self.library is not None:
             self.library.run(*given, self.stop, time_limit=self.time_limit, share=share)
         else:
             rest = (self.stopped, self.time_limit, first, last)
@@ -189,7 +191,14 @@ def run(
     derivatives: Iterable[str] | None = None,
 ) -> Shots:
     """Simulate shots in a compiled scene; all else as for `hoopgen.simulate`."""
-    releases = check_states(states)
+    stays = is_device_array(states)
+    if stays:
+        asked = {"record": record, "settle": settle, "derivatives": derivatives is not None}
+        releases = device_states(states, backend, engine, asked)
+    else:
+        releases = check_states(states)
+    if backend == "cuda":
+        parameters, leaving = host_parameters(parameters), to_host(leaving)
     shots = len(releases)
     named = resolve(parameters, shots, engine.table)
     most = engine.max_contacts if max_contacts is None else check_contacts(max_contacts)
@@ -206,14 +215,17 @@ def run(
         check_leaving(leaving, shots, len(engine.surfaces)),
         most,
         _limit(time_limit, engine),
-        _library(backend, engine),
+        find_library(backend, engine),
         np.zeros(1, np.int32),
     )
     needed = (*(("uncertain",) if settle else ()), *(NEEDED if by is not None else ()))
     computed = tuple(dict.fromkeys((*wanted, *needed))) if needed else wanted
-    out = engine.layout.allocate(shots, computed)
+    on_gpu = isinstance(batch.library, CudaEngine)
+    out = engine.layout.allocate(shots, computed, engine.cuda.empty if stays else None)
     results = dict(out.arrays)
-    if not logged and batch.library is not None:
+    if on_gpu and not logged:
+        batch.run(out, most)
+    elif not logged and batch.library is not None:
         _share(batch, out, workers)
     else:
         logs = _run(batch, out, workers, logged)
@@ -295,7 +307,7 @@ def _run(batch: _Batch, out: ResultArrays, threads: int, record: bool) -> list[N
         log["shot"] += start
         return log
 
-    in_c = batch.library is not None
+    in_c, on_gpu = batch.library is not None, isinstance(batch.library, CudaEngine)
     size = max(-(-shots // threads), 1 if in_c else MIN_SHOTS_PER_THREAD)
     first = min(FIRST_LOG_CONTACTS, batch.max_contacts)
     if record:
@@ -307,7 +319,7 @@ def _run(batch: _Batch, out: ResultArrays, threads: int, record: bool) -> list[N
         here = _is_brief(batch) and (threads == 1 or contacts <= MAX_CONTACTS_WITHOUT_THREADS)
     else:
         here = contacts <= MAX_CONTACTS_WITHOUT_THREADS
-    if here or (threads == 1 and not _interruptible()):
+    if here or on_gpu or (threads == 1 and not _interruptible()):
         logs = [work(start) for start in starts]
     else:
         with _pool(batch, threads) as pool:
@@ -360,37 +372,3 @@ def _fields(fields: str | Iterable[str], scene: CompiledScene) -> tuple[str, ...
         names = ", ".join(scene.layout.fields + scene.layout.bounds)
         raise ValueError(f"fields: unknown {join_names(unknown)}. 'all', or some of {names}")
     return wanted
-
-
-def _library(backend: str, scene: CompiledScene) -> native.Library | None:
-    if backend not in BACKEND_NAMES:
-        *names, last = map(repr, BACKEND_NAMES)
-        raise ValueError(f"backend: expected {', '.join(names)} or {last}, got {brief(backend)}")
-    if backend == "numpy":
-        return None
-    found = scene.found
-    if not isinstance(found, native.Rejection):
-        if isinstance(found, native.Library) and found.missing_width:
-            _warn_of_one_lane(scene.name, found.missing_width)
-        return found
-    if backend == "c":
-        raise RuntimeError(f"backend: 'c' {found.reason}; {found.remedy}, or use 'numpy'")
-    _warn_once(found)
-    return None
-
-
-@cache
-def _warn_once(refused: native.Rejection) -> None:
-    print(
-        f"hoopgen: the C engine {refused.reason}; {refused.remedy}. NumPy serves, slower.",
-        file=sys.stderr,
-    )
-
-
-@cache
-def _warn_of_one_lane(scene: str, width: int) -> None:
-    print(
-        f"hoopgen: the C engine of {scene} was compiled for a processor with {width} lanes, which "
-        "this one has not. One lane serves, slower; install hoopgen again on this machine.",
-        file=sys.stderr,
-    )

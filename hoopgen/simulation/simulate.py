@@ -53,11 +53,13 @@ def simulate(
         A shot with so many contacts ends as capped; at least 1. None: 40 in the hoop, as in the
         article, elsewhere 1000.
     backend
-        "auto" is "c" where it was built, else "numpy". The results are the same bits.
+        "auto" is "c" where it was built, else "numpy". The results are the same bits. "cuda" is a
+        GPU, by name only: one thread a shot. There the results of states in the GPU's memory, as
+        of CuPy, stay in that memory.
     threads
         How many work; None for one on each processor that the process may use. More than four on
         each are not started, nor more than have some thousands of shots each: they would be in
-        each other's way.
+        each other's way. "cuda" uses none.
     fields
         "all", or the names of the results that are wanted; by name also those that `Shots` has
         only if requested, such as the bounds on the errors of time and state. Without these and
@@ -91,11 +93,13 @@ def simulate(
     TypeError, ValueError
         If an argument is not as described; the message says what is.
     RuntimeError
-        If backend "c" is asked for and was not built, or cannot be trusted; or if there is no C
-        engine, and this thread rounds otherwise than to the nearest double, or takes subnormals for
-        zero.
+        If backend "c" is asked for and was not built, or cannot be trusted; if "cuda" is and there
+        is no GPU, or its results are not NumPy's; or if there is no C engine, and this thread
+        rounds otherwise than to the nearest double, or takes subnormals for zero.
     ImportError
-        If shots are to be settled and the extra is missing.
+        If shots are to be settled, or "cuda" is asked for, and the extra is missing.
+    MemoryError
+        If the GPU has no memory for a shot, or for the results that stay there.
     """
     return run(
         engine_of(scene),

@@ -44,6 +44,12 @@ def cut(text: str, longest: int = MAX_LENGTH) -> str:
     return line if len(line) <= longest else f"{line[: longest - 3]}..."
 
 
+def join_alternatives(names: Iterable[str]) -> str:
+    """Return names joined by commas, the last by "or"."""
+    *first, last = names
+    return f"{', '.join(first)} or {last}" if first else last
+
+
 def join_names(names: Iterable[object]) -> str:
     """Return names joined by commas; of many the first ones."""
     left = iter(names)

@@ -14,9 +14,10 @@ from hoopgen.derive.symbolic.conditionals import AtMost, IfLess, Less, absolute,
 from hoopgen.derive.symbolic.symbols import ParameterSymbol
 
 from hoopgen.codegen.c.merging import merged
-from hoopgen.codegen.c.rerolling import rerolled
+from hoopgen.codegen.c.spelling import LANES, parameter_of_row
 from hoopgen.codegen.identifiers import identifier
 from hoopgen.codegen.program import Program, lower
+from hoopgen.codegen.rerolling import rerolled
 from hoopgen.codegen.statements import (
     Apply,
     Assign,
@@ -119,7 +120,8 @@ def test_a_chain_is_a_loop_of_the_same_operations(count: int) -> None:
         ),
     }
     program = program_of(outputs, (*sizes, other))
-    body = rerolled(program, {identifier(size): k for k, size in enumerate(sizes)})
+    numbers = {identifier(size): k for k, size in enumerate(sizes)}
+    body = rerolled(program, numbers, LANES, parameter_of_row)
     loops = [statement for statement in body.statements if isinstance(statement, For)]
     assert bool(loops) == (count > 5)
     random.seed(count)

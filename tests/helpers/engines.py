@@ -11,12 +11,14 @@ from typing import Any
 import pytest
 
 import hoopgen
+from hoopgen.core.validation import RUNTIME_BACKENDS
 from hoopgen.engine import native
 from hoopgen.simulation.hoop import HOOP
+from tests.helpers.host_cuda import HostCuPy, has_compiler, on_host
 
 Simulate = Callable[..., hoopgen.Shots]
 
-ENGINES = ("numpy", "c", *(f"c, {width} abreast" for width in native.WIDTHS))
+ENGINES = (*RUNTIME_BACKENDS, *(f"c, {width} abreast" for width in native.WIDTHS))
 
 
 @dataclass(frozen=True)
@@ -34,6 +36,10 @@ def simulate_on(engine: str) -> Simulate:
     """Return `hoopgen.simulate` on one engine; skip the test where it is not there."""
     if engine == "numpy":
         return partial(hoopgen.simulate, backend="numpy")
+    if engine == "cuda":
+        if not has_compiler():
+            pytest.skip("no C++ compiler")
+        return _simulate_on_host
     library = HOOP.library
     if library is None:
         pytest.skip("the C engine was not built")
@@ -51,6 +57,16 @@ def simulate_on(engine: str) -> Simulate:
     except ValueError:
         pytest.skip("this processor does not have the width")
     return simulate
+
+
+_HOST = HostCuPy()
+"""The stand-in for a GPU; the scene is compiled once."""
+
+
+def _simulate_on_host(*arguments: Any, **options: Any) -> hoopgen.Shots:
+    """Simulate with the CUDA source and its driver, on this processor."""
+    with on_host(HOOP, _HOST):
+        return hoopgen.simulate(*arguments, backend="cuda", **options)
 
 
 def engines_here() -> dict[str, Simulate]:

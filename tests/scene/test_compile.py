@@ -27,8 +27,8 @@ from hoopgen.codegen import render
 from hoopgen.core.owned_folders import MARKER, find_store
 from hoopgen.engine import native
 from hoopgen.scene import End, Parameter, Plane, Scene, Sphere, cache, compilers
+from hoopgen.simulation import backends
 from hoopgen.simulation import compile as compiling
-from hoopgen.simulation import run as run_module
 from hoopgen.simulation.engine import Engine
 from hoopgen.text.shorten import brief
 from tests.helpers import ROOT
@@ -102,7 +102,7 @@ def forget() -> None:
     compiling._ENGINES.clear()
     cache.process_store.cache_clear()
     cache._warn_once.cache_clear()
-    run_module._warn_once.cache_clear()
+    backends._warn_once.cache_clear()
 
 
 @pytest.fixture
@@ -222,7 +222,7 @@ def test_an_engine_says_what_it_has(dome: Engine) -> None:
     assert set(dome.source("numpy")) == {"dome.py"}
     assert "dome_simulate(" in dome.source("c")["dome.h"]
     assert hoopgen.HOOP.source("numpy")["hoop.py"].startswith('"""NumPy kernels of the scene hoop')
-    with pytest.raises(ValueError, match="target: expected 'c' or 'numpy', got 'js'"):
+    with pytest.raises(ValueError, match="target: expected 'c', 'numpy' or 'cuda', got 'js'"):
         dome.source("js")
     assert hoopgen.compile(dome) is dome
     assert hoopgen.compile(DOME) is dome

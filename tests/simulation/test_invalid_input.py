@@ -12,7 +12,7 @@ import pytest
 import hoopgen
 from hoopgen import PAPER, Outcome
 from hoopgen.engine import native
-from hoopgen.simulation import run as run_module
+from hoopgen.simulation import backends
 from hoopgen.simulation.hoop import HOOP, hoop_library
 from tests.helpers.engines import Simulate
 from tests.helpers.hoop_shots import Batch
@@ -375,7 +375,7 @@ def test_max_contacts_may_be_any_kind_of_whole_number(value: Any) -> None:
 
 @pytest.mark.parametrize("value", ["C", "gpu", "", None, 1])
 def test_an_unknown_backend_is_an_error_that_lists_them(value: Any) -> None:
-    said = f"backend: expected 'auto', 'c' or 'numpy', got {value!r}"
+    said = f"backend: expected 'auto', 'c', 'numpy' or 'cuda', got {value!r}"
     with pytest.raises(ValueError, match=f"^{re.escape(said)}$"):
         hoopgen.simulate(FREE_THROW, backend=value)
 
@@ -428,9 +428,9 @@ def test_options_are_given_by_name() -> None:
 def without_library(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     refused = native.Rejection("was not built", "install again with a C compiler")
     monkeypatch.setattr(HOOP, "found", refused)
-    run_module._warn_once.cache_clear()
+    backends._warn_once.cache_clear()
     yield
-    run_module._warn_once.cache_clear()
+    backends._warn_once.cache_clear()
 
 
 @pytest.mark.usefixtures("without_library")

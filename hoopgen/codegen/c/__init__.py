@@ -7,14 +7,13 @@ from dataclasses import dataclass, field
 from importlib.resources.abc import Traversable
 from typing import Any
 
-from hoopgen.derive.state.fields import ResultField
-
-from ..backend import TEMPLATES, LoweredScene
+from ..backend import TEMPLATES, LoweredScene, ResultView
 from ..identifiers import identifier
+from ..rerolling import parameter_kernels
 from .hoisted import Hoisted
 from .merging import merged
 from .options import Options
-from .view import CKernel, columns_kernels, loop_view
+from .view import CKernel, loop_view
 
 FILES = {
     "c/kernels.h.j2": "c/{scene}_kernels.h",
@@ -32,21 +31,6 @@ C_TYPES = {name: f"{name}_t" for name in ("uint8", "int8", "int16", "int32")} | 
 
 
 @dataclass(frozen=True)
-class ResultView:
-    """A view of a result for templates."""
-
-    result: ResultField
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.result, name)
-
-    @property
-    def c_type(self) -> str:
-        """Its type in C."""
-        return C_TYPES.get(self.result.dtype, "double")
-
-
-@dataclass(frozen=True)
 class CBackend:
     """The target C."""
 
@@ -59,7 +43,7 @@ class CBackend:
         """Return the kernels that the event loop evaluates: the library serves its engine alone."""
         own = lowered.partial_evaluations
         called = [p for p in lowered.programs if p.kernel.name in lowered.called]
-        by_columns = columns_kernels(lowered.model.loop)
+        by_columns = parameter_kernels(lowered.model.loop)
         symbols = lowered.model.scene.symbols
         numbers = {identifier(symbol): k for k, symbol in enumerate(symbols)}
         kernels = [
@@ -78,7 +62,7 @@ class CBackend:
             "loops": views[::-1],
             "fixed": hoisted.counts,
             "merged": merged,
-            "results": [ResultView(r) for r in lowered.model.results],
+            "results": [ResultView(r, C_TYPES) for r in lowered.model.results],
         }
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from hoopgen.derive.ir.kernel import Kind
 
-from ..formatter import INFIX, Spelling
+from ..formatter import ONE_SHOT, Spelling
 from ..statements import (
     Apply,
     Column,
@@ -55,21 +55,7 @@ SINGLES = Spelling(
 )
 
 SCALARS = Spelling(
-    operations=INFIX
-    | {
-        "sqrt": "sqrt({0})",
-        "abs": "fabs({0})",
-        "max": "({0} < {1} ? {1} : {0})",
-        "min": "({0} < {1} ? {0} : {1})",
-        "less": "({0} < {1})",
-        "at_most": "({0} <= {1})",
-        "equal": "({0} == {1})",
-        "both": "({0} && {1})",
-        "either": "({0} || {1})",
-        "not": "(!{0})",
-        "nowhere": "0",
-        "select": "({0} ? {1} : {2})",
-    },
+    operations=ONE_SHOT | {"sqrt": "sqrt({0})", "abs": "fabs({0})", "nowhere": "0"},
     infinity="(INFINITY)",
     number="double",
     truth="_Bool",
@@ -197,3 +183,8 @@ def choose(kind: Kind, mask: Expression, then: Expression, other: Expression) ->
         return Apply("lanes_choose", (mask, then, other))
     own = Apply("singles_of", (mask,)) if kind == "single" else mask
     return Operate("select", (own, then, other), kind == "single")
+
+
+def parameter_of_row(number: Expression) -> Expression:
+    """Return the lanes of a parameter in the row at hand, by its number in the array `p`."""
+    return load("double", offset(Item(Name("p"), number), Name("row")))

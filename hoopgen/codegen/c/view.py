@@ -9,7 +9,7 @@ from itertools import groupby
 from typing import Any
 
 from hoopgen.derive.ir import event_tree as ir
-from hoopgen.derive.ir.event_tree import Node, needed, walk, writes
+from hoopgen.derive.ir.event_tree import Node, needed, writes
 from hoopgen.derive.ir.kernel import Kind
 from hoopgen.derive.loop.stages import Loop
 from hoopgen.derive.symbolic.conditionals import Boolean
@@ -20,6 +20,7 @@ from ..cost import describe_cost
 from ..hoisting import PartialEvaluation
 from ..identifiers import identifier
 from ..program import Program
+from ..rerolling import parameter_kernels, rerolled
 from ..statements import (
     Apply,
     Column,
@@ -41,8 +42,18 @@ from .hoisted import Hoisted
 from .launch import LaunchLoop
 from .masks import CLoop, Statements
 from .options import Options
-from .rerolling import rerolled
-from .spelling import LANES, SINGLES, TYPES, at, column_of, function, load, offset, store
+from .spelling import (
+    LANES,
+    SINGLES,
+    TYPES,
+    at,
+    column_of,
+    function,
+    load,
+    offset,
+    parameter_of_row,
+    store,
+)
 
 STATE_NAMES = tuple(symbol.name for symbol in STATE)
 
@@ -71,7 +82,9 @@ class CKernel(KernelView):
     def body(self) -> PrintedBody:
         """Its statements and results."""
         if self.numbers:
-            return formatted(rerolled(self.program, self.numbers), C_FORMATTER)
+            return formatted(
+                rerolled(self.program, self.numbers, LANES, parameter_of_row), C_FORMATTER
+            )
         return formatted(straight_line(self.rest, SINGLES if self.single else LANES), C_FORMATTER)
 
     @property
@@ -175,7 +188,7 @@ def loop_view(
     }
     permitting = needed(stages["validate"][0], {"permitted"})
     sizes: dict[str, Kind] = dict.fromkeys(loop.parameters, "double")
-    by_columns = frozenset(columns_kernels(loop))
+    by_columns = frozenset(parameter_kernels(loop))
     permit = CLoop(**common, by_columns=by_columns).body(
         permitting, sizes, set(), "", {"permitted"}
     )
@@ -246,11 +259,6 @@ def _record(index: int, loop: Loop) -> Insertion:
     if loop.tallied:
         return Insertion(index, (body, If(Name("recording"), tuple(before))))
     return Insertion(index, (If(Name("recording"), (body, *before)),))
-
-
-def columns_kernels(loop: Loop) -> set[str]:
-    """Return the names of the kernels that are given all parameters, as columns."""
-    return {node.kernel.name for node in walk(loop.stages["validate"]) if isinstance(node, ir.Call)}
 
 
 def _permitted(prefix: str, measuring: Iterable[Node]) -> Statements:

@@ -8,25 +8,12 @@ from importlib.resources.abc import Traversable
 from typing import Any
 
 from ..backend import TEMPLATES, KernelView, LoweredScene
-from ..formatter import INFIX, Formatter, Spelling
+from ..formatter import ONE_SHOT, Formatter, Spelling
 from ..straight_line import PrintedBody, formatted, straight_line
 
 JS = Spelling(
-    operations=INFIX
-    | {
-        "sqrt": "Math.sqrt({0})",
-        "abs": "Math.abs({0})",
-        "max": "({0} < {1} ? {1} : {0})",
-        "min": "({0} < {1} ? {0} : {1})",
-        "less": "({0} < {1})",
-        "at_most": "({0} <= {1})",
-        "equal": "({0} === {1})",
-        "both": "({0} && {1})",
-        "either": "({0} || {1})",
-        "not": "(!{0})",
-        "nowhere": "false",
-        "select": "({0} ? {1} : {2})",
-    },
+    operations=ONE_SHOT
+    | {"sqrt": "Math.sqrt({0})", "abs": "Math.abs({0})", "equal": "({0} === {1})"},
 )
 JS_FORMATTER = Formatter(JS, JS, "const {name} = {value};")
 

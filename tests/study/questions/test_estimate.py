@@ -552,7 +552,7 @@ def test_a_comparison_in_words() -> None:
         ({"seed": -1}, ValueError, "seed: expected a whole number from 0"),
         ({"max_contacts": 0}, ValueError, "max_contacts: expected a whole number from 1"),
         ({"max_contacts": 2.5}, ValueError, "max_contacts: expected a whole number from 1"),
-        ({"backend": "gpu"}, ValueError, "backend: expected 'auto', 'c' or 'numpy'"),
+        ({"backend": "gpu"}, ValueError, "backend: expected 'auto', 'c', 'numpy' or 'cuda'"),
         ({"threads": 0}, ValueError, "threads: expected a whole number from 1"),
         ({"parameters": {"bounce": 1}}, ValueError, "parameters: unknown bounce. The names are"),
         (

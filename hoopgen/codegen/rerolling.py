@@ -7,11 +7,15 @@ faster. The loop does the same operations in the same order, and gives the same 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from ..program import Operation, Program
-from ..statements import (
+from hoopgen.derive.ir.event_tree import Call, walk
+from hoopgen.derive.loop.stages import Loop
+
+from .formatter import Spelling
+from .program import Operation, Program
+from .statements import (
     Assign,
     Declare,
     Expression,
@@ -24,8 +28,7 @@ from ..statements import (
     Statement,
     Table,
 )
-from ..straight_line import Body
-from .spelling import LANES, load, offset
+from .straight_line import Body
 
 MAX_PERIOD = 12
 """Most steps of a turn of a loop."""
@@ -76,11 +79,17 @@ class _Rerolled:
     program
         The program.
     numbers
-        By name, the numbers of the parameters, which are columns of the array `p`.
+        By name, the numbers of the parameters.
+    spelling
+        The types of the target.
+    parameter
+        What reads a parameter, by its number.
     """
 
     program: Program
     numbers: Mapping[str, int]
+    spelling: Spelling
+    parameter: Callable[[Expression], Expression]
     statements: list[Statement] = field(default_factory=list)
     values: dict[int, Expression] = field(default_factory=dict)
 
@@ -102,12 +111,17 @@ class _Rerolled:
             value = self._value(index, self.values)
             if index in named:
                 name = f"_s{len(self.statements)}"
-                kind = LANES.truth if program.operations[index].is_truth else LANES.number
+                kind = self._type(index)
                 self.statements.append(Declare(name, kind, value, constant=True))
                 value = Name(name)
             self.values[index] = value
         outputs = tuple(self.values[output] for output in program.outputs)
         return Body(tuple(self.statements), outputs)
+
+    def _type(self, index: int) -> str:
+        """Return the target's type of an operation's value."""
+        is_truth = self.program.operations[index].is_truth
+        return self.spelling.truth if is_truth else self.spelling.number
 
     def _value(self, index: int, values: Mapping[int, Expression]) -> Expression:
         """Return the value of an operation, given those of its operands."""
@@ -117,7 +131,7 @@ class _Rerolled:
         if operation.name in ("argument", "truth"):
             if operation.symbol not in self.numbers:
                 return Name(operation.symbol)
-            return _parameter(Scalar(self.numbers[operation.symbol]))
+            return self.parameter(Scalar(self.numbers[operation.symbol]))
         return Operate(operation.name, tuple(values[k] for k in operation.operands))
 
     def _loop(self, loop: _Loop) -> Expression:
@@ -125,10 +139,7 @@ class _Rerolled:
         many = len(self.statements)
         value, table, turn = Name(f"_v{many}"), f"_t{many}", f"_k{many}"
         first = loop.turns[0]
-        is_truth = self.program.operations[first[0].index].is_truth
-        start = Declare(
-            value.name, LANES.truth if is_truth else LANES.number, self.values[first[0].before]
-        )
+        start = Declare(value.name, self._type(first[0].index), self.values[first[0].before])
         rows = tuple(
             tuple(Scalar(self.numbers[name]) for step in own for name in step.parameters)
             for own in loop.turns
@@ -139,7 +150,7 @@ class _Rerolled:
             places = {}
             for name in step.parameters:
                 row = Item(Item(Name(table), Name(turn)), Scalar(column))
-                places[name] = _parameter(row)
+                places[name] = self.parameter(row)
                 column += 1
             steps.append(Assign(value, self._step(step.index, step.before, value, places)))
         self.statements += [
@@ -207,11 +218,6 @@ class _Rerolled:
         return tuple(parts)
 
 
-def _parameter(number: Expression) -> Expression:
-    """Return the lanes of a parameter in the row at hand, by its number."""
-    return load("double", offset(Item(Name("p"), number), Name("row")))
-
-
 def _before(operation: Operation, operations: Sequence[Operation]) -> int | None:
     """Return the operand that a step takes the value so far from, if the operation can be one."""
     if operation.name in ("add", "both"):
@@ -251,7 +257,17 @@ def _turns(shapes: Sequence[tuple[Shape, int]], start: int, period: int) -> int:
     return turns if len(first) == period else 1
 
 
-def rerolled(program: Program, numbers: Mapping[str, int]) -> Body:
+def parameter_kernels(loop: Loop) -> set[str]:
+    """Return the names of the kernels that are given all parameters."""
+    return {node.kernel.name for node in walk(loop.stages["validate"]) if isinstance(node, Call)}
+
+
+def rerolled(
+    program: Program,
+    numbers: Mapping[str, int],
+    spelling: Spelling,
+    parameter: Callable[[Expression], Expression],
+) -> Body:
     """Return the statements and outputs of a program of parameters, long chains as loops.
 
     Parameters
@@ -259,6 +275,10 @@ def rerolled(program: Program, numbers: Mapping[str, int]) -> Body:
     program
         The program, in double precision.
     numbers
-        By name, the number of each parameter: its place in the array `p` of columns.
+        By name, the number of each parameter.
+    spelling
+        The types of the target.
+    parameter
+        Function of a parameter's number that returns what reads it.
     """
-    return _Rerolled(program, numbers).body()
+    return _Rerolled(program, numbers, spelling, parameter).body()

@@ -1,0 +1,9390 @@
+/* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
+
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 0929985e58d5a95b,
+   with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
+   and run `make generate`.
+   It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
+   --prec-div=true and --prec-sqrt=true: then + - * / and square roots are rounded as IEEE 754 says, in
+   double and in single precision. NVRTC calls what it compiles __CUDACC__. */
+
+#if defined(__USE_FAST_MATH__) && __USE_FAST_MATH__
+#error "fast-math changes results: compile without it"
+#endif
+/* VARIANT is 0 for the path alone, 1 for bounds on errors, too; both are compiled without it. */
+#ifndef VARIANT
+#define VARIANT 2
+#endif
+
+#define INFINITE __longlong_as_double(0x7ff0000000000000LL)
+#define NOT_A_NUMBER __longlong_as_double(0x7ff8000000000000LL)
+
+/* The same value, of which the compiler knows nothing. Of `a < 0.0 ? a : 0.0` it would make min.f64,
+   which takes -0.0 for less than 0.0. It does not where it cannot know the value that is taken otherwise. */
+static __device__ __forceinline__ double opaque(double value)
+{
+#ifdef __CUDACC__
+    asm("" : "+d"(value));
+#endif
+    return value;
+}
+
+static __device__ __forceinline__ float opaque(float value)
+{
+#ifdef __CUDACC__
+    asm("" : "+f"(value));
+#endif
+    return value;
+}
+
+static __device__ __forceinline__ bool opaque(bool value) { return value; }
+
+/* The choices of all targets. Both values are there before one is taken: a branch would part threads. */
+template <typename T> static __device__ __forceinline__ T choose(bool truth, T then, T other)
+{
+    other = opaque(other);
+    return truth ? then : other;
+}
+
+template <typename T> static __device__ __forceinline__ T larger(T a, T b) { return choose(a < b, b, a); }
+
+template <typename T> static __device__ __forceinline__ T smaller(T a, T b) { return choose(a < b, a, b); }
+
+/* The parameters of a shot: each has one value for all shots, at a stride of 0, or one a shot. */
+struct shot_parameters {
+    const double *const *values;
+    const long long *strides;
+    long long shot;
+};
+
+static __device__ __forceinline__ double parameter(const shot_parameters &given, int number)
+{
+    return given.values[number][given.strides[number] * given.shot];
+}
+
+enum {
+    COURT_OUTCOME_MADE = 0, /* Fell through the ring, and crossed the end plane inside the target. */
+    COURT_OUTCOME_MISSED = 1, /* Crossed the end plane otherwise. */
+    COURT_OUTCOME_CAPPED = 2, /* Had max_contacts contacts before it ended. */
+    COURT_OUTCOME_SHORT = 3, /* Can never reach an end. */
+    COURT_OUTCOME_INVALID = 4, /* Not finite, not allowed, a size out of range, or a start inside a surface. */
+    COURT_OUTCOME_LODGED = 5, /* At rest, or wedged between bodies. */
+    COURT_OUTCOME_ENDLESS = 6 /* Still moving at the time limit. */
+};
+
+/* What a row of the event log is. */
+enum {
+    COURT_EVENT_IMPACT = 0, /* The ball meets a body. */
+    COURT_EVENT_ROLL = 1, /* Its bounces have accumulated: it stays in contact with the body. */
+    COURT_EVENT_LEAVE = 2, /* That contact ends. */
+    COURT_EVENT_END = 3 /* The shot ends. */
+};
+
+/* A row of the event log. */
+struct court_event {
+    long long shot, surface;
+    double time, before[9], after[9];
+    long long kind;
+};
+
+static __device__ const int table_0[][2] = {
+    {15, 12},
+    {16, 13},
+    {17, 14},
+};
+
+static __device__ const double table_1[][1] = {
+    {0.0},
+    {1.0},
+    {2.0},
+};
+
+/* Position and velocity at time t of a flight.
+   Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications. */
+struct kernel_flight_out {
+    double x, y, z, vx, vy, vz;
+};
+
+static __device__ __forceinline__ kernel_flight_out kernel_flight(double t, double x, double y, double z, double vx, double vy, double vz, double p_gravity)
+{
+    return {x + (vx * t), y + (vy * t), z + (t * (vz - ((0.5 * p_gravity) * t))), vx, vy, vz - (p_gravity * t)};
+}
+
+/* Clearance, positive if a crossing is certain, and a bound on its delay.
+   Taylor's theorem with the margins of the gap and its rate. 10 operations: 1 addition, 1 subtraction, 3 multiplications, 1 division, 1 negation, 1 comparison, 2 selections. */
+struct kernel_crossing_out {
+    double clearance, delay;
+};
+
+static __device__ __forceinline__ kernel_crossing_out kernel_crossing(double margin, double rate_margin, double rate, double ceiling)
+{
+    const double _s0 = -(rate + rate_margin);
+    const double _s1 = 6.0 * margin;
+    const bool _s2 = 0.0 < _s0;
+    return {choose(_s2, ((_s0 * _s0) - (_s1 * ceiling)), _s0), choose(_s2, (_s1 / _s0), (INFINITE))};
+}
+
+/* Errors of the state that a search allows for, and by how much the errors exceed them.
+   a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection. */
+struct kernel_allowance_out {
+    double position_level, velocity_level, excess;
+};
+
+static __device__ __forceinline__ kernel_allowance_out kernel_allowance(double share, double horizon, double extent, double speed, double position_error, double velocity_error, double p_gravity)
+{
+    const double _s0 = speed + (p_gravity * horizon);
+    const double _s1 = share * (extent + (horizon * _s0));
+    const double _s2 = share * _s0;
+    const double _s3 = position_error - _s1;
+    const double _s4 = velocity_error - _s2;
+    return {_s1, _s2, larger(_s3, _s4)};
+}
+
+/* Time after which no event is wanted, and how long that is after t.
+   the earliest arrival, with room for its delay. 5 operations: 2 additions, 2 multiplications, 1 division. */
+struct kernel_horizon_out {
+    double horizon, pad;
+};
+
+static __device__ __forceinline__ kernel_horizon_out kernel_horizon(double t, double speed, double p_gravity)
+{
+    const double _s0 = 9.5367431640625e-07 * (t + (speed * (1.0 / p_gravity)));
+    return {t + _s0, _s0};
+}
+
+/* Sums of the sizes of position and velocity, and the excess of the flight's size.
+   the measure of rounding errors. 18 operations: 4 additions, 1 subtraction, 2 multiplications, 1 division, 6 absolute values, 2 comparisons, 2 selections. */
+struct kernel_scale_out {
+    double extent, speed, excess;
+};
+
+static __device__ __forceinline__ kernel_scale_out kernel_scale(double x, double y, double z, double vx, double vy, double vz, double p_gravity)
+{
+    const double _s0 = (fabs(x) + fabs(y)) + fabs(z);
+    const double _s1 = (fabs(vx) + fabs(vy)) + fabs(vz);
+    const double _s2 = larger(_s0, _s1);
+    const double _s3 = (1.0 / p_gravity) * (_s1 * _s1);
+    return {_s0, _s1, larger(_s2, _s3) - 1.152921504606847e+18};
+}
+
+/* Bound on the error of a length at a computed arrival.
+   running error analysis. 27 operations: 17 additions, 8 multiplications, 2 absolute values. */
+struct kernel_displacement_out {
+    double margin;
+};
+
+static __device__ __forceinline__ kernel_displacement_out kernel_displacement(double delay, double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_bridge_half_width, double p_bridge_depth, double p_gravity, double p_end_depth)
+{
+    const double _s0 = speed + (p_gravity * horizon);
+    const double _s1 = extent + (horizon * _s0);
+    const double _s2 = (((((p_ball_radius + p_ring_radius) + p_wire_radius) + p_board_distance) + p_board_half_width) + p_board_thickness) + p_bridge_half_width;
+    const double _s3 = 4.445228907190568e-16 * (_s1 + ((((_s2 + p_bridge_depth) + p_end_depth) + fabs(p_board_bottom)) + fabs(p_board_top)));
+    return {(((1.0009765625 * delay) * _s0) + _s3) + (3.0029296875 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s1)))};
+}
+
+/* Errors of the state at the end of a flight to a surface, from those at its start.
+   derivative of Eq. 3 and of the contact time, with roundings. 165 operations: 36 additions, 2 subtractions, 43 multiplications, 2 divisions, 10 negations, 17 absolute values, 23 comparisons, 32 selections. */
+struct kernel_carry_flight_out {
+    double dx, dy, dz, lifting, dvx, dvy, dvz, delay, shift;
+};
+
+static __device__ __forceinline__ kernel_carry_flight_out kernel_carry_flight(double t, double x, double y, double z, double vx, double vy, double vz, double nx, double ny, double nz, double clock, double contacts, double earliest_delay, double dx, double dy, double dz, double dvx, double dvy, double dvz, double left_nx, double left_ny, double left_nz, double curving, double p_gravity)
+{
+    const double _s0 = fabs(vx);
+    const double _s1 = fabs(vy);
+    const double _s2 = larger(_s0, _s1);
+    const double _s3 = fabs(vz);
+    const double _s4 = larger(_s2, _s3);
+    const double _s5 = curving * (t * _s4);
+    const double _s6 = smaller(_s5, 1.0);
+    const double _s7 = dx + (dvx * t);
+    const double _s8 = fabs(x);
+    const double _s9 = fabs(y);
+    const double _s10 = fabs(z);
+    const double _s11 = 1.0 + (curving * ((_s8 + _s9) + _s10));
+    const double _s12 = 2.0 * t;
+    const double _s13 = _s12 * _s0;
+    const double _s14 = 7.888609052210118e-31 + (1.1102230246251565e-16 * (_s13 + _s8));
+    const bool _s15 = curving < (INFINITE);
+    const double _s16 = choose(_s15, (4.440892098500626e-16 * (_s13 * _s11)), _s14);
+    const bool _s17 = _s7 < 0.0;
+    const double _s18 = dy + (dvy * t);
+    const double _s19 = _s12 * _s1;
+    const double _s20 = 7.888609052210118e-31 + (1.1102230246251565e-16 * (_s19 + _s9));
+    const double _s21 = choose(_s15, (4.440892098500626e-16 * (_s19 * _s11)), _s20);
+    const bool _s22 = _s18 < 0.0;
+    const double _s23 = dz + (dvz * t);
+    const double _s24 = (p_gravity * (t * t)) + (_s12 * _s3);
+    const double _s25 = 7.888609052210118e-31 + (1.1102230246251565e-16 * (_s24 + _s10));
+    const double _s26 = choose(_s15, (4.440892098500626e-16 * (_s24 * _s11)), _s25);
+    const bool _s27 = _s23 < 0.0;
+    const double _s28 = ((nx * (_s7 + choose(_s17, (-_s16), _s16))) + (ny * (_s18 + choose(_s22, (-_s21), _s21)))) + (nz * (_s23 + choose(_s27, (-_s26), _s26)));
+    const double _s29 = 1.0 / (((nx * vx) + (ny * vy)) + (nz * vz));
+    const double _s30 = -((_s28 - (((dx * left_nx) + (dy * left_ny)) + (dz * left_nz))) * _s29);
+    const double _s31 = (vx * _s30) + (_s7 + choose(_s17, (-_s14), _s14));
+    const double _s32 = fabs(_s31);
+    const double _s33 = fabs(dx);
+    const double _s34 = fabs(dy);
+    const double _s35 = larger(_s33, _s34);
+    const double _s36 = fabs(dz);
+    const double _s37 = larger(_s35, _s36);
+    const double _s38 = fabs(dvx);
+    const double _s39 = fabs(dvy);
+    const double _s40 = larger(_s38, _s39);
+    const double _s41 = fabs(dvz);
+    const double _s42 = t * larger(_s40, _s41);
+    const double _s43 = larger(_s16, _s21);
+    const double _s44 = larger(_s14, _s20);
+    const double _s45 = (_s42 + larger(_s44, _s25)) + _s37;
+    const double _s46 = ((fabs(_s29) * _s4) * ((_s37 * _s6) + (_s42 + larger(_s43, _s26)))) + _s45;
+    const double _s47 = 1.0 / (8.0 + (8.0 * contacts));
+    const double _s48 = _s46 * _s47;
+    const double _s49 = larger(_s32, _s48);
+    const bool _s50 = _s6 < 0.25;
+    const double _s51 = (vy * _s30) + (_s18 + choose(_s22, (-_s20), _s20));
+    const double _s52 = fabs(_s51);
+    const double _s53 = larger(_s52, _s48);
+    const double _s54 = (vz * _s30) + (_s23 + choose(_s27, (-_s25), _s25));
+    const double _s55 = fabs(_s54);
+    const double _s56 = larger(_s55, _s48);
+    const double _s57 = fabs(_s30);
+    const double _s58 = 0.0625 * earliest_delay;
+    return {choose(_s50, _s31, choose((_s31 < 0.0), (-_s49), _s49)), choose(_s50, _s51, choose((_s51 < 0.0), (-_s53), _s53)), choose(_s50, _s54, choose((_s54 < 0.0), (-_s56), _s56)), choose(_s50, 0.125, _s47), dvx, dvy, dvz - (p_gravity * _s30), (4.440892098500626e-16 * (t + clock)) + larger(_s57, _s58), choose(_s50, _s45, _s46)};
+}
+
+/* Errors of the state at the time limit, from those at the start of the flight.
+   derivative of Eq. 3, with roundings. 65 operations: 20 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections. */
+struct kernel_carry_time_out {
+    double dx, dy, dz, dvx, dvy, dvz, clock_error;
+};
+
+static __device__ __forceinline__ kernel_carry_time_out kernel_carry_time(double t, double x, double y, double z, double vx, double vy, double vz, double clock, double clock_error, double dx, double dy, double dz, double dvx, double dvy, double dvz, double p_gravity)
+{
+    const double _s0 = fabs(vx);
+    const double _s1 = clock_error + (4.440892098500626e-16 * (t + clock));
+    const double _s2 = fabs(dvx);
+    const double _s3 = fabs(dvy);
+    const double _s4 = larger(_s2, _s3);
+    const double _s5 = fabs(dvz);
+    const double _s6 = 2.0 * t;
+    const double _s7 = 7.888609052210118e-31 + (1.1102230246251565e-16 * ((_s6 * _s0) + fabs(x)));
+    const double _s8 = fabs(vy);
+    const double _s9 = 7.888609052210118e-31 + (1.1102230246251565e-16 * ((_s6 * _s8) + fabs(y)));
+    const double _s10 = larger(_s7, _s9);
+    const double _s11 = fabs(vz);
+    const double _s12 = 7.888609052210118e-31 + (1.1102230246251565e-16 * (((p_gravity * (t * t)) + (_s6 * _s11)) + fabs(z)));
+    const double _s13 = fabs(dx);
+    const double _s14 = fabs(dy);
+    const double _s15 = larger(_s13, _s14);
+    const double _s16 = fabs(dz);
+    const double _s17 = ((t * larger(_s4, _s5)) + larger(_s10, _s12)) + larger(_s15, _s16);
+    const double _s18 = fabs(0.0);
+    return {(_s0 * _s1) + _s17, (_s8 * _s1) + _s17, (_s11 * _s1) + _s17, (_s18 + (2.220446049250313e-16 * _s0)) + _s2, (_s18 + (2.220446049250313e-16 * _s8)) + _s3, ((2.220446049250313e-16 * _s11) + _s5) + fabs((-(p_gravity * _s1))), 0.0};
+}
+
+/* Bounds on the errors of state and time that decisions allow for.
+   the carried errors times a factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+struct kernel_error_bounds_out {
+    double position_error, velocity_error, spin_error, time_error;
+};
+
+static __device__ __forceinline__ kernel_error_bounds_out kernel_error_bounds(double clock_error, double dx, double dy, double dz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz)
+{
+    const double _s0 = fabs(dx);
+    const double _s1 = fabs(dy);
+    const double _s2 = larger(_s0, _s1);
+    const double _s3 = fabs(dz);
+    const double _s4 = fabs(dvx);
+    const double _s5 = fabs(dvy);
+    const double _s6 = larger(_s4, _s5);
+    const double _s7 = fabs(dvz);
+    const double _s8 = fabs(dwx);
+    const double _s9 = fabs(dwy);
+    const double _s10 = larger(_s8, _s9);
+    const double _s11 = fabs(dwz);
+    return {16.0 * larger(_s2, _s3), 16.0 * larger(_s6, _s7), 16.0 * larger(_s10, _s11), 16.0 * clock_error};
+}
+
+/* Bounds on the errors of state and time that are reported.
+   the carried errors times a larger factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+struct kernel_claimed_errors_out {
+    double position_error, velocity_error, spin_error, time_error;
+};
+
+static __device__ __forceinline__ kernel_claimed_errors_out kernel_claimed_errors(double clock_error, double dx, double dy, double dz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz)
+{
+    const double _s0 = fabs(dx);
+    const double _s1 = fabs(dy);
+    const double _s2 = larger(_s0, _s1);
+    const double _s3 = fabs(dz);
+    const double _s4 = fabs(dvx);
+    const double _s5 = fabs(dvy);
+    const double _s6 = larger(_s4, _s5);
+    const double _s7 = fabs(dvz);
+    const double _s8 = fabs(dwx);
+    const double _s9 = fabs(dwy);
+    const double _s10 = larger(_s8, _s9);
+    const double _s11 = fabs(dwz);
+    return {64.0 * larger(_s2, _s3), 64.0 * larger(_s6, _s7), 64.0 * larger(_s10, _s11), 64.0 * clock_error};
+}
+
+/* 1 if finite parameters are allowed.
+   the scene's requirements. 64 operations: 6 subtractions, 29 comparisons, 29 selections. */
+struct kernel_allowed_out {
+    double allowed;
+};
+
+static __device__ __forceinline__ kernel_allowed_out kernel_allowed(const shot_parameters &_given)
+{
+    const double _s0 = choose((0.0 < (parameter(_given, 6) - parameter(_given, 5))), choose((0.0 < ((parameter(_given, 3) - parameter(_given, 1)) - parameter(_given, 2))), choose((0.0 < ((parameter(_given, 1) - parameter(_given, 0)) - parameter(_given, 2))), 1.0, 0.0), 0.0), 0.0);
+    double _v1 = choose((0.0 < (parameter(_given, 4) - parameter(_given, 8))), _s0, 0.0);
+    static const int _t1[][1] = {
+        {0},
+        {1},
+        {2},
+        {3},
+        {4},
+        {7},
+        {8},
+        {9},
+        {10},
+        {11},
+    };
+    for (size_t _k1 = 0; _k1 < 10; _k1++) {
+        _v1 = choose((0.0 < parameter(_given, _t1[_k1][0])), _v1, 0.0);
+    }
+    double _v4 = _v1;
+    static const int _t4[][2] = {
+        {12, 12},
+        {13, 13},
+        {14, 14},
+    };
+    for (size_t _k4 = 0; _k4 < 3; _k4++) {
+        _v4 = choose((0.0 <= parameter(_given, _t4[_k4][0])), _v4, 0.0);
+        _v4 = choose((parameter(_given, _t4[_k4][1]) <= 1.0), _v4, 0.0);
+    }
+    const double _s7 = choose((0.0 <= parameter(_given, 16)), choose((0.0 <= parameter(_given, 15)), _v4, 0.0), 0.0);
+    const double _s8 = choose((-1.0 <= parameter(_given, 19)), choose((parameter(_given, 18) <= 1.0), choose((0.015625 <= parameter(_given, 18)), choose((0.0 < parameter(_given, 18)), choose((0.0 <= parameter(_given, 17)), _s7, 0.0), 0.0), 0.0), 0.0), 0.0);
+    return {choose((0.0 < parameter(_given, 20)), choose((parameter(_given, 19) <= 1.0), _s8, 0.0), 0.0)};
+}
+
+/* Whether the parameters are allowed, and no arithmetic with them over- or underflows.
+   the range of numbers. 68 operations: 21 absolute values, 24 comparisons, 23 conjunctions. */
+struct kernel_parameters_in_range_out {
+    bool permitted;
+};
+
+static __device__ __forceinline__ kernel_parameters_in_range_out kernel_parameters_in_range(const shot_parameters &_given, double allowed)
+{
+    const double _s0 = fabs(parameter(_given, 0));
+    const double _s1 = fabs(parameter(_given, 10));
+    bool _v2 = ((0.0 < allowed) && (_s0 <= 1073741824.0)) && (9.313225746154785e-10 <= _s0);
+    static const int _t2[][1] = {
+        {1},
+        {2},
+        {3},
+        {4},
+        {5},
+        {6},
+        {7},
+        {8},
+        {9},
+        {10},
+    };
+    for (size_t _k2 = 0; _k2 < 10; _k2++) {
+        _v2 = _v2 && (fabs(parameter(_given, _t2[_k2][0])) <= 1073741824.0);
+    }
+    const bool _s5 = _v2 && (9.313225746154785e-10 <= _s1);
+    const bool _s6 = (((_s5 && (fabs(parameter(_given, 11)) <= 1073741824.0)) && (fabs(parameter(_given, 12)) <= 1.2676506002282294e+30)) && (fabs(parameter(_given, 13)) <= 1.2676506002282294e+30)) && (fabs(parameter(_given, 14)) <= 1.2676506002282294e+30);
+    const bool _s7 = (((_s6 && (fabs(parameter(_given, 15)) <= (INFINITE))) && (fabs(parameter(_given, 16)) <= (INFINITE))) && (fabs(parameter(_given, 17)) <= (INFINITE))) && (fabs(parameter(_given, 18)) <= 1.2676506002282294e+30);
+    return {(_s7 && (fabs(parameter(_given, 19)) <= 1.2676506002282294e+30)) && (fabs(parameter(_given, 20)) <= (INFINITE))};
+}
+
+/* 1 if the ball overlaps no surface; 1 if that is undecided.
+   Table 2. 133 operations: 27 additions, 19 subtractions, 15 multiplications, 3 square roots, 4 negations, 20 absolute values, 21 comparisons, 24 selections. */
+struct kernel_valid_out {
+    double valid, doubt;
+};
+
+static __device__ __forceinline__ kernel_valid_out kernel_valid(double last, double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_bridge_half_width, double p_bridge_depth, double p_end_depth)
+{
+    const double _s0 = sqrt(((x * x) + (y * y))) - p_ring_radius;
+    const double _s1 = p_ball_radius + p_wire_radius;
+    const double _s2 = ((z * z) + (_s0 * _s0)) - (_s1 * _s1);
+    const bool _s3 = fabs(last) < 0.5;
+    const double _s4 = choose(_s3, 1.0, choose((0.0 <= _s2), 1.0, 0.0));
+    const double _s5 = z - p_board_top;
+    const double _s6 = p_board_bottom - z;
+    const double _s7 = larger(_s5, 0.0) - larger(_s6, 0.0);
+    const double _s8 = p_board_distance + x;
+    const double _s9 = -((p_board_distance + p_board_thickness) + x);
+    const double _s10 = larger(_s8, 0.0) - larger(_s9, 0.0);
+    const double _s11 = y - p_board_half_width;
+    const double _s12 = -(p_board_half_width + y);
+    const double _s13 = larger(_s11, 0.0) - larger(_s12, 0.0);
+    const double _s14 = sqrt((((_s7 * _s7) + (_s10 * _s10)) + (_s13 * _s13))) - p_ball_radius;
+    const bool _s15 = fabs((last - 1.0)) < 0.5;
+    const double _s16 = choose(_s15, _s4, choose((0.0 <= _s14), _s4, 0.0));
+    const double _s17 = p_ring_radius + x;
+    const double _s18 = -_s8;
+    const double _s19 = larger(_s17, 0.0) - larger(_s18, 0.0);
+    const double _s20 = z - p_wire_radius;
+    const double _s21 = (p_wire_radius - p_bridge_depth) - z;
+    const double _s22 = larger(_s20, 0.0) - larger(_s21, 0.0);
+    const double _s23 = y - p_bridge_half_width;
+    const double _s24 = -(p_bridge_half_width + y);
+    const double _s25 = larger(_s23, 0.0) - larger(_s24, 0.0);
+    const double _s26 = sqrt((((_s19 * _s19) + (_s22 * _s22)) + (_s25 * _s25))) - p_ball_radius;
+    const bool _s27 = fabs((last - 2.0)) < 0.5;
+    const double _s28 = ((((fabs(p_board_bottom) + fabs(p_board_top)) + fabs(p_ball_radius)) + fabs(p_ring_radius)) + fabs(p_wire_radius)) + fabs(p_board_distance);
+    const double _s29 = ((((_s28 + fabs(p_board_half_width)) + fabs(p_board_thickness)) + fabs(p_bridge_half_width)) + fabs(p_bridge_depth)) + fabs(p_end_depth);
+    const double _s30 = 1.7763568394002505e-15 * (((_s29 + fabs(x)) + fabs(y)) + fabs(z));
+    const double _s31 = choose(_s3, 0.0, choose((fabs(_s2) <= (((4.0 * p_ball_radius) + (4.0 * p_wire_radius)) * _s30)), 1.0, 0.0));
+    const double _s32 = choose(_s15, _s31, choose((fabs(_s14) <= _s30), 1.0, _s31));
+    return {choose(_s27, _s16, choose((0.0 <= _s26), _s16, 0.0)), choose(_s27, _s32, choose((fabs(_s26) <= _s30), 1.0, _s32))};
+}
+
+/* Whether the ball starts near a surface; otherwise its start is valid and decided.
+   Table 2. 54 operations: 19 additions, 6 subtractions, 5 multiplications, 2 negations, 16 absolute values, 3 comparisons, 2 conjunctions, 1 complement. */
+struct kernel_aside_out {
+    bool close;
+    double valid, doubt;
+};
+
+static __device__ __forceinline__ kernel_aside_out kernel_aside(double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_bridge_half_width, double p_bridge_depth, double p_end_depth)
+{
+    const double _s0 = ((((fabs(p_board_bottom) + fabs(p_board_top)) + fabs(p_ball_radius)) + fabs(p_ring_radius)) + fabs(p_wire_radius)) + fabs(p_board_distance);
+    const double _s1 = ((((_s0 + fabs(p_board_half_width)) + fabs(p_board_thickness)) + fabs(p_bridge_half_width)) + fabs(p_bridge_depth)) + fabs(p_end_depth);
+    const double _s2 = fabs(x);
+    const double _s3 = 8.0 * (1.7763568394002505e-15 * (((_s1 + _s2) + fabs(y)) + fabs(z)));
+    const double _s4 = 0.5 * p_board_thickness;
+    const bool _s5 = _s3 < (fabs((x - (-(p_board_distance + _s4)))) - (p_ball_radius + _s4));
+    const double _s6 = 0.5 * p_ring_radius;
+    const double _s7 = 0.5 * p_board_distance;
+    const bool _s8 = _s3 < (fabs((x - (-(_s6 + _s7)))) - ((p_ball_radius + _s7) - _s6));
+    const bool _s9 = ((_s3 < (_s2 - ((p_ball_radius + p_ring_radius) + p_wire_radius))) && _s5) && _s8;
+    return {!_s9, 1.0, 0.0};
+}
+
+/* Whether a ball counts as fallen through the ring at its start.
+   Table 2, success. 22 operations: 2 additions, 1 subtraction, 4 multiplications, 1 negation, 1 absolute value, 6 comparisons, 5 conjunctions, 2 selections. */
+struct kernel_passing_start_out {
+    double through, uncertain;
+};
+
+static __device__ __forceinline__ kernel_passing_start_out kernel_passing_start(double last, double outcome, double uncertain, double x, double y, double z, double p_ring_radius, double p_end_depth)
+{
+    const bool _s0 = ((0.0 <= last) && (z < 0.0)) && ((-p_end_depth) <= z);
+    const double _s1 = (x * x) + (y * y);
+    const double _s2 = p_ring_radius * p_ring_radius;
+    const double _s3 = choose(((_s0 && (fabs((_s1 - _s2)) <= (8.881784197001252e-16 * (_s2 + _s1)))) && (outcome < 0.0)), 1.0, uncertain);
+    return {choose((_s0 && (_s1 < _s2)), 1.0, 0.0), _s3};
+}
+
+/* 1 for a ball that fell through the ring's disc, -1 for one that came up, else 0.
+   Eq. 3, its roots in the ring's plane. 66 operations: 9 additions, 2 subtractions, 18 multiplications, 1 division, 1 square root, 16 comparisons, 9 conjunctions, 2 disjunctions, 8 selections. */
+struct kernel_passing_out {
+    double through;
+};
+
+static __device__ __forceinline__ kernel_passing_out kernel_passing(double through, double t, double x, double y, double z, double vx, double vy, double vz, double p_ring_radius, double p_gravity)
+{
+    const bool _s0 = z < 0.0;
+    const double _s1 = z + (t * (vz - ((0.5 * p_gravity) * t)));
+    const bool _s2 = _s1 < 0.0;
+    const double _s3 = (vz * vz) + ((2.0 * p_gravity) * z);
+    const bool _s4 = (((_s0 && _s2) && (0.0 < vz)) && (0.0 < _s3)) && (vz < (p_gravity * t));
+    const double _s5 = sqrt(larger(_s3, 0.0));
+    const double _s6 = 1.0 / p_gravity;
+    const double _s7 = (vz + _s5) * _s6;
+    const double _s8 = larger(0.0, _s7);
+    const double _s9 = smaller(_s8, t);
+    const double _s10 = x + (vx * _s9);
+    const double _s11 = y + (vy * _s9);
+    const double _s12 = p_ring_radius * p_ring_radius;
+    const double _s13 = (vz - _s5) * _s6;
+    const double _s14 = larger(0.0, _s13);
+    const double _s15 = smaller(_s14, t);
+    const double _s16 = x + (vx * _s15);
+    const double _s17 = y + (vy * _s15);
+    const double _s18 = choose(((_s4 || (_s0 && (0.0 <= _s1))) && (((_s16 * _s16) + (_s17 * _s17)) < _s12)), choose((through == 1.0), 0.0, -1.0), through);
+    const double _s19 = choose((((_s4 || (_s2 && (0.0 <= z))) && (((_s10 * _s10) + (_s11 * _s11)) < _s12)) && (_s18 == 0.0)), 1.0, _s18);
+    return {_s19};
+}
+
+/* Whether the passing of the disc lies within its error.
+   running error analysis. 107 operations: 18 additions, 4 subtractions, 31 multiplications, 1 division, 4 square roots, 6 absolute values, 20 comparisons, 11 conjunctions, 6 disjunctions, 6 selections. */
+struct kernel_passing_doubt_out {
+    bool unsure;
+};
+
+static __device__ __forceinline__ kernel_passing_doubt_out kernel_passing_doubt(double t, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double p_ring_radius, double p_gravity)
+{
+    const double _s0 = z + (t * (vz - ((0.5 * p_gravity) * t)));
+    const double _s1 = vz * vz;
+    const double _s2 = 1.0 / p_gravity;
+    const double _s3 = p_gravity * t;
+    const double _s4 = speed + _s3;
+    const double _s5 = 1.0009765625 * ((position_error + (t * velocity_error)) + (4.440892098500626e-16 * (extent + (t * _s4))));
+    const double _s6 = (8.881784197001252e-16 * (_s1 * _s2)) + _s5;
+    const bool _s7 = z < 0.0;
+    const bool _s8 = _s0 < 0.0;
+    const bool _s9 = (_s7 && _s8) && (0.0 < vz);
+    const double _s10 = _s1 + ((2.0 * p_gravity) * z);
+    const double _s11 = sqrt(larger(_s10, 0.0));
+    const double _s12 = (vz + _s11) * _s2;
+    const double _s13 = larger(0.0, _s12);
+    const double _s14 = smaller(_s13, t);
+    const double _s15 = x + (vx * _s14);
+    const double _s16 = y + (vy * _s14);
+    const double _s17 = sqrt(((_s15 * _s15) + (_s16 * _s16)));
+    const double _s18 = (vz - _s11) * _s2;
+    const double _s19 = larger(0.0, _s18);
+    const double _s20 = smaller(_s19, t);
+    const double _s21 = x + (vx * _s20);
+    const double _s22 = y + (vy * _s20);
+    const double _s23 = sqrt(((_s21 * _s21) + (_s22 * _s22)));
+    const double _s24 = (1.0009765625 * _s4) * (sqrt(((8.0 * _s2) * _s6)) + (8.881784197001252e-16 * (t + (fabs(vz) * _s2))));
+    const double _s25 = _s24 + _s5;
+    const bool _s26 = ((((0.0 < position_error) && (fabs(z) <= position_error)) || (fabs(_s0) <= _s6)) || (_s9 && (fabs(_s10) <= ((4.0 * p_gravity) * _s6)))) && (smaller(_s17, _s23) <= (p_ring_radius + _s25));
+    const bool _s27 = (_s9 && (0.0 < _s10)) && (vz < _s3);
+    const bool _s28 = _s26 || (((_s27 || (_s7 && (0.0 <= _s0))) && (fabs((_s23 - p_ring_radius)) <= _s25)) || ((_s27 || (_s8 && (0.0 <= z))) && (fabs((_s17 - p_ring_radius)) <= _s25)));
+    return {_s28};
+}
+
+/* Whether a ball in contact is not below the ring's disc.
+   Table 1. 1 operation: 1 comparison. */
+struct kernel_passing_from_out {
+    bool over;
+};
+
+static __device__ __forceinline__ kernel_passing_from_out kernel_passing_from(double z)
+{
+    return {0.0 <= z};
+}
+
+/* Passing of the ring's disc in a step in contact.
+   Table 1. 18 operations: 1 addition, 3 multiplications, 5 comparisons, 5 conjunctions, 1 complement, 3 selections. */
+struct kernel_passing_in_contact_out {
+    double through;
+};
+
+static __device__ __forceinline__ kernel_passing_in_contact_out kernel_passing_in_contact(double p_ring_radius, double x, double y, double z, double through, bool over)
+{
+    const bool _s0 = ((x * x) + (y * y)) < (p_ring_radius * p_ring_radius);
+    const double _s1 = choose((((!over) && (0.0 <= z)) && _s0), choose((through == 1.0), 0.0, -1.0), through);
+    return {choose((((over && (z < 0.0)) && _s0) && (_s1 == 0.0)), 1.0, _s1)};
+}
+
+/* Boxes of the first and the second half of the flight until the horizon.
+   Eq. 3, the chords of both and what it is off them. 62 operations: 21 additions, 5 subtractions, 27 multiplications, 1 negation, 6 absolute values, 1 comparison, 1 selection. */
+struct kernel_halved_out {
+    double middle_x, reach_x, later_middle_x, later_reach_x, middle_y, reach_y, later_middle_y, later_reach_y, middle_z, reach_z, later_middle_z, later_reach_z;
+};
+
+static __device__ __forceinline__ kernel_halved_out kernel_halved(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double earliest_delay, double pad, double p_gravity)
+{
+    const double _s0 = 0.5 * horizon;
+    const double _s1 = vx * _s0;
+    const double _s2 = 0.5 * _s1;
+    const double _s3 = fabs(0.0);
+    const double _s4 = (position_error + (horizon * velocity_error)) + (9.313225746154785e-10 * (extent + (horizon * (speed + (p_gravity * horizon)))));
+    const double _s5 = choose((pad < earliest_delay), (INFINITE), _s4);
+    const double _s6 = 1.0000000009313226 * ((_s3 + (0.5 * fabs(_s1))) + _s5);
+    const double _s7 = vy * _s0;
+    const double _s8 = 0.5 * _s7;
+    const double _s9 = 1.0000000009313226 * ((_s3 + (0.5 * fabs(_s7))) + _s5);
+    const double _s10 = (0.5 * p_gravity) * _s0;
+    const double _s11 = _s0 * (vz - _s10);
+    const double _s12 = -((0.0625 * p_gravity) * (_s0 * _s0));
+    const double _s13 = fabs(_s12);
+    const double _s14 = _s0 * ((vz - (p_gravity * _s0)) - _s10);
+    return {x + _s2, _s6, _s2 + (x + _s1), _s6, y + _s8, _s9, _s8 + (y + _s7), _s9, (z + (0.5 * _s11)) - _s12, 1.0000000009313226 * ((_s13 + (0.5 * fabs(_s11))) + _s5), ((0.5 * _s14) + (z + _s11)) - _s12, 1.0000000009313226 * ((_s13 + (0.5 * fabs(_s14))) + _s5)};
+}
+
+/* Start value: no surface of this kind.
+   Table 1. No operations. */
+struct kernel_untaken_out {
+    bool of_this_kind;
+};
+
+static __device__ __forceinline__ kernel_untaken_out kernel_untaken()
+{
+    return {false};
+}
+
+/* 1 if the flight starts on this surface.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+struct kernel_left_out {
+    double leaving;
+};
+
+static __device__ __forceinline__ kernel_left_out kernel_left(double index, double last)
+{
+    return {choose((last == index), 1.0, 0.0)};
+}
+
+/* Whether a plane's only root is an arrival, the size of F'', and the nearest time.
+   Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection. */
+struct kernel_meeting_plane_out {
+    bool arrives;
+    double ceiling, nearest;
+};
+
+static __device__ __forceinline__ kernel_meeting_plane_out kernel_meeting_plane(double rate, double bend, double apex, double time)
+{
+    const bool _s0 = (((rate < 0.0) || (((rate <= 0.0) && (bend < 0.0)) && (time == 0.0))) && (0.0 <= time)) && (time < (INFINITE));
+    return {_s0, fabs(bend), choose(_s0, time, apex)};
+}
+
+/* Whether an arrival may be the earliest within the delays.
+   Table 1. 5 operations: 1 addition, 1 subtraction, 1 comparison, 1 conjunction, 1 complement. */
+struct kernel_within_time_out {
+    bool possible;
+};
+
+static __device__ __forceinline__ kernel_within_time_out kernel_within_time(double time, double when, double delay, double earliest_delay, bool arrives)
+{
+    return {arrives && (!((delay + earliest_delay) < (time - when)))};
+}
+
+/* Earliest undecided time, with that of an apex whose gap is zero within its error.
+   Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
+struct kernel_grazed_out {
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_grazed_out kernel_grazed(double margin, double apex, double height, double doubt)
+{
+    return {choose((((0.0 <= apex) && (fabs(height) <= margin)) && (apex < doubt)), apex, doubt)};
+}
+
+/* Earliest undecided time, with that of an undecided predicate.
+   Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection. */
+struct kernel_questioned_out {
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_questioned_out kernel_questioned(double time, double doubt, bool unsure)
+{
+    return {choose((unsure && (time < doubt)), time, doubt)};
+}
+
+/* Earliest undecided time, with that of an arrival whose crossing is not certain.
+   Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
+struct kernel_crossed_out {
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_crossed_out kernel_crossed(double clearance, double time, double doubt, bool arrives)
+{
+    return {choose(((arrives && (!(0.0 < clearance))) && (time < doubt)), time, doubt)};
+}
+
+/* Earliest undecided time, with that of a tie within the delays; the earlier's delay.
+   Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
+struct kernel_tied_out {
+    double doubt, earliest_delay;
+};
+
+static __device__ __forceinline__ kernel_tied_out kernel_tied(double time, double when, double delay, double earliest_delay, double doubt, bool arrives)
+{
+    const bool _s0 = time < when;
+    const double _s1 = choose(_s0, time, when);
+    const double _s2 = choose(((arrives && (fabs((time - when)) <= (delay + earliest_delay))) && (_s1 < doubt)), _s1, doubt);
+    return {_s2, choose((arrives && _s0), delay, earliest_delay)};
+}
+
+/* Time and surface of the earliest arrival, with this one.
+   Table 1. 4 operations: 1 comparison, 1 conjunction, 2 selections. */
+struct kernel_earliest_out {
+    double when, which;
+};
+
+static __device__ __forceinline__ kernel_earliest_out kernel_earliest(double index, double time, double when, double which, bool arrives)
+{
+    const bool _s0 = arrives && (time < when);
+    return {choose(_s0, time, when), choose(_s0, index, which)};
+}
+
+/* Start values of a search: its error budget, and no arrival.
+   Table 1. No operations. */
+struct kernel_beginning_out {
+    double share, arrival;
+    bool certain;
+};
+
+static __device__ __forceinline__ kernel_beginning_out kernel_beginning()
+{
+    return {2.9802322387695312e-08, INFINITE, false};
+}
+
+/* Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
+   Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
+struct kernel_out_of_budget_out {
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_out_of_budget_out kernel_out_of_budget(double pad, double budget_exceeded, double earliest_delay, double doubt, double excess)
+{
+    return {choose((((0.0 < excess) || (0.0 < budget_exceeded)) || (pad < earliest_delay)), 0.0, doubt)};
+}
+
+/* Undecided time 0 if errors exceed the budget of an open window, or its bounds fail.
+   Table 1. 7 operations: 3 comparisons, 1 conjunction, 2 disjunctions, 1 selection. */
+struct kernel_out_of_budget_in_windows_out {
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_out_of_budget_in_windows_out kernel_out_of_budget_in_windows(double pad, double budget_exceeded, double earliest_delay, double doubt, double excess, bool searching)
+{
+    return {choose(((searching && ((0.0 < excess) || (pad < earliest_delay))) || (0.0 < budget_exceeded)), 0.0, doubt)};
+}
+
+/* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
+   Table 1. 6 operations: 1 multiplication, 2 comparisons, 1 conjunction, 2 selections. */
+struct kernel_nearby_out {
+    double leaving, margin;
+};
+
+static __device__ __forceinline__ kernel_nearby_out kernel_nearby(double t, double flat, double tilt, double index, double last)
+{
+    const double _s0 = t * tilt;
+    const bool _s1 = (last == index) && (_s0 < flat);
+    return {choose(_s1, 1.0, 0.0), choose(_s1, _s0, flat)};
+}
+
+/* Begin of the first window and end of the last one, from single precision.
+   Table 1. No operations. */
+struct kernel_opened_out {
+    double time, latest;
+};
+
+static __device__ __forceinline__ kernel_opened_out kernel_opened(double horizon, double time)
+{
+    return {time, horizon};
+}
+
+/* Whether a search begins in single precision; its ceiling, margins and error budget.
+   Table 1. 6 operations: 3 conjunctions, 1 disjunction, 1 complement, 1 selection. */
+struct kernel_coarse_out {
+    bool stepping, searching, single_precision;
+    double ceiling, flat, tilt, allowing;
+};
+
+static __device__ __forceinline__ kernel_coarse_out kernel_coarse(double rate_margin, double flat, double ceiling, double share, bool searching, bool representable, bool fits)
+{
+    const bool _s0 = (searching && representable) && fits;
+    return {_s0, searching || (!representable), _s0, ceiling, flat, rate_margin, choose((representable && fits), share, 2.9802322387695312e-08)};
+}
+
+/* Root from the search in single precision; whether and where the search goes on.
+   Table 1. 7 operations: 1 addition, 1 comparison, 2 conjunctions, 1 complement, 2 selections. */
+struct kernel_stepped_out {
+    double arrival, t;
+    bool searching;
+};
+
+static __device__ __forceinline__ kernel_stepped_out kernel_stepped(double arrival, double lasting, bool searching, double since, bool single_precision, bool certain)
+{
+    const double _s0 = lasting + since;
+    return {choose(certain, _s0, arrival), choose(single_precision, _s0, 0.0), (searching && (!certain)) && (lasting < (INFINITE))};
+}
+
+/* Whether the gap closes, certainly closes, or needs a smaller error budget.
+   Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements. */
+struct kernel_struck_out {
+    bool hit, sure, needs_refinement;
+};
+
+static __device__ __forceinline__ kernel_struck_out kernel_struck(double gap, double rate, double bend, double margin, double rate_margin, double clearance, double share)
+{
+    const bool _s0 = (rate < 0.0) || ((rate <= rate_margin) && (bend < 0.0));
+    const bool _s1 = 0.0 < clearance;
+    const bool _s2 = _s0 && (((gap - margin) <= margin) || _s1);
+    const bool _s3 = _s0 && _s1;
+    const bool _s4 = (_s2 && (!_s3)) && (0.0 < share);
+    return {_s2 && (!_s4), _s3, _s4};
+}
+
+/* Whether the gap closes; a step that moves nothing needs a smaller budget, too.
+   Table 1. 25 operations: 1 subtraction, 8 comparisons, 9 conjunctions, 3 disjunctions, 4 complements. */
+struct kernel_struck_or_still_out {
+    bool hit, sure, needs_refinement;
+};
+
+static __device__ __forceinline__ kernel_struck_or_still_out kernel_struck_or_still(double t, double end, double gap, double rate, double bend, double margin, double rate_margin, double next, double clearance, double share)
+{
+    const bool _s0 = (rate < 0.0) || ((rate <= rate_margin) && (bend < 0.0));
+    const bool _s1 = 0.0 < clearance;
+    const bool _s2 = _s0 && (((gap - margin) <= margin) || _s1);
+    const bool _s3 = _s0 && _s1;
+    const bool _s4 = 0.0 < share;
+    const bool _s5 = (_s2 && (!_s3)) && _s4;
+    const bool _s6 = _s5 || (((!_s2) && ((t < end) && (!(t < next)))) && _s4);
+    return {_s2 && (!_s5), _s3, _s6};
+}
+
+/* Next smaller error budget.
+   Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
+struct kernel_finer_out {
+    double share;
+};
+
+static __device__ __forceinline__ kernel_finer_out kernel_finer(double share)
+{
+    return {choose((2.842170943040401e-14 < share), (0.03125 * share), 0.0)};
+}
+
+/* Earliest undecided time, with the present one if the errors exceed the budget.
+   Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
+struct kernel_exceeded_out {
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_exceeded_out kernel_exceeded(double t, double doubt, double excess)
+{
+    return {choose(((0.0 < excess) && (t < doubt)), t, doubt)};
+}
+
+/* Root, time and state of a search after a step, and whether its window is exhausted.
+   Table 1. 14 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 3 selections. */
+struct kernel_advanced_out {
+    double arrival;
+    bool certain, exhausted, searching;
+    double t;
+};
+
+static __device__ __forceinline__ kernel_advanced_out kernel_advanced(double t, double end, double step, double next, double arrival, bool hit, bool sure, bool needs_refinement, bool certain)
+{
+    const bool _s0 = !hit;
+    const bool _s1 = (_s0 && (!needs_refinement)) && ((end - t) <= step);
+    return {choose(hit, choose(sure, next, t), arrival), certain || (hit && sure), _s1, _s0 && (!_s1), choose((hit || needs_refinement), t, next)};
+}
+
+/* Whether a search found an arrival.
+   Table 1. 1 operation: 1 comparison. */
+struct kernel_found_out {
+    bool arrives, refining;
+    double rate;
+};
+
+static __device__ __forceinline__ kernel_found_out kernel_found(double arrival)
+{
+    const bool _s0 = arrival < (INFINITE);
+    return {_s0, _s0, 0.0};
+}
+
+/* A certain root, refined, and whether h is above 2^-24, so that it is refined again.
+   Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection. */
+struct kernel_polished_out {
+    double arrival;
+    bool refining;
+};
+
+static __device__ __forceinline__ kernel_polished_out kernel_polished(double gap, double rate, double ceiling, double arrival, double refined, bool certain)
+{
+    return {choose(certain, refined, arrival), certain && ((5.960464477539063e-08 * (rate * rate)) < (ceiling * fabs(gap)))};
+}
+
+/* Margin of the form, F or F/t, in which an arrival was found.
+   Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
+struct kernel_own_margin_out {
+    double margin;
+};
+
+static __device__ __forceinline__ kernel_own_margin_out kernel_own_margin(double leaving, double flat, double tilt, double arrival)
+{
+    return {choose((0.0 < leaving), (tilt * arrival), flat)};
+}
+
+/* Time of an arrival, not before the flight.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+struct kernel_landed_out {
+    double time;
+};
+
+static __device__ __forceinline__ kernel_landed_out kernel_landed(double arrival)
+{
+    return {choose((arrival < 0.0), 0.0, arrival)};
+}
+
+/* Delay of a certain arrival; the earliest undecided time, with that of any other one.
+   Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
+struct kernel_landed_surely_out {
+    double delay, doubt;
+};
+
+static __device__ __forceinline__ kernel_landed_surely_out kernel_landed_surely(double clearance, double time, double delay, double doubt, bool arrives, bool certain)
+{
+    const bool _s0 = certain && (0.0 < clearance);
+    return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (time < doubt)), time, doubt)};
+}
+
+/* Start value: the ball is outside the surface.
+   Table 1. No operations. */
+struct kernel_outside_out {
+    double side;
+};
+
+static __device__ __forceinline__ kernel_outside_out kernel_outside()
+{
+    return {1.0};
+}
+
+/* Whether all numbers of a release are small enough not to overflow.
+   Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions. */
+struct kernel_state_in_range_out {
+    bool in_range;
+};
+
+static __device__ __forceinline__ kernel_state_in_range_out kernel_state_in_range(double x, double y, double z, double vx, double vy, double vz, double wx, double wy, double wz)
+{
+    const bool _s0 = ((((fabs(x) <= 1073741824.0) && (fabs(y) <= 1073741824.0)) && (fabs(z) <= 1073741824.0)) && (fabs(vx) <= 1073741824.0)) && (fabs(vy) <= 1073741824.0);
+    const bool _s1 = (((_s0 && (fabs(vz) <= 1073741824.0)) && (fabs(wx) <= 1073741824.0)) && (fabs(wy) <= 1073741824.0)) && (fabs(wz) <= 1073741824.0);
+    return {_s1};
+}
+
+/* Start values: no arrival; an uncertain shot if its errors are not bounded.
+   Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
+struct kernel_opening_out {
+    double when, which, earliest_delay, doubt;
+};
+
+static __device__ __forceinline__ kernel_opening_out kernel_opening(double excess, double position_error, double velocity_error)
+{
+    return {INFINITE, -1.0, 0.0, choose((((position_error < (INFINITE)) && (velocity_error < (INFINITE))) && (excess <= 0.0)), (INFINITE), 0.0)};
+}
+
+/* Whether there is a time limit.
+   Table 1. 1 operation: 1 comparison. */
+struct kernel_limited_out {
+    bool limited;
+};
+
+static __device__ __forceinline__ kernel_limited_out kernel_limited(double time_limit)
+{
+    return {time_limit < (INFINITE)};
+}
+
+/* Time of the event.
+   Table 1. 1 operation: 1 addition. */
+struct kernel_event_clock_out {
+    double clock;
+};
+
+static __device__ __forceinline__ kernel_event_clock_out kernel_event_clock(double when, double clock)
+{
+    return {when + clock};
+}
+
+/* Whether an event changes the motion, or its errors are wanted.
+   Table 1. 3 operations: 1 comparison, 1 conjunction, 1 disjunction. */
+struct kernel_meeting_out {
+    bool meeting;
+};
+
+static __device__ __forceinline__ kernel_meeting_out kernel_meeting(double claims, bool ends, bool touches)
+{
+    return {touches || (ends && (0.0 < claims))};
+}
+
+/* Whether the event is on a surface.
+   Table 1. 1 operation: 1 comparison. */
+struct kernel_here_out {
+    bool here;
+};
+
+static __device__ __forceinline__ kernel_here_out kernel_here(double index, double which)
+{
+    return {which == index};
+}
+
+/* One more contact.
+   Table 1. 1 operation: 1 addition. */
+struct kernel_counted_out {
+    double count;
+};
+
+static __device__ __forceinline__ kernel_counted_out kernel_counted(double count)
+{
+    return {1.0 + count};
+}
+
+/* Start value: another surface.
+   Table 1. No operations. */
+struct kernel_elsewhere_out {
+    double curving;
+};
+
+static __device__ __forceinline__ kernel_elsewhere_out kernel_elsewhere()
+{
+    return {INFINITE};
+}
+
+/* Whether the ball meets the same surface again.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+struct kernel_again_out {
+    bool again;
+};
+
+static __device__ __forceinline__ kernel_again_out kernel_again(double index, double last, double which)
+{
+    return {(which == index) && (last == which)};
+}
+
+/* Body touched first and surface touched last.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+struct kernel_touched_out {
+    double first, last;
+};
+
+static __device__ __forceinline__ kernel_touched_out kernel_touched(double which, double body, double first)
+{
+    return {choose((first < 0.0), body, first), which};
+}
+
+/* Whether a shot has ended at the time limit and its errors are wanted.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+struct kernel_timed_out {
+    bool timed;
+};
+
+static __device__ __forceinline__ kernel_timed_out kernel_timed(double index, double which, double claims)
+{
+    return {(which == index) && (0.0 < claims)};
+}
+
+/* 1 if a decision within a contact lies within its error.
+   Table 1. 1 operation: 1 selection. */
+struct kernel_undecided_out {
+    double uncertain;
+};
+
+static __device__ __forceinline__ kernel_undecided_out kernel_undecided(double uncertain, bool unsure)
+{
+    return {choose(unsure, 1.0, uncertain)};
+}
+
+/* Body that the event is on.
+   Table 1. No operations. */
+struct kernel_body_of_out {
+    double body;
+};
+
+static __device__ __forceinline__ kernel_body_of_out kernel_body_of(double which)
+{
+    return {which};
+}
+
+/* Outcome of a shot at its start, and whether that is uncertain.
+   Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections. */
+struct kernel_admitted_out {
+    double outcome, uncertain;
+};
+
+static __device__ __forceinline__ kernel_admitted_out kernel_admitted(double doubt, double valid, bool permitted, bool in_range)
+{
+    const bool _s0 = permitted && in_range;
+    return {choose((_s0 && (0.0 < valid)), -1.0, 4.0), choose((_s0 && (0.0 < doubt)), 1.0, 0.0)};
+}
+
+/* The time limit as an arrival.
+   Table 1. 12 operations: 2 additions, 1 subtraction, 1 multiplication, 4 comparisons, 1 conjunction, 1 complement, 2 selections. */
+struct kernel_expiry_out {
+    double time, delay;
+    bool arrives;
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_expiry_out kernel_expiry(double when, double which, double earliest_delay, double doubt, double time_error, double clock, double time_limit)
+{
+    const double _s0 = time_limit - clock;
+    return {larger(0.0, _s0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, choose(((!((when + earliest_delay) < doubt)) && (doubt < (INFINITE))), 0.0, doubt)};
+}
+
+/* Whether there is no event, an end, or a contact, and the outcome without one.
+   Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 complement. */
+struct kernel_departed_out {
+    bool stays, moves, ends, touches;
+    double reached;
+    bool edge;
+};
+
+static __device__ __forceinline__ kernel_departed_out kernel_departed(double index, double which)
+{
+    const bool _s0 = which < 0.0;
+    const bool _s1 = !_s0;
+    return {_s0, _s1, index <= which, _s1 && (which < index), 3.0, false};
+}
+
+/* Time, body and outcome of a shot that the time limit ends.
+   Table 1. 6 operations: 1 comparison, 1 conjunction, 1 complement, 3 selections. */
+struct kernel_expired_out {
+    double clock, body, reached;
+    bool ends;
+};
+
+static __device__ __forceinline__ kernel_expired_out kernel_expired(double index, double which, double body, double clock, double reached, double time_limit, bool ends)
+{
+    const bool _s0 = which == index;
+    return {choose(_s0, time_limit, clock), choose(_s0, 3.0, body), choose(_s0, 6.0, reached), ends && (!_s0)};
+}
+
+/* Number of contacts, and the outcome if the shot ends.
+   Table 1. 5 operations: 1 addition, 1 comparison, 3 selections. */
+struct kernel_accounted_out {
+    double contacts, outcome;
+};
+
+static __device__ __forceinline__ kernel_accounted_out kernel_accounted(double contacts, double most_contacts, double reached, bool touches)
+{
+    const double _s0 = 1.0 + contacts;
+    return {choose(touches, _s0, contacts), choose(touches, choose((most_contacts <= _s0), 2.0, -1.0), reached)};
+}
+
+/* Sum of the errors of the contacts' times.
+   Table 1. 1 operation: 1 addition. */
+struct kernel_delayed_out {
+    double clock_error;
+};
+
+static __device__ __forceinline__ kernel_delayed_out kernel_delayed(double delay, double clock_error)
+{
+    return {delay + clock_error};
+}
+
+/* Whether a shot has ended and its errors are wanted; start values of their bounds.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+struct kernel_closing_out {
+    bool closed;
+    double position_claim, velocity_claim, spin_claim, time_claim;
+};
+
+static __device__ __forceinline__ kernel_closing_out kernel_closing(double outcome, double claims)
+{
+    return {(0.0 < claims) && (0.0 <= outcome), 0.0, 0.0, 0.0, 0.0};
+}
+
+/* Errors of the position at the end, not below the largest that one flight can cause.
+   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
+struct kernel_floored_out {
+    double dx, dy, dz;
+};
+
+static __device__ __forceinline__ kernel_floored_out kernel_floored(double dx, double dy, double dz, double shift)
+{
+    return {choose((fabs(dx) < shift), shift, dx), choose((fabs(dy) < shift), shift, dy), choose((fabs(dz) < shift), shift, dz)};
+}
+
+/* Start values: a normal without error.
+   Table 1. No operations. */
+struct kernel_unturned_out {
+    double dnx, dny, dnz, turn;
+};
+
+static __device__ __forceinline__ kernel_unturned_out kernel_unturned()
+{
+    return {0.0, 0.0, 0.0, 0.0};
+}
+
+/* Whether a ball in contact rolls on the ring.
+   Table 1. 4 operations: 1 comparison, 2 conjunctions, 1 complement. */
+struct kernel_circles_out {
+    bool circling, rolling;
+};
+
+static __device__ __forceinline__ kernel_circles_out kernel_circles(double index, double held, bool rolling)
+{
+    const bool _s0 = held == index;
+    return {rolling && _s0, rolling && (!_s0)};
+}
+
+/* Half a step, from the start and from the end.
+   Table 1. 2 operations: 1 multiplication, 1 negation. */
+struct kernel_half_steps_out {
+    double forth, back;
+};
+
+static __device__ __forceinline__ kernel_half_steps_out kernel_half_steps(double stride)
+{
+    const double _s0 = 0.5 * stride;
+    return {_s0, -_s0};
+}
+
+/* Distance from the nearest other surface, at any azimuth.
+   tangents. 6 operations: 1 addition, 1 multiplication, 2 comparisons, 2 selections. */
+struct kernel_cleared_out {
+    double azimuth_clearance;
+};
+
+static __device__ __forceinline__ kernel_cleared_out kernel_cleared(double gap, double nearing, double half_step, double azimuth_clearance)
+{
+    const double _s0 = nearing * half_step;
+    const double _s1 = gap + smaller(_s0, 0.0);
+    return {smaller(_s1, azimuth_clearance)};
+}
+
+/* Event: the ball certainly rolls for ever.
+   Table 1. 1 operation: 1 selection. */
+struct kernel_for_ever_out {
+    double which;
+};
+
+static __device__ __forceinline__ kernel_for_ever_out kernel_for_ever(double which, bool endless)
+{
+    return {choose(endless, 8.0, which)};
+}
+
+/* Whether a ball goes on in contact, on whichever surface.
+   Table 1. 1 operation: 1 disjunction. */
+struct kernel_rejoined_out {
+    bool rolling;
+};
+
+static __device__ __forceinline__ kernel_rejoined_out kernel_rejoined(bool rolling, bool circling)
+{
+    return {rolling || circling};
+}
+
+/* Coefficients of order 1 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 46 operations: 8 additions, 5 subtractions, 31 multiplications, 1 division, 1 negation. */
+struct kernel_roll_0_out {
+    double lift_0, tx_0, ty_0, tz_0, vx_1, vy_1, vz_1, nx_1, ny_1, nz_1, turn_rate_1;
+};
+
+static __device__ __forceinline__ kernel_roll_0_out kernel_roll_0(double p_gravity, double p_inertia, double nx_0, double ny_0, double nz_0, double vx_0, double vy_0, double vz_0, double bent_x, double bent_y, double bent_z, double per_reach, double turn_rate_0)
+{
+    const double _s0 = 1.0 / (1.0 + p_inertia);
+    const double _s1 = (vx_0 * bent_x) * per_reach;
+    const double _s2 = (vy_0 * bent_y) * per_reach;
+    const double _s3 = (vz_0 * bent_z) * per_reach;
+    const double _s4 = ((p_gravity * nz_0) * _s0) - (((vx_0 * _s1) + (vy_0 * _s2)) + (vz_0 * _s3));
+    const double _s5 = (ny_0 * _s3) - (nz_0 * _s2);
+    const double _s6 = (nz_0 * _s1) - (nx_0 * _s3);
+    const double _s7 = (nx_0 * _s2) - (ny_0 * _s1);
+    const double _s8 = p_inertia * _s0;
+    return {_s4, _s5, _s6, _s7, (_s8 * (turn_rate_0 * _s5)) + (nx_0 * _s4), (_s8 * (turn_rate_0 * _s6)) + (ny_0 * _s4), ((_s8 * (turn_rate_0 * _s7)) + (nz_0 * _s4)) - (p_gravity * _s0), _s1, _s2, _s3, -(((vx_0 * _s5) + (vy_0 * _s6)) + (vz_0 * _s7))};
+}
+
+/* Coefficients of order 2 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 84 operations: 26 additions, 4 subtractions, 52 multiplications, 1 division, 1 negation. */
+struct kernel_roll_1_out {
+    double lift_1, tx_1, ty_1, tz_1, vx_2, vy_2, vz_2, nx_2, ny_2, nz_2, turn_rate_2;
+};
+
+static __device__ __forceinline__ kernel_roll_1_out kernel_roll_1(double p_gravity, double p_inertia, double nx_0, double nx_1, double ny_0, double ny_1, double nz_0, double nz_1, double vx_0, double vx_1, double vy_0, double vy_1, double vz_0, double vz_1, double bent_x, double bent_y, double bent_z, double per_reach, double turn_rate_0, double turn_rate_1, double lift_0, double tx_0, double ty_0, double tz_0)
+{
+    const double _s0 = 1.0 / (1.0 + p_inertia);
+    const double _s1 = (vx_1 * bent_x) * per_reach;
+    const double _s2 = (vy_1 * bent_y) * per_reach;
+    const double _s3 = (vz_1 * bent_z) * per_reach;
+    const double _s4 = ((p_gravity * nz_1) * _s0) - ((((nx_1 * vx_1) + (vx_0 * _s1)) + ((ny_1 * vy_1) + (vy_0 * _s2))) + ((nz_1 * vz_1) + (vz_0 * _s3)));
+    const double _s5 = ny_1 * nz_1;
+    const double _s6 = ((ny_0 * _s3) + _s5) - (_s5 + (nz_0 * _s2));
+    const double _s7 = nx_1 * nz_1;
+    const double _s8 = (_s7 + (nz_0 * _s1)) - ((nx_0 * _s3) + _s7);
+    const double _s9 = nx_1 * ny_1;
+    const double _s10 = ((nx_0 * _s2) + _s9) - (_s9 + (ny_0 * _s1));
+    const double _s11 = p_inertia * _s0;
+    const double _s12 = -(0.5 * ((((vx_0 * _s6) + (vx_1 * tx_0)) + ((vy_0 * _s8) + (vy_1 * ty_0))) + ((vz_0 * _s10) + (vz_1 * tz_0))));
+    return {_s4, _s6, _s8, _s10, 0.5 * ((_s11 * ((turn_rate_0 * _s6) + (turn_rate_1 * tx_0))) + ((nx_0 * _s4) + (nx_1 * lift_0))), 0.5 * ((_s11 * ((turn_rate_0 * _s8) + (turn_rate_1 * ty_0))) + ((ny_0 * _s4) + (ny_1 * lift_0))), 0.5 * ((_s11 * ((turn_rate_0 * _s10) + (turn_rate_1 * tz_0))) + ((nz_0 * _s4) + (nz_1 * lift_0))), 0.5 * _s1, 0.5 * _s2, 0.5 * _s3, _s12};
+}
+
+/* Coefficients of order 3 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 128 operations: 44 additions, 4 subtractions, 78 multiplications, 1 division, 1 negation. */
+struct kernel_roll_2_out {
+    double lift_2, tx_2, ty_2, tz_2, vx_3, vy_3, vz_3, nx_3, ny_3, nz_3, turn_rate_3;
+};
+
+static __device__ __forceinline__ kernel_roll_2_out kernel_roll_2(double p_gravity, double p_inertia, double nx_0, double nx_1, double nx_2, double ny_0, double ny_1, double ny_2, double nz_0, double nz_1, double nz_2, double vx_0, double vx_1, double vx_2, double vy_0, double vy_1, double vy_2, double vz_0, double vz_1, double vz_2, double bent_x, double bent_y, double bent_z, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double lift_0, double lift_1, double tx_0, double tx_1, double ty_0, double ty_1, double tz_0, double tz_1)
+{
+    const double _s0 = 1.0 / (1.0 + p_inertia);
+    const double _s1 = 2.0 * nx_2;
+    const double _s2 = (vx_2 * bent_x) * per_reach;
+    const double _s3 = 2.0 * ny_2;
+    const double _s4 = (vy_2 * bent_y) * per_reach;
+    const double _s5 = (vz_2 * bent_z) * per_reach;
+    const double _s6 = ((p_gravity * nz_2) * _s0) - (((((nx_1 * vx_2) + (_s1 * vx_1)) + (vx_0 * _s2)) + (((ny_1 * vy_2) + (_s3 * vy_1)) + (vy_0 * _s4))) + (((nz_1 * vz_2) + ((2.0 * nz_2) * vz_1)) + (vz_0 * _s5)));
+    const double _s7 = (((ny_0 * _s5) + ((2.0 * ny_1) * nz_2)) + (ny_2 * nz_1)) - (((ny_1 * nz_2) + (_s3 * nz_1)) + (nz_0 * _s4));
+    const double _s8 = 2.0 * nx_1;
+    const double _s9 = (((nx_1 * nz_2) + (_s1 * nz_1)) + (nz_0 * _s2)) - (((nx_0 * _s5) + (_s8 * nz_2)) + (nx_2 * nz_1));
+    const double _s10 = (((nx_0 * _s4) + (_s8 * ny_2)) + (nx_2 * ny_1)) - (((nx_1 * ny_2) + (_s1 * ny_1)) + (ny_0 * _s2));
+    const double _s11 = p_inertia * _s0;
+    const double _s12 = 0.3333333333333333 * ((_s11 * (((turn_rate_0 * _s7) + (turn_rate_1 * tx_1)) + (turn_rate_2 * tx_0))) + (((nx_0 * _s6) + (nx_1 * lift_1)) + (nx_2 * lift_0)));
+    const double _s13 = 0.3333333333333333 * ((_s11 * (((turn_rate_0 * _s9) + (turn_rate_1 * ty_1)) + (turn_rate_2 * ty_0))) + (((ny_0 * _s6) + (ny_1 * lift_1)) + (ny_2 * lift_0)));
+    const double _s14 = 0.3333333333333333 * ((_s11 * (((turn_rate_0 * _s10) + (turn_rate_1 * tz_1)) + (turn_rate_2 * tz_0))) + (((nz_0 * _s6) + (nz_1 * lift_1)) + (nz_2 * lift_0)));
+    const double _s15 = 0.3333333333333333 * (((((vx_0 * _s7) + (vx_1 * tx_1)) + (vx_2 * tx_0)) + (((vy_0 * _s9) + (vy_1 * ty_1)) + (vy_2 * ty_0))) + (((vz_0 * _s10) + (vz_1 * tz_1)) + (vz_2 * tz_0)));
+    return {_s6, _s7, _s9, _s10, _s12, _s13, _s14, 0.3333333333333333 * _s2, 0.3333333333333333 * _s4, 0.3333333333333333 * _s5, -_s15};
+}
+
+/* Coefficients of order 4 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 164 operations: 62 additions, 4 subtractions, 96 multiplications, 1 division, 1 negation. */
+struct kernel_roll_3_out {
+    double lift_3, tx_3, ty_3, tz_3, vx_4, vy_4, vz_4, nx_4, ny_4, nz_4, turn_rate_4;
+};
+
+static __device__ __forceinline__ kernel_roll_3_out kernel_roll_3(double p_gravity, double p_inertia, double nx_0, double nx_1, double nx_2, double nx_3, double ny_0, double ny_1, double ny_2, double ny_3, double nz_0, double nz_1, double nz_2, double nz_3, double vx_0, double vx_1, double vx_2, double vx_3, double vy_0, double vy_1, double vy_2, double vy_3, double vz_0, double vz_1, double vz_2, double vz_3, double bent_x, double bent_y, double bent_z, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double lift_0, double lift_1, double lift_2, double tx_0, double tx_1, double tx_2, double ty_0, double ty_1, double ty_2, double tz_0, double tz_1, double tz_2)
+{
+    const double _s0 = 1.0 / (1.0 + p_inertia);
+    const double _s1 = 2.0 * nx_2;
+    const double _s2 = 3.0 * nx_3;
+    const double _s3 = (vx_3 * bent_x) * per_reach;
+    const double _s4 = 2.0 * ny_2;
+    const double _s5 = 3.0 * ny_3;
+    const double _s6 = (vy_3 * bent_y) * per_reach;
+    const double _s7 = (vz_3 * bent_z) * per_reach;
+    const double _s8 = (((((nx_1 * vx_3) + (_s1 * vx_2)) + (_s2 * vx_1)) + (vx_0 * _s3)) + ((((ny_1 * vy_3) + (_s4 * vy_2)) + (_s5 * vy_1)) + (vy_0 * _s6))) + ((((nz_1 * vz_3) + ((2.0 * nz_2) * vz_2)) + ((3.0 * nz_3) * vz_1)) + (vz_0 * _s7));
+    const double _s9 = ((p_gravity * nz_3) * _s0) - _s8;
+    const double _s10 = _s4 * nz_2;
+    const double _s11 = ((((ny_0 * _s7) + ((3.0 * ny_1) * nz_3)) + _s10) + (ny_3 * nz_1)) - ((((ny_1 * nz_3) + _s10) + (_s5 * nz_1)) + (nz_0 * _s6));
+    const double _s12 = _s1 * nz_2;
+    const double _s13 = 3.0 * nx_1;
+    const double _s14 = ((((nx_1 * nz_3) + _s12) + (_s2 * nz_1)) + (nz_0 * _s3)) - ((((nx_0 * _s7) + (_s13 * nz_3)) + _s12) + (nx_3 * nz_1));
+    const double _s15 = _s1 * ny_2;
+    const double _s16 = ((((nx_0 * _s6) + (_s13 * ny_3)) + _s15) + (nx_3 * ny_1)) - ((((nx_1 * ny_3) + _s15) + (_s2 * ny_1)) + (ny_0 * _s3));
+    const double _s17 = p_inertia * _s0;
+    const double _s18 = (_s17 * ((((turn_rate_0 * _s11) + (turn_rate_1 * tx_2)) + (turn_rate_2 * tx_1)) + (turn_rate_3 * tx_0))) + ((((nx_0 * _s9) + (nx_1 * lift_2)) + (nx_2 * lift_1)) + (nx_3 * lift_0));
+    const double _s19 = (_s17 * ((((turn_rate_0 * _s14) + (turn_rate_1 * ty_2)) + (turn_rate_2 * ty_1)) + (turn_rate_3 * ty_0))) + ((((ny_0 * _s9) + (ny_1 * lift_2)) + (ny_2 * lift_1)) + (ny_3 * lift_0));
+    const double _s20 = (_s17 * ((((turn_rate_0 * _s16) + (turn_rate_1 * tz_2)) + (turn_rate_2 * tz_1)) + (turn_rate_3 * tz_0))) + ((((nz_0 * _s9) + (nz_1 * lift_2)) + (nz_2 * lift_1)) + (nz_3 * lift_0));
+    const double _s21 = (((((vx_0 * _s11) + (vx_1 * tx_2)) + (vx_2 * tx_1)) + (vx_3 * tx_0)) + ((((vy_0 * _s14) + (vy_1 * ty_2)) + (vy_2 * ty_1)) + (vy_3 * ty_0))) + ((((vz_0 * _s16) + (vz_1 * tz_2)) + (vz_2 * tz_1)) + (vz_3 * tz_0));
+    return {_s9, _s11, _s14, _s16, 0.25 * _s18, 0.25 * _s19, 0.25 * _s20, 0.25 * _s3, 0.25 * _s6, 0.25 * _s7, -(0.25 * _s21)};
+}
+
+/* Coefficients of order 5 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 210 operations: 80 additions, 4 subtractions, 124 multiplications, 1 division, 1 negation. */
+struct kernel_roll_4_out {
+    double lift_4, tx_4, ty_4, tz_4, vx_5, vy_5, vz_5, nx_5, ny_5, nz_5, turn_rate_5;
+};
+
+static __device__ __forceinline__ kernel_roll_4_out kernel_roll_4(double p_gravity, double p_inertia, double nx_0, double nx_1, double nx_2, double nx_3, double nx_4, double ny_0, double ny_1, double ny_2, double ny_3, double ny_4, double nz_0, double nz_1, double nz_2, double nz_3, double nz_4, double vx_0, double vx_1, double vx_2, double vx_3, double vx_4, double vy_0, double vy_1, double vy_2, double vy_3, double vy_4, double vz_0, double vz_1, double vz_2, double vz_3, double vz_4, double bent_x, double bent_y, double bent_z, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double lift_0, double lift_1, double lift_2, double lift_3, double tx_0, double tx_1, double tx_2, double tx_3, double ty_0, double ty_1, double ty_2, double ty_3, double tz_0, double tz_1, double tz_2, double tz_3)
+{
+    const double _s0 = 1.0 / (1.0 + p_inertia);
+    const double _s1 = 2.0 * nx_2;
+    const double _s2 = 3.0 * nx_3;
+    const double _s3 = 4.0 * nx_4;
+    const double _s4 = (vx_4 * bent_x) * per_reach;
+    const double _s5 = 2.0 * ny_2;
+    const double _s6 = 3.0 * ny_3;
+    const double _s7 = 4.0 * ny_4;
+    const double _s8 = (vy_4 * bent_y) * per_reach;
+    const double _s9 = (((((nx_1 * vx_4) + (_s1 * vx_3)) + (_s2 * vx_2)) + (_s3 * vx_1)) + (vx_0 * _s4)) + (((((ny_1 * vy_4) + (_s5 * vy_3)) + (_s6 * vy_2)) + (_s7 * vy_1)) + (vy_0 * _s8));
+    const double _s10 = (vz_4 * bent_z) * per_reach;
+    const double _s11 = ((((nz_1 * vz_4) + ((2.0 * nz_2) * vz_3)) + ((3.0 * nz_3) * vz_2)) + ((4.0 * nz_4) * vz_1)) + (vz_0 * _s10);
+    const double _s12 = ((p_gravity * nz_4) * _s0) - (_s9 + _s11);
+    const double _s13 = ((((ny_0 * _s10) + ((4.0 * ny_1) * nz_4)) + ((3.0 * ny_2) * nz_3)) + ((2.0 * ny_3) * nz_2)) + (ny_4 * nz_1);
+    const double _s14 = _s13 - (((((ny_1 * nz_4) + (_s5 * nz_3)) + (_s6 * nz_2)) + (_s7 * nz_1)) + (nz_0 * _s8));
+    const double _s15 = 4.0 * nx_1;
+    const double _s16 = 3.0 * nx_2;
+    const double _s17 = 2.0 * nx_3;
+    const double _s18 = (((((nx_1 * nz_4) + (_s1 * nz_3)) + (_s2 * nz_2)) + (_s3 * nz_1)) + (nz_0 * _s4)) - (((((nx_0 * _s10) + (_s15 * nz_4)) + (_s16 * nz_3)) + (_s17 * nz_2)) + (nx_4 * nz_1));
+    const double _s19 = (((((nx_0 * _s8) + (_s15 * ny_4)) + (_s16 * ny_3)) + (_s17 * ny_2)) + (nx_4 * ny_1)) - (((((nx_1 * ny_4) + (_s1 * ny_3)) + (_s2 * ny_2)) + (_s3 * ny_1)) + (ny_0 * _s4));
+    const double _s20 = p_inertia * _s0;
+    const double _s21 = _s20 * (((((turn_rate_0 * _s14) + (turn_rate_1 * tx_3)) + (turn_rate_2 * tx_2)) + (turn_rate_3 * tx_1)) + (turn_rate_4 * tx_0));
+    const double _s22 = _s21 + (((((nx_0 * _s12) + (nx_1 * lift_3)) + (nx_2 * lift_2)) + (nx_3 * lift_1)) + (nx_4 * lift_0));
+    const double _s23 = _s20 * (((((turn_rate_0 * _s18) + (turn_rate_1 * ty_3)) + (turn_rate_2 * ty_2)) + (turn_rate_3 * ty_1)) + (turn_rate_4 * ty_0));
+    const double _s24 = _s23 + (((((ny_0 * _s12) + (ny_1 * lift_3)) + (ny_2 * lift_2)) + (ny_3 * lift_1)) + (ny_4 * lift_0));
+    const double _s25 = _s20 * (((((turn_rate_0 * _s19) + (turn_rate_1 * tz_3)) + (turn_rate_2 * tz_2)) + (turn_rate_3 * tz_1)) + (turn_rate_4 * tz_0));
+    const double _s26 = _s25 + (((((nz_0 * _s12) + (nz_1 * lift_3)) + (nz_2 * lift_2)) + (nz_3 * lift_1)) + (nz_4 * lift_0));
+    const double _s27 = (((((vx_0 * _s14) + (vx_1 * tx_3)) + (vx_2 * tx_2)) + (vx_3 * tx_1)) + (vx_4 * tx_0)) + (((((vy_0 * _s18) + (vy_1 * ty_3)) + (vy_2 * ty_2)) + (vy_3 * ty_1)) + (vy_4 * ty_0));
+    const double _s28 = _s27 + (((((vz_0 * _s19) + (vz_1 * tz_3)) + (vz_2 * tz_2)) + (vz_3 * tz_1)) + (vz_4 * tz_0));
+    return {_s12, _s14, _s18, _s19, 0.2 * _s22, 0.2 * _s24, 0.2 * _s26, 0.2 * _s4, 0.2 * _s8, 0.2 * _s10, -(0.2 * _s28)};
+}
+
+/* Coefficients of order 6 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 246 operations: 98 additions, 4 subtractions, 142 multiplications, 1 division, 1 negation. */
+struct kernel_roll_5_out {
+    double lift_5, tx_5, ty_5, tz_5, vx_6, vy_6, vz_6, nx_6, ny_6, nz_6, turn_rate_6;
+};
+
+static __device__ __forceinline__ kernel_roll_5_out kernel_roll_5(double p_gravity, double p_inertia, double nx_0, double nx_1, double nx_2, double nx_3, double nx_4, double nx_5, double ny_0, double ny_1, double ny_2, double ny_3, double ny_4, double ny_5, double nz_0, double nz_1, double nz_2, double nz_3, double nz_4, double nz_5, double vx_0, double vx_1, double vx_2, double vx_3, double vx_4, double vx_5, double vy_0, double vy_1, double vy_2, double vy_3, double vy_4, double vy_5, double vz_0, double vz_1, double vz_2, double vz_3, double vz_4, double vz_5, double bent_x, double bent_y, double bent_z, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double lift_0, double lift_1, double lift_2, double lift_3, double lift_4, double tx_0, double tx_1, double tx_2, double tx_3, double tx_4, double ty_0, double ty_1, double ty_2, double ty_3, double ty_4, double tz_0, double tz_1, double tz_2, double tz_3, double tz_4)
+{
+    const double _s0 = 1.0 / (1.0 + p_inertia);
+    const double _s1 = 2.0 * nx_2;
+    const double _s2 = 3.0 * nx_3;
+    const double _s3 = 4.0 * nx_4;
+    const double _s4 = 5.0 * nx_5;
+    const double _s5 = (vx_5 * bent_x) * per_reach;
+    const double _s6 = (((((nx_1 * vx_5) + (_s1 * vx_4)) + (_s2 * vx_3)) + (_s3 * vx_2)) + (_s4 * vx_1)) + (vx_0 * _s5);
+    const double _s7 = 2.0 * ny_2;
+    const double _s8 = 3.0 * ny_3;
+    const double _s9 = 4.0 * ny_4;
+    const double _s10 = 5.0 * ny_5;
+    const double _s11 = (vy_5 * bent_y) * per_reach;
+    const double _s12 = (((((ny_1 * vy_5) + (_s7 * vy_4)) + (_s8 * vy_3)) + (_s9 * vy_2)) + (_s10 * vy_1)) + (vy_0 * _s11);
+    const double _s13 = ((((nz_1 * vz_5) + ((2.0 * nz_2) * vz_4)) + ((3.0 * nz_3) * vz_3)) + ((4.0 * nz_4) * vz_2)) + ((5.0 * nz_5) * vz_1);
+    const double _s14 = (vz_5 * bent_z) * per_reach;
+    const double _s15 = ((p_gravity * nz_5) * _s0) - ((_s6 + _s12) + (_s13 + (vz_0 * _s14)));
+    const double _s16 = _s8 * nz_3;
+    const double _s17 = ((((ny_0 * _s14) + ((5.0 * ny_1) * nz_5)) + ((4.0 * ny_2) * nz_4)) + _s16) + ((2.0 * ny_4) * nz_2);
+    const double _s18 = (((((ny_1 * nz_5) + (_s7 * nz_4)) + _s16) + (_s9 * nz_2)) + (_s10 * nz_1)) + (nz_0 * _s11);
+    const double _s19 = (_s17 + (ny_5 * nz_1)) - _s18;
+    const double _s20 = _s2 * nz_3;
+    const double _s21 = (((((nx_1 * nz_5) + (_s1 * nz_4)) + _s20) + (_s3 * nz_2)) + (_s4 * nz_1)) + (nz_0 * _s5);
+    const double _s22 = 5.0 * nx_1;
+    const double _s23 = 4.0 * nx_2;
+    const double _s24 = 2.0 * nx_4;
+    const double _s25 = (((((nx_0 * _s14) + (_s22 * nz_5)) + (_s23 * nz_4)) + _s20) + (_s24 * nz_2)) + (nx_5 * nz_1);
+    const double _s26 = _s21 - _s25;
+    const double _s27 = _s2 * ny_3;
+    const double _s28 = (((((nx_0 * _s11) + (_s22 * ny_5)) + (_s23 * ny_4)) + _s27) + (_s24 * ny_2)) + (nx_5 * ny_1);
+    const double _s29 = (((((nx_1 * ny_5) + (_s1 * ny_4)) + _s27) + (_s3 * ny_2)) + (_s4 * ny_1)) + (ny_0 * _s5);
+    const double _s30 = _s28 - _s29;
+    const double _s31 = p_inertia * _s0;
+    const double _s32 = (((((turn_rate_0 * _s19) + (turn_rate_1 * tx_4)) + (turn_rate_2 * tx_3)) + (turn_rate_3 * tx_2)) + (turn_rate_4 * tx_1)) + (turn_rate_5 * tx_0);
+    const double _s33 = (((((nx_0 * _s15) + (nx_1 * lift_4)) + (nx_2 * lift_3)) + (nx_3 * lift_2)) + (nx_4 * lift_1)) + (nx_5 * lift_0);
+    const double _s34 = (((((turn_rate_0 * _s26) + (turn_rate_1 * ty_4)) + (turn_rate_2 * ty_3)) + (turn_rate_3 * ty_2)) + (turn_rate_4 * ty_1)) + (turn_rate_5 * ty_0);
+    const double _s35 = (((((ny_0 * _s15) + (ny_1 * lift_4)) + (ny_2 * lift_3)) + (ny_3 * lift_2)) + (ny_4 * lift_1)) + (ny_5 * lift_0);
+    const double _s36 = (((((turn_rate_0 * _s30) + (turn_rate_1 * tz_4)) + (turn_rate_2 * tz_3)) + (turn_rate_3 * tz_2)) + (turn_rate_4 * tz_1)) + (turn_rate_5 * tz_0);
+    const double _s37 = (((((nz_0 * _s15) + (nz_1 * lift_4)) + (nz_2 * lift_3)) + (nz_3 * lift_2)) + (nz_4 * lift_1)) + (nz_5 * lift_0);
+    const double _s38 = (((((vx_0 * _s19) + (vx_1 * tx_4)) + (vx_2 * tx_3)) + (vx_3 * tx_2)) + (vx_4 * tx_1)) + (vx_5 * tx_0);
+    const double _s39 = (((((vy_0 * _s26) + (vy_1 * ty_4)) + (vy_2 * ty_3)) + (vy_3 * ty_2)) + (vy_4 * ty_1)) + (vy_5 * ty_0);
+    const double _s40 = (((((vz_0 * _s30) + (vz_1 * tz_4)) + (vz_2 * tz_3)) + (vz_3 * tz_2)) + (vz_4 * tz_1)) + (vz_5 * tz_0);
+    return {_s15, _s19, _s26, _s30, 0.16666666666666666 * ((_s31 * _s32) + _s33), 0.16666666666666666 * ((_s31 * _s34) + _s35), 0.16666666666666666 * ((_s31 * _s36) + _s37), 0.16666666666666666 * _s5, 0.16666666666666666 * _s11, 0.16666666666666666 * _s14, -(0.16666666666666666 * ((_s38 + _s39) + _s40))};
+}
+
+/* Coefficients of order 7 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 292 operations: 116 additions, 4 subtractions, 170 multiplications, 1 division, 1 negation. */
+struct kernel_roll_6_out {
+    double lift_6, tx_6, ty_6, tz_6, vx_7, vy_7, vz_7, nx_7, ny_7, nz_7, turn_rate_7;
+};
+
+static __device__ __forceinline__ kernel_roll_6_out kernel_roll_6(double p_gravity, double p_inertia, double nx_0, double nx_1, double nx_2, double nx_3, double nx_4, double nx_5, double nx_6, double ny_0, double ny_1, double ny_2, double ny_3, double ny_4, double ny_5, double ny_6, double nz_0, double nz_1, double nz_2, double nz_3, double nz_4, double nz_5, double nz_6, double vx_0, double vx_1, double vx_2, double vx_3, double vx_4, double vx_5, double vx_6, double vy_0, double vy_1, double vy_2, double vy_3, double vy_4, double vy_5, double vy_6, double vz_0, double vz_1, double vz_2, double vz_3, double vz_4, double vz_5, double vz_6, double bent_x, double bent_y, double bent_z, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double turn_rate_6, double lift_0, double lift_1, double lift_2, double lift_3, double lift_4, double lift_5, double tx_0, double tx_1, double tx_2, double tx_3, double tx_4, double tx_5, double ty_0, double ty_1, double ty_2, double ty_3, double ty_4, double ty_5, double tz_0, double tz_1, double tz_2, double tz_3, double tz_4, double tz_5)
+{
+    const double _s0 = 1.0 / (1.0 + p_inertia);
+    const double _s1 = 2.0 * nx_2;
+    const double _s2 = 3.0 * nx_3;
+    const double _s3 = 4.0 * nx_4;
+    const double _s4 = 5.0 * nx_5;
+    const double _s5 = 6.0 * nx_6;
+    const double _s6 = (((((nx_1 * vx_6) + (_s1 * vx_5)) + (_s2 * vx_4)) + (_s3 * vx_3)) + (_s4 * vx_2)) + (_s5 * vx_1);
+    const double _s7 = (vx_6 * bent_x) * per_reach;
+    const double _s8 = 2.0 * ny_2;
+    const double _s9 = 3.0 * ny_3;
+    const double _s10 = 4.0 * ny_4;
+    const double _s11 = 5.0 * ny_5;
+    const double _s12 = 6.0 * ny_6;
+    const double _s13 = (((((ny_1 * vy_6) + (_s8 * vy_5)) + (_s9 * vy_4)) + (_s10 * vy_3)) + (_s11 * vy_2)) + (_s12 * vy_1);
+    const double _s14 = (vy_6 * bent_y) * per_reach;
+    const double _s15 = ((((nz_1 * vz_6) + ((2.0 * nz_2) * vz_5)) + ((3.0 * nz_3) * vz_4)) + ((4.0 * nz_4) * vz_3)) + ((5.0 * nz_5) * vz_2);
+    const double _s16 = (vz_6 * bent_z) * per_reach;
+    const double _s17 = ((p_gravity * nz_6) * _s0) - (((_s6 + (vx_0 * _s7)) + (_s13 + (vy_0 * _s14))) + ((_s15 + ((6.0 * nz_6) * vz_1)) + (vz_0 * _s16)));
+    const double _s18 = ((((ny_0 * _s16) + ((6.0 * ny_1) * nz_6)) + ((5.0 * ny_2) * nz_5)) + ((4.0 * ny_3) * nz_4)) + ((3.0 * ny_4) * nz_3);
+    const double _s19 = (((((ny_1 * nz_6) + (_s8 * nz_5)) + (_s9 * nz_4)) + (_s10 * nz_3)) + (_s11 * nz_2)) + (_s12 * nz_1);
+    const double _s20 = ((_s18 + ((2.0 * ny_5) * nz_2)) + (ny_6 * nz_1)) - (_s19 + (nz_0 * _s14));
+    const double _s21 = (((((nx_1 * nz_6) + (_s1 * nz_5)) + (_s2 * nz_4)) + (_s3 * nz_3)) + (_s4 * nz_2)) + (_s5 * nz_1);
+    const double _s22 = 6.0 * nx_1;
+    const double _s23 = 5.0 * nx_2;
+    const double _s24 = 4.0 * nx_3;
+    const double _s25 = 3.0 * nx_4;
+    const double _s26 = 2.0 * nx_5;
+    const double _s27 = (((((nx_0 * _s16) + (_s22 * nz_6)) + (_s23 * nz_5)) + (_s24 * nz_4)) + (_s25 * nz_3)) + (_s26 * nz_2);
+    const double _s28 = (_s21 + (nz_0 * _s7)) - (_s27 + (nx_6 * nz_1));
+    const double _s29 = (((((nx_0 * _s14) + (_s22 * ny_6)) + (_s23 * ny_5)) + (_s24 * ny_4)) + (_s25 * ny_3)) + (_s26 * ny_2);
+    const double _s30 = (((((nx_1 * ny_6) + (_s1 * ny_5)) + (_s2 * ny_4)) + (_s3 * ny_3)) + (_s4 * ny_2)) + (_s5 * ny_1);
+    const double _s31 = (_s29 + (nx_6 * ny_1)) - (_s30 + (ny_0 * _s7));
+    const double _s32 = p_inertia * _s0;
+    const double _s33 = (((((turn_rate_0 * _s20) + (turn_rate_1 * tx_5)) + (turn_rate_2 * tx_4)) + (turn_rate_3 * tx_3)) + (turn_rate_4 * tx_2)) + (turn_rate_5 * tx_1);
+    const double _s34 = (((((nx_0 * _s17) + (nx_1 * lift_5)) + (nx_2 * lift_4)) + (nx_3 * lift_3)) + (nx_4 * lift_2)) + (nx_5 * lift_1);
+    const double _s35 = (((((turn_rate_0 * _s28) + (turn_rate_1 * ty_5)) + (turn_rate_2 * ty_4)) + (turn_rate_3 * ty_3)) + (turn_rate_4 * ty_2)) + (turn_rate_5 * ty_1);
+    const double _s36 = (((((ny_0 * _s17) + (ny_1 * lift_5)) + (ny_2 * lift_4)) + (ny_3 * lift_3)) + (ny_4 * lift_2)) + (ny_5 * lift_1);
+    const double _s37 = (((((turn_rate_0 * _s31) + (turn_rate_1 * tz_5)) + (turn_rate_2 * tz_4)) + (turn_rate_3 * tz_3)) + (turn_rate_4 * tz_2)) + (turn_rate_5 * tz_1);
+    const double _s38 = (((((nz_0 * _s17) + (nz_1 * lift_5)) + (nz_2 * lift_4)) + (nz_3 * lift_3)) + (nz_4 * lift_2)) + (nz_5 * lift_1);
+    const double _s39 = (((((vx_0 * _s20) + (vx_1 * tx_5)) + (vx_2 * tx_4)) + (vx_3 * tx_3)) + (vx_4 * tx_2)) + (vx_5 * tx_1);
+    const double _s40 = (((((vy_0 * _s28) + (vy_1 * ty_5)) + (vy_2 * ty_4)) + (vy_3 * ty_3)) + (vy_4 * ty_2)) + (vy_5 * ty_1);
+    const double _s41 = (((((vz_0 * _s31) + (vz_1 * tz_5)) + (vz_2 * tz_4)) + (vz_3 * tz_3)) + (vz_4 * tz_2)) + (vz_5 * tz_1);
+    const double _s42 = -(0.14285714285714285 * (((_s39 + (vx_6 * tx_0)) + (_s40 + (vy_6 * ty_0))) + (_s41 + (vz_6 * tz_0))));
+    return {_s17, _s20, _s28, _s31, 0.14285714285714285 * ((_s32 * (_s33 + (turn_rate_6 * tx_0))) + (_s34 + (nx_6 * lift_0))), 0.14285714285714285 * ((_s32 * (_s35 + (turn_rate_6 * ty_0))) + (_s36 + (ny_6 * lift_0))), 0.14285714285714285 * ((_s32 * (_s37 + (turn_rate_6 * tz_0))) + (_s38 + (nz_6 * lift_0))), 0.14285714285714285 * _s7, 0.14285714285714285 * _s14, 0.14285714285714285 * _s16, _s42};
+}
+
+/* Coefficients of order 8 of a rolling ball, from those of lower order.
+   Newton, Euler and rolling without slip. 328 operations: 134 additions, 4 subtractions, 188 multiplications, 1 division, 1 negation. */
+struct kernel_roll_7_out {
+    double lift_7, tx_7, ty_7, tz_7, vx_8, vy_8, vz_8, nx_8, ny_8, nz_8, turn_rate_8;
+};
+
+static __device__ __forceinline__ kernel_roll_7_out kernel_roll_7(double p_gravity, double p_inertia, double nx_0, double nx_1, double nx_2, double nx_3, double nx_4, double nx_5, double nx_6, double nx_7, double ny_0, double ny_1, double ny_2, double ny_3, double ny_4, double ny_5, double ny_6, double ny_7, double nz_0, double nz_1, double nz_2, double nz_3, double nz_4, double nz_5, double nz_6, double nz_7, double vx_0, double vx_1, double vx_2, double vx_3, double vx_4, double vx_5, double vx_6, double vx_7, double vy_0, double vy_1, double vy_2, double vy_3, double vy_4, double vy_5, double vy_6, double vy_7, double vz_0, double vz_1, double vz_2, double vz_3, double vz_4, double vz_5, double vz_6, double vz_7, double bent_x, double bent_y, double bent_z, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double turn_rate_6, double turn_rate_7, double lift_0, double lift_1, double lift_2, double lift_3, double lift_4, double lift_5, double lift_6, double tx_0, double tx_1, double tx_2, double tx_3, double tx_4, double tx_5, double tx_6, double ty_0, double ty_1, double ty_2, double ty_3, double ty_4, double ty_5, double ty_6, double tz_0, double tz_1, double tz_2, double tz_3, double tz_4, double tz_5, double tz_6)
+{
+    const double _s0 = 1.0 / (1.0 + p_inertia);
+    const double _s1 = 2.0 * nx_2;
+    const double _s2 = 3.0 * nx_3;
+    const double _s3 = 4.0 * nx_4;
+    const double _s4 = 5.0 * nx_5;
+    const double _s5 = 6.0 * nx_6;
+    const double _s6 = (((((nx_1 * vx_7) + (_s1 * vx_6)) + (_s2 * vx_5)) + (_s3 * vx_4)) + (_s4 * vx_3)) + (_s5 * vx_2);
+    const double _s7 = 7.0 * nx_7;
+    const double _s8 = (vx_7 * bent_x) * per_reach;
+    const double _s9 = 2.0 * ny_2;
+    const double _s10 = 3.0 * ny_3;
+    const double _s11 = 4.0 * ny_4;
+    const double _s12 = 5.0 * ny_5;
+    const double _s13 = 6.0 * ny_6;
+    const double _s14 = (((((ny_1 * vy_7) + (_s9 * vy_6)) + (_s10 * vy_5)) + (_s11 * vy_4)) + (_s12 * vy_3)) + (_s13 * vy_2);
+    const double _s15 = 7.0 * ny_7;
+    const double _s16 = (vy_7 * bent_y) * per_reach;
+    const double _s17 = ((((nz_1 * vz_7) + ((2.0 * nz_2) * vz_6)) + ((3.0 * nz_3) * vz_5)) + ((4.0 * nz_4) * vz_4)) + ((5.0 * nz_5) * vz_3);
+    const double _s18 = (vz_7 * bent_z) * per_reach;
+    const double _s19 = (((_s6 + (_s7 * vx_1)) + (vx_0 * _s8)) + ((_s14 + (_s15 * vy_1)) + (vy_0 * _s16))) + (((_s17 + ((6.0 * nz_6) * vz_2)) + ((7.0 * nz_7) * vz_1)) + (vz_0 * _s18));
+    const double _s20 = ((p_gravity * nz_7) * _s0) - _s19;
+    const double _s21 = _s11 * nz_4;
+    const double _s22 = ((((ny_0 * _s18) + ((7.0 * ny_1) * nz_7)) + ((6.0 * ny_2) * nz_6)) + ((5.0 * ny_3) * nz_5)) + _s21;
+    const double _s23 = (((((ny_1 * nz_7) + (_s9 * nz_6)) + (_s10 * nz_5)) + _s21) + (_s12 * nz_3)) + (_s13 * nz_2);
+    const double _s24 = (((_s22 + ((3.0 * ny_5) * nz_3)) + ((2.0 * ny_6) * nz_2)) + (ny_7 * nz_1)) - ((_s23 + (_s15 * nz_1)) + (nz_0 * _s16));
+    const double _s25 = _s3 * nz_4;
+    const double _s26 = (((((nx_1 * nz_7) + (_s1 * nz_6)) + (_s2 * nz_5)) + _s25) + (_s4 * nz_3)) + (_s5 * nz_2);
+    const double _s27 = 7.0 * nx_1;
+    const double _s28 = 6.0 * nx_2;
+    const double _s29 = 5.0 * nx_3;
+    const double _s30 = 3.0 * nx_5;
+    const double _s31 = (((((nx_0 * _s18) + (_s27 * nz_7)) + (_s28 * nz_6)) + (_s29 * nz_5)) + _s25) + (_s30 * nz_3);
+    const double _s32 = 2.0 * nx_6;
+    const double _s33 = ((_s26 + (_s7 * nz_1)) + (nz_0 * _s8)) - ((_s31 + (_s32 * nz_2)) + (nx_7 * nz_1));
+    const double _s34 = _s3 * ny_4;
+    const double _s35 = (((((nx_0 * _s16) + (_s27 * ny_7)) + (_s28 * ny_6)) + (_s29 * ny_5)) + _s34) + (_s30 * ny_3);
+    const double _s36 = (((((nx_1 * ny_7) + (_s1 * ny_6)) + (_s2 * ny_5)) + _s34) + (_s4 * ny_3)) + (_s5 * ny_2);
+    const double _s37 = ((_s35 + (_s32 * ny_2)) + (nx_7 * ny_1)) - ((_s36 + (_s7 * ny_1)) + (ny_0 * _s8));
+    const double _s38 = p_inertia * _s0;
+    const double _s39 = (((((turn_rate_0 * _s24) + (turn_rate_1 * tx_6)) + (turn_rate_2 * tx_5)) + (turn_rate_3 * tx_4)) + (turn_rate_4 * tx_3)) + (turn_rate_5 * tx_2);
+    const double _s40 = (((((nx_0 * _s20) + (nx_1 * lift_6)) + (nx_2 * lift_5)) + (nx_3 * lift_4)) + (nx_4 * lift_3)) + (nx_5 * lift_2);
+    const double _s41 = 0.125 * ((_s38 * ((_s39 + (turn_rate_6 * tx_1)) + (turn_rate_7 * tx_0))) + ((_s40 + (nx_6 * lift_1)) + (nx_7 * lift_0)));
+    const double _s42 = (((((turn_rate_0 * _s33) + (turn_rate_1 * ty_6)) + (turn_rate_2 * ty_5)) + (turn_rate_3 * ty_4)) + (turn_rate_4 * ty_3)) + (turn_rate_5 * ty_2);
+    const double _s43 = (((((ny_0 * _s20) + (ny_1 * lift_6)) + (ny_2 * lift_5)) + (ny_3 * lift_4)) + (ny_4 * lift_3)) + (ny_5 * lift_2);
+    const double _s44 = 0.125 * ((_s38 * ((_s42 + (turn_rate_6 * ty_1)) + (turn_rate_7 * ty_0))) + ((_s43 + (ny_6 * lift_1)) + (ny_7 * lift_0)));
+    const double _s45 = (((((turn_rate_0 * _s37) + (turn_rate_1 * tz_6)) + (turn_rate_2 * tz_5)) + (turn_rate_3 * tz_4)) + (turn_rate_4 * tz_3)) + (turn_rate_5 * tz_2);
+    const double _s46 = (((((nz_0 * _s20) + (nz_1 * lift_6)) + (nz_2 * lift_5)) + (nz_3 * lift_4)) + (nz_4 * lift_3)) + (nz_5 * lift_2);
+    const double _s47 = 0.125 * ((_s38 * ((_s45 + (turn_rate_6 * tz_1)) + (turn_rate_7 * tz_0))) + ((_s46 + (nz_6 * lift_1)) + (nz_7 * lift_0)));
+    const double _s48 = (((((vx_0 * _s24) + (vx_1 * tx_6)) + (vx_2 * tx_5)) + (vx_3 * tx_4)) + (vx_4 * tx_3)) + (vx_5 * tx_2);
+    const double _s49 = (((((vy_0 * _s33) + (vy_1 * ty_6)) + (vy_2 * ty_5)) + (vy_3 * ty_4)) + (vy_4 * ty_3)) + (vy_5 * ty_2);
+    const double _s50 = (((((vz_0 * _s37) + (vz_1 * tz_6)) + (vz_2 * tz_5)) + (vz_3 * tz_4)) + (vz_4 * tz_3)) + (vz_5 * tz_2);
+    const double _s51 = 0.125 * ((((_s48 + (vx_6 * tx_1)) + (vx_7 * tx_0)) + ((_s49 + (vy_6 * ty_1)) + (vy_7 * ty_0))) + ((_s50 + (vz_6 * tz_1)) + (vz_7 * tz_0)));
+    return {_s20, _s24, _s33, _s37, _s41, _s44, _s47, 0.125 * _s8, 0.125 * _s16, 0.125 * _s18, -_s51};
+}
+
+/* Start value of the normal where the flight began: another surface.
+   Table 1. No operations. */
+struct kernel_anew_out {
+    double left_nx, left_ny, left_nz;
+};
+
+static __device__ __forceinline__ kernel_anew_out kernel_anew()
+{
+    return {0.0, 0.0, 0.0};
+}
+
+/* Position at the start of a flight.
+   Eq. 3. 9 operations: 1 addition, 3 subtractions, 5 multiplications. */
+struct kernel_started_out {
+    double from_x, from_y, from_z;
+};
+
+static __device__ __forceinline__ kernel_started_out kernel_started(double p_gravity, double x, double y, double z, double vx, double vy, double vz, double t)
+{
+    return {x - (vx * t), y - (vy * t), z - (t * (vz + ((0.5 * p_gravity) * t)))};
+}
+
+/* Constant terms of the series.
+   rolling. 6 operations: 2 additions, 4 multiplications. */
+struct kernel_roll_start_out {
+    double vx_0, vy_0, vz_0, nx_0, ny_0, nz_0, turn_rate_0;
+};
+
+static __device__ __forceinline__ kernel_roll_start_out kernel_roll_start(double p_ball_radius, double nx, double ny, double nz, double vx, double vy, double vz, double wx, double wy, double wz)
+{
+    return {vx, vy, vz, nx, ny, nz, p_ball_radius * (((nx * wx) + (ny * wy)) + (nz * wz))};
+}
+
+/* Position, velocity and turn rate of a rolling ball at time t.
+   its series. 142 operations: 59 additions, 83 multiplications. */
+struct kernel_roll_moved_out {
+    double x, vx, y, vy, z, vz, turn_rate;
+};
+
+static __device__ __forceinline__ kernel_roll_moved_out kernel_roll_moved(double x, double y, double z, double vx_0, double vx_1, double vx_2, double vx_3, double vx_4, double vx_5, double vx_6, double vx_7, double vx_8, double vy_0, double vy_1, double vy_2, double vy_3, double vy_4, double vy_5, double vy_6, double vy_7, double vy_8, double vz_0, double vz_1, double vz_2, double vz_3, double vz_4, double vz_5, double vz_6, double vz_7, double vz_8, double t, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double turn_rate_6, double turn_rate_7, double turn_rate_8)
+{
+    const double _s0 = t * ((0.14285714285714285 * vx_6) + (t * ((0.125 * vx_7) + ((0.1111111111111111 * vx_8) * t))));
+    const double _s1 = (0.25 * vx_3) + (t * ((0.2 * vx_4) + (t * ((0.16666666666666666 * vx_5) + _s0))));
+    const double _s2 = vx_0 + (t * ((0.5 * vx_1) + (t * ((0.3333333333333333 * vx_2) + (t * _s1)))));
+    const double _s3 = vx_5 + (t * (vx_6 + (t * (vx_7 + (vx_8 * t)))));
+    const double _s4 = vx_2 + (t * (vx_3 + (t * (vx_4 + (t * _s3)))));
+    const double _s5 = t * ((0.14285714285714285 * vy_6) + (t * ((0.125 * vy_7) + ((0.1111111111111111 * vy_8) * t))));
+    const double _s6 = (0.25 * vy_3) + (t * ((0.2 * vy_4) + (t * ((0.16666666666666666 * vy_5) + _s5))));
+    const double _s7 = vy_0 + (t * ((0.5 * vy_1) + (t * ((0.3333333333333333 * vy_2) + (t * _s6)))));
+    const double _s8 = vy_5 + (t * (vy_6 + (t * (vy_7 + (vy_8 * t)))));
+    const double _s9 = vy_2 + (t * (vy_3 + (t * (vy_4 + (t * _s8)))));
+    const double _s10 = t * ((0.14285714285714285 * vz_6) + (t * ((0.125 * vz_7) + ((0.1111111111111111 * vz_8) * t))));
+    const double _s11 = (0.25 * vz_3) + (t * ((0.2 * vz_4) + (t * ((0.16666666666666666 * vz_5) + _s10))));
+    const double _s12 = vz_0 + (t * ((0.5 * vz_1) + (t * ((0.3333333333333333 * vz_2) + (t * _s11)))));
+    const double _s13 = vz_5 + (t * (vz_6 + (t * (vz_7 + (vz_8 * t)))));
+    const double _s14 = vz_2 + (t * (vz_3 + (t * (vz_4 + (t * _s13)))));
+    const double _s15 = turn_rate_5 + (t * (turn_rate_6 + (t * (turn_rate_7 + (t * turn_rate_8)))));
+    const double _s16 = turn_rate_2 + (t * (turn_rate_3 + (t * (turn_rate_4 + (t * _s15)))));
+    return {x + (t * _s2), vx_0 + (t * (vx_1 + (t * _s4))), y + (t * _s7), vy_0 + (t * (vy_1 + (t * _s9))), z + (t * _s12), vz_0 + (t * (vz_1 + (t * _s14))), turn_rate_0 + (t * (turn_rate_1 + (t * _s16)))};
+}
+
+/* State of a ball put onto the surface, rolling.
+   v = R_B (w × n). 36 operations: 5 additions, 9 subtractions, 21 multiplications, 1 division. */
+struct kernel_roll_placed_out {
+    double x, y, z, vx, vy, vz, wx, wy, wz;
+};
+
+static __device__ __forceinline__ kernel_roll_placed_out kernel_roll_placed(double p_ball_radius, double x, double y, double z, double nx, double ny, double nz, double vx, double vy, double vz, double gap, double turn_rate)
+{
+    const double _s0 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const double _s1 = vx - (nx * _s0);
+    const double _s2 = vy - (ny * _s0);
+    const double _s3 = vz - (nz * _s0);
+    const double _s4 = 1.0 / p_ball_radius;
+    return {x - (nx * gap), y - (ny * gap), z - (nz * gap), _s1, _s2, _s3, _s4 * (((nx * turn_rate) + (ny * _s3)) - (nz * _s2)), _s4 * (((ny * turn_rate) + (nz * _s1)) - (nx * _s3)), _s4 * (((nx * _s2) + (nz * turn_rate)) - (ny * _s1))};
+}
+
+/* Length of a step of the series, bounds of the motion in it, and the normal force.
+   the last terms of the series. 170 operations: 54 additions, 58 multiplications, 2 divisions, 4 square roots, 2 negations, 46 absolute values, 2 comparisons, 2 selections. */
+struct kernel_roll_pace_out {
+    double stride, missed, strongest, fastest, force, force_rate, force_bend, friction_force_rate;
+};
+
+static __device__ __forceinline__ kernel_roll_pace_out kernel_roll_pace(double p_gravity, double p_inertia, double nx_8, double ny_8, double nz_0, double nz_1, double nz_2, double nz_3, double nz_4, double nz_5, double nz_6, double nz_7, double nz_8, double vx_0, double vx_1, double vx_2, double vx_3, double vx_4, double vx_5, double vx_6, double vx_7, double vx_8, double vy_0, double vy_1, double vy_2, double vy_3, double vy_4, double vy_5, double vy_6, double vy_7, double vy_8, double vz_0, double vz_1, double vz_2, double vz_3, double vz_4, double vz_5, double vz_6, double vz_7, double vz_8, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double turn_rate_6, double turn_rate_7, double turn_rate_8, double lift_0, double lift_1, double lift_2, double lift_3, double lift_4, double lift_5, double lift_6, double lift_7)
+{
+    const double _s0 = ((fabs(vx_0) + fabs(vy_0)) + fabs(vz_0)) + fabs(turn_rate_0);
+    const double _s1 = (0.015625 * p_gravity) + _s0;
+    const double _s2 = fabs(per_reach);
+    const double _s3 = ((fabs(vx_7) + fabs(vy_7)) + fabs(vz_7)) + fabs(turn_rate_7);
+    const double _s4 = ((fabs(vx_8) + fabs(vy_8)) + fabs(vz_8)) + fabs(turn_rate_8);
+    const double _s5 = (((_s2 * _s0) + sqrt((p_gravity * _s2))) * _s3) + _s4;
+    const double _s6 = _s1 * ((fabs(nx_8) + fabs(ny_8)) + fabs(nz_8));
+    const double _s7 = sqrt(sqrt(sqrt(((1.4210854715202004e-14 * _s1) / larger(_s5, _s6)))));
+    const double _s8 = smaller(_s7, 1.0);
+    const double _s9 = (2.0 * (((fabs(vx_2) + fabs(vy_2)) + fabs(vz_2)) + fabs(turn_rate_2))) * _s8;
+    const double _s10 = _s8 * _s8;
+    const double _s11 = (3.0 * (((fabs(vx_3) + fabs(vy_3)) + fabs(vz_3)) + fabs(turn_rate_3))) * _s10;
+    const double _s12 = _s8 * _s10;
+    const double _s13 = (4.0 * (((fabs(vx_4) + fabs(vy_4)) + fabs(vz_4)) + fabs(turn_rate_4))) * _s12;
+    const double _s14 = _s10 * _s10;
+    const double _s15 = (5.0 * (((fabs(vx_5) + fabs(vy_5)) + fabs(vz_5)) + fabs(turn_rate_5))) * _s14;
+    const double _s16 = _s8 * _s14;
+    const double _s17 = (6.0 * (((fabs(vx_6) + fabs(vy_6)) + fabs(vz_6)) + fabs(turn_rate_6))) * _s16;
+    const double _s18 = (((((_s9 + _s11) + _s13) + _s15) + _s17) + ((7.0 * _s3) * (_s10 * _s14))) + ((8.0 * _s4) * (_s12 * _s14));
+    const double _s19 = _s18 + (((fabs(vx_1) + fabs(vy_1)) + fabs(vz_1)) + fabs(turn_rate_1));
+    const double _s20 = p_inertia * (1.0 / (1.0 + p_inertia));
+    const double _s21 = p_gravity * nz_1;
+    const double _s22 = (6.0 * fabs((lift_3 + ((p_gravity * nz_3) * _s20)))) * _s8;
+    const double _s23 = (12.0 * fabs((lift_4 + ((p_gravity * nz_4) * _s20)))) * _s10;
+    const double _s24 = (20.0 * fabs((lift_5 + ((p_gravity * nz_5) * _s20)))) * _s12;
+    const double _s25 = (30.0 * fabs((lift_6 + ((p_gravity * nz_6) * _s20)))) * _s14;
+    const double _s26 = (42.0 * fabs((lift_7 + ((p_gravity * nz_7) * _s20)))) * _s16;
+    const double _s27 = ((((_s22 + _s23) + _s24) + _s25) + _s26) + (2.0 * fabs((lift_2 + ((p_gravity * nz_2) * _s20))));
+    return {_s8, 1.7763568394002505e-15 * _s1, _s19, (_s19 * _s8) + _s0, lift_0 + ((p_gravity * nz_0) * _s20), lift_1 + (_s21 * _s20), _s27, -((2.0 * (-_s21)) * _s20)};
+}
+
+/* Spin about the normal, times the ball's radius.
+   s = R_B (w·n). 6 operations: 2 additions, 4 multiplications. */
+struct kernel_roll_turn_rate_out {
+    double turn_rate;
+};
+
+static __device__ __forceinline__ kernel_roll_turn_rate_out kernel_roll_turn_rate(double p_ball_radius, double nx, double ny, double nz, double wx, double wy, double wz)
+{
+    return {p_ball_radius * (((nx * wx) + (ny * wy)) + (nz * wz))};
+}
+
+/* Normal force, its part from free fall, friction and acceleration of a rolling ball.
+   N = -a·n - v·n', F = beta (-a_t + s n × n'). 55 operations: 14 additions, 5 subtractions, 32 multiplications, 1 division, 1 square root, 2 negations. */
+struct kernel_pressed_on_out {
+    double press, weight, rolling_friction, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z;
+};
+
+static __device__ __forceinline__ kernel_pressed_on_out kernel_pressed_on(double p_ball_radius, double p_gravity, double p_inertia, double nx, double ny, double nz, double wx, double wy, double wz, double rolled_x, double rolled_y, double rolled_z, double turning_x, double turning_y, double turning_z)
+{
+    const double _s0 = -(p_gravity * nz);
+    const double _s1 = (-_s0) - (((rolled_x * turning_x) + (rolled_y * turning_y)) + (rolled_z * turning_z));
+    const double _s2 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const double _s3 = p_inertia * (1.0 / (1.0 + p_inertia));
+    const double _s4 = ((nx * _s0) + ((p_ball_radius * ((ny * turning_z) - (nz * turning_y))) * _s2)) * _s3;
+    const double _s5 = ((ny * _s0) + ((p_ball_radius * ((nz * turning_x) - (nx * turning_z))) * _s2)) * _s3;
+    const double _s6 = ((p_gravity + (nz * _s0)) + ((p_ball_radius * ((nx * turning_y) - (ny * turning_x))) * _s2)) * _s3;
+    return {_s1, _s0, sqrt((((_s4 * _s4) + (_s5 * _s5)) + (_s6 * _s6))), (nx * _s1) + _s4, (ny * _s1) + _s5, ((nz * _s1) + _s6) - p_gravity};
+}
+
+/* Whether a ball leaves so slowly that its bounces may end here.
+   Table 1. 21 operations: 5 additions, 10 multiplications, 1 division, 3 comparisons, 1 conjunction, 1 disjunction. */
+struct kernel_slowed_out {
+    bool slow;
+    double assured;
+};
+
+static __device__ __forceinline__ kernel_slowed_out kernel_slowed(double p_ball_radius, double p_gravity, double nx, double ny, double nz, double vx, double vy, double vz, double position_error)
+{
+    const double _s0 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const double _s1 = _s0 * _s0;
+    const double _s2 = (7.275957614183426e-12 * p_ball_radius) * (p_gravity + ((((vx * vx) + (vy * vy)) + (vz * vz)) / p_ball_radius));
+    return {(_s1 < _s2) || ((_s1 < (1.1920928955078125e-07 * p_ball_radius)) && (0.0 < position_error)), 0.0};
+}
+
+/* Start value for a ball without a contact.
+   Table 1. No operations. */
+struct kernel_unslowed_out {
+    bool slow;
+};
+
+static __device__ __forceinline__ kernel_unslowed_out kernel_unslowed()
+{
+    return {false};
+}
+
+/* Whether this bounce is so small that it may be the last.
+   half a hop's height. 16 operations: 5 additions, 9 multiplications, 1 division, 1 comparison. */
+struct kernel_nearly_out {
+    bool nearly;
+};
+
+static __device__ __forceinline__ kernel_nearly_out kernel_nearly(double p_ball_radius, double p_gravity, double nx, double ny, double nz, double vx, double vy, double vz)
+{
+    const double _s0 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const double _s1 = (7.275957614183426e-12 * p_ball_radius) * (p_gravity + ((((vx * vx) + (vy * vy)) + (vz * vz)) / p_ball_radius));
+    return {(_s0 * _s0) < _s1};
+}
+
+/* Velocity after the contact point stops; its slip, and the speed off the surface.
+   the momenta that a contact conserves. 43 operations: 5 additions, 12 subtractions, 22 multiplications, 1 division, 1 square root, 1 comparison, 1 selection. */
+struct kernel_gripped_out {
+    double rolled_x, rolled_y, rolled_z, slip, bounce;
+};
+
+static __device__ __forceinline__ kernel_gripped_out kernel_gripped(double p_ball_radius, double p_inertia, double nx, double ny, double nz, double vx, double vy, double vz, double wx, double wy, double wz)
+{
+    const double _s0 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const double _s1 = vx - (nx * _s0);
+    const double _s2 = p_inertia * (1.0 / (1.0 + p_inertia));
+    const double _s3 = _s1 - (p_ball_radius * ((nz * wy) - (ny * wz)));
+    const double _s4 = vy - (ny * _s0);
+    const double _s5 = _s4 - (p_ball_radius * ((nx * wz) - (nz * wx)));
+    const double _s6 = vz - (nz * _s0);
+    const double _s7 = _s6 - (p_ball_radius * ((ny * wx) - (nx * wy)));
+    return {_s1 - (_s2 * _s3), _s4 - (_s2 * _s5), _s6 - (_s2 * _s7), sqrt((((_s7 * _s7) + (_s5 * _s5)) + (_s3 * _s3))), larger(0.0, _s0)};
+}
+
+/* Start values: no surface beside the ball.
+   Table 1. No operations. */
+struct kernel_isolated_out {
+    double nearest, second_contact_gap;
+};
+
+static __device__ __forceinline__ kernel_isolated_out kernel_isolated()
+{
+    return {INFINITE, INFINITE};
+}
+
+/* Distance to a body beside a rolling ball, and whether it holds the ball, too.
+   Table 1. 18 operations: 1 addition, 4 multiplications, 1 division, 2 absolute values, 5 comparisons, 1 conjunction, 4 selections. */
+struct kernel_neared_body_out {
+    double nearest, second_contact_gap;
+};
+
+static __device__ __forceinline__ kernel_neared_body_out kernel_neared_body(double gap, double nearest, double second_contact_gap, double rolling_gap_acceleration, double normal_cosine, double press, double nearing)
+{
+    const double _s0 = fabs(gap);
+    const double _s1 = fabs(rolling_gap_acceleration);
+    const double _s2 = 9.5367431640625e-07 * press;
+    const double _s3 = choose(((rolling_gap_acceleration < (9.094947017729282e-13 * press)) && (normal_cosine < 0.9999990463256836)), (((0.5 * (nearing * nearing)) / larger(_s1, _s2)) + _s0), (INFINITE));
+    return {smaller(_s0, nearest), smaller(_s3, second_contact_gap)};
+}
+
+/* Distance to an end plane beside the ball.
+   Table 1. 3 operations: 1 absolute value, 1 comparison, 1 selection. */
+struct kernel_neared_out {
+    double nearest;
+};
+
+static __device__ __forceinline__ kernel_neared_out kernel_neared(double gap, double nearest)
+{
+    const double _s0 = fabs(gap);
+    return {smaller(_s0, nearest)};
+}
+
+/* Errors with those of the jump to the end of the bounces.
+   its bound. 41 operations: 12 additions, 3 multiplications, 2 divisions, 3 negations, 3 absolute values, 9 comparisons, 9 selections. */
+struct kernel_begun_errors_out {
+    double dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz;
+};
+
+static __device__ __forceinline__ kernel_begun_errors_out kernel_begun_errors(double p_ball_radius, double vx, double vy, double vz, double dx, double dy, double dz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz)
+{
+    const double _s0 = 3.637978807091713e-12 * p_ball_radius;
+    const double _s1 = -_s0;
+    const double _s2 = (1.4551915228366852e-11 * p_ball_radius) * (1.0 + (((fabs(vx) + fabs(vy)) + fabs(vz)) / p_ball_radius));
+    const double _s3 = -_s2;
+    const double _s4 = _s2 / p_ball_radius;
+    const double _s5 = -_s4;
+    return {dx + choose((dx < 0.0), _s1, _s0), dy + choose((dy < 0.0), _s1, _s0), dz + choose((dz < 0.0), _s1, _s0), dvx + choose((dvx < 0.0), _s3, _s2), dvy + choose((dvy < 0.0), _s3, _s2), dvz + choose((dvz < 0.0), _s3, _s2), dwx + choose((dwx < 0.0), _s5, _s4), dwy + choose((dwy < 0.0), _s5, _s4), dwz + choose((dwz < 0.0), _s5, _s4)};
+}
+
+/* Whether the normal force vanishes or the ball rests; else a time for which neither can.
+   N = 0. 85 operations: 12 additions, 1 subtraction, 20 multiplications, 2 divisions, 2 square roots, 2 negations, 8 absolute values, 14 comparisons, 7 conjunctions, 3 disjunctions, 3 complements, 11 selections. */
+struct kernel_leaving_force_out {
+    double stride, which;
+    bool rests;
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_leaving_force_out kernel_leaving_force(double p_ball_radius, double p_gravity, double vx, double vx_1, double vy, double vy_1, double vz, double vz_1, double which, double doubt, double position_error, double velocity_error, double per_reach, double force, double force_rate, double force_bend, double friction_force_rate, double stride, double fastest)
+{
+    const double _s0 = fabs(per_reach);
+    const double _s1 = p_gravity + ((fastest * fastest) * _s0);
+    const double _s2 = 5.684341886080802e-14 * _s1;
+    const bool _s3 = force_rate < 0.0;
+    const bool _s4 = (force < (-_s2)) || ((force <= _s2) && _s3);
+    const double _s5 = -(force_rate + friction_force_rate);
+    const double _s6 = force + choose((_s5 < 0.0), ((_s5 * _s5) / (p_gravity * (_s0 * _s1))), 0.0);
+    const bool _s7 = _s4 && (_s2 < _s6);
+    const bool _s8 = _s4 && (!_s7);
+    const bool _s9 = (((fabs(vx) + fabs(vy)) + fabs(vz)) <= (5.684341886080802e-14 * sqrt((p_ball_radius * p_gravity)))) && (((fabs(vx_1) + fabs(vy_1)) + fabs(vz_1)) <= (5.684341886080802e-14 * p_gravity));
+    const double _s10 = force_rate * force_rate;
+    const double _s11 = force_bend + (9.094947017729282e-13 * _s1);
+    const double _s12 = choose(_s7, _s6, larger(force, 0.0));
+    const double _s13 = _s10 + ((2.0 * _s11) * _s12);
+    const double _s14 = sqrt(_s13);
+    const double _s15 = choose((0.0 <= _s13), (choose(_s3, (2.0 * _s12), (force_rate + _s14)) / choose(_s3, (_s14 - force_rate), larger(0.0, _s11))), (INFINITE));
+    const double _s16 = ((8.0 * _s0) * ((position_error * _s1) + (velocity_error * fastest))) + _s2;
+    const bool _s17 = _s7 || ((fabs(force) <= _s16) && (!(((8.0 * _s11) * _s16) < _s10)));
+    return {choose((_s8 || _s9), 0.0, smaller(_s15, stride)), choose((_s8 && (which == -1.0)), 6.0, which), _s9 && (!_s8), choose(_s17, 0.0, doubt)};
+}
+
+/* Whether a rolling ball meets another surface; else a time for which it cannot.
+   a parabola below the distance. 55 operations: 7 additions, 1 subtraction, 12 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 9 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections. */
+struct kernel_beside_body_out {
+    double stride, which, doubt, earliest_delay;
+};
+
+static __device__ __forceinline__ kernel_beside_body_out kernel_beside_body(double p_ball_radius, double x, double y, double z, double gap, double index, double which, double earliest_delay, double doubt, double position_error, double nearing, double gap_curvature, double stride, double strongest, double fastest)
+{
+    const double _s0 = 7.105427357601002e-15 * (((p_ball_radius + fabs(x)) + fabs(y)) + fabs(z));
+    const bool _s1 = gap <= _s0;
+    const bool _s2 = nearing < 0.0;
+    const bool _s3 = _s1 && _s2;
+    const double _s4 = nearing * nearing;
+    const double _s5 = strongest + (gap_curvature * (fastest * fastest));
+    const double _s6 = choose(_s1, (3.637978807091713e-12 * p_ball_radius), gap);
+    const double _s7 = _s4 + ((2.0 * _s5) * _s6);
+    const double _s8 = sqrt(_s7);
+    const double _s9 = choose((0.0 <= _s7), (choose(_s2, (2.0 * _s6), (nearing + _s8)) / choose(_s2, (_s8 - nearing), larger(0.0, _s5))), (INFINITE));
+    const bool _s10 = which == -1.0;
+    const bool _s11 = _s3 && _s10;
+    const double _s12 = (2.0 * position_error) + _s0;
+    const bool _s13 = (((gap <= _s12) && ((-_s12) <= gap)) && (!(((8.0 * _s12) * _s5) < _s4))) || (_s3 && (!_s10));
+    return {choose(_s3, 0.0, smaller(_s9, stride)), choose(_s11, index, which), choose(_s13, 0.0, doubt), choose(_s11, ((2.0 * _s12) / fabs(nearing)), earliest_delay)};
+}
+
+/* Whether a rolling ball crosses an end plane; else a time for which it cannot.
+   a parabola below the distance. 60 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 2 negations, 4 absolute values, 12 comparisons, 6 conjunctions, 1 disjunction, 2 complements, 11 selections. */
+struct kernel_beside_gate_out {
+    double stride, which, doubt, earliest_delay;
+};
+
+static __device__ __forceinline__ kernel_beside_gate_out kernel_beside_gate(double p_ball_radius, double x, double y, double z, double gap, double index, double which, double earliest_delay, double doubt, double position_error, double nearing, double gap_curvature, double stride, double strongest, double fastest)
+{
+    const double _s0 = 7.105427357601002e-15 * (((p_ball_radius + fabs(x)) + fabs(y)) + fabs(z));
+    const bool _s1 = nearing < 0.0;
+    const bool _s2 = ((gap <= _s0) && _s1) && ((-_s0) <= gap);
+    const double _s3 = nearing * nearing;
+    const double _s4 = strongest + (gap_curvature * (fastest * fastest));
+    const double _s5 = larger(gap, 0.0);
+    const double _s6 = _s3 + ((2.0 * _s4) * _s5);
+    const double _s7 = sqrt(_s6);
+    const double _s8 = choose((0.0 < gap), choose((0.0 <= _s6), (choose(_s1, (2.0 * _s5), (nearing + _s7)) / choose(_s1, (_s7 - nearing), larger(0.0, _s4))), (INFINITE)), (INFINITE));
+    const bool _s9 = which == -1.0;
+    const bool _s10 = _s2 && _s9;
+    const double _s11 = (2.0 * position_error) + _s0;
+    const bool _s12 = (((gap <= _s11) && ((-_s11) <= gap)) && (!(((8.0 * _s11) * _s4) < _s3))) || (_s2 && (!_s9));
+    return {choose(_s2, 0.0, smaller(_s8, stride)), choose(_s10, index, which), choose(_s12, 0.0, doubt), choose(_s10, ((2.0 * _s11) / fabs(nearing)), earliest_delay)};
+}
+
+/* Time for which a rolling ball certainly stays on one part of its surface.
+   a parabola below the distance. 28 operations: 3 additions, 1 subtraction, 5 multiplications, 1 division, 1 square root, 1 negation, 2 absolute values, 6 comparisons, 8 selections. */
+struct kernel_beside_seam_out {
+    double stride;
+};
+
+static __device__ __forceinline__ kernel_beside_seam_out kernel_beside_seam(double gap, double near, double nearing, double stride, double strongest, double fastest)
+{
+    const double _s0 = fabs(gap);
+    const bool _s1 = _s0 <= near;
+    const double _s2 = choose(_s1, 0.0, _s0);
+    const double _s3 = choose(_s1, ((9.5367431640625e-07 * fastest) + fabs(nearing)), choose((0.0 < gap), nearing, (-nearing)));
+    const double _s4 = ((2.0 * strongest) * _s2) + (_s3 * _s3);
+    const double _s5 = sqrt(_s4);
+    const bool _s6 = _s3 < 0.0;
+    const double _s7 = choose((0.0 <= _s4), (choose(_s6, (2.0 * _s2), (_s5 + _s3)) / choose(_s6, (_s5 - _s3), larger(0.0, strongest))), (INFINITE));
+    return {smaller(_s7, stride)};
+}
+
+/* The time limit as an event in contact.
+   Table 1. 10 operations: 1 subtraction, 4 comparisons, 1 conjunction, 1 complement, 3 selections. */
+struct kernel_beside_time_out {
+    double stride, which;
+};
+
+static __device__ __forceinline__ kernel_beside_time_out kernel_beside_time(double which, double clock, double time_limit, double stride)
+{
+    const double _s0 = time_limit - clock;
+    const double _s1 = smaller(_s0, stride);
+    return {larger(0.0, _s1), choose(((!(clock < time_limit)) && (which == -1.0)), 4.0, which)};
+}
+
+/* Time after a step, and whether another step follows.
+   Table 1. 4 operations: 1 addition, 1 comparison, 1 conjunction, 1 complement. */
+struct kernel_rolled_on_out {
+    double clock;
+    bool rolling;
+};
+
+static __device__ __forceinline__ kernel_rolled_on_out kernel_rolled_on(double which, double clock, double stride, bool rests)
+{
+    return {clock + stride, (which == -1.0) && (!rests)};
+}
+
+/* Start value: no surface beside the ball.
+   Table 1. No operations. */
+struct kernel_no_contact_out {
+    double free_time;
+};
+
+static __device__ __forceinline__ kernel_no_contact_out kernel_no_contact()
+{
+    return {INFINITE};
+}
+
+/* Time for which a ball that leaves certainly meets no other body.
+   a parabola below the distance. 30 operations: 6 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root, 3 absolute values, 5 comparisons, 6 selections. */
+struct kernel_neighbour_free_time_out {
+    double free_time;
+};
+
+static __device__ __forceinline__ kernel_neighbour_free_time_out kernel_neighbour_free_time(double p_gravity, double vx, double vy, double vz, double gap, double free_time, double nearing, double gap_curvature)
+{
+    const double _s0 = (((0.0078125 * p_gravity) + fabs(vx)) + fabs(vy)) + fabs(vz);
+    const double _s1 = p_gravity + (gap_curvature * (_s0 * _s0));
+    const double _s2 = larger(gap, 0.0);
+    const double _s3 = (nearing * nearing) + ((2.0 * _s1) * _s2);
+    const double _s4 = sqrt(_s3);
+    const bool _s5 = nearing < 0.0;
+    const double _s6 = choose((0.0 <= _s3), (choose(_s5, (2.0 * _s2), (nearing + _s4)) / choose(_s5, (_s4 - nearing), larger(0.0, _s1))), (INFINITE));
+    return {smaller(_s6, free_time)};
+}
+
+/* Time for which a ball that leaves crosses no end plane; else it is in doubt.
+   a parabola below the distance. 55 operations: 8 additions, 2 subtractions, 9 multiplications, 3 divisions, 2 square roots, 2 negations, 4 absolute values, 11 comparisons, 1 disjunction, 13 selections. */
+struct kernel_end_plane_free_time_out {
+    double free_time, doubt;
+};
+
+static __device__ __forceinline__ kernel_end_plane_free_time_out kernel_end_plane_free_time(double p_gravity, double vx, double vy, double vz, double gap, double doubt, double free_time, double nearing, double gap_curvature)
+{
+    const bool _s0 = 0.0 < gap;
+    const double _s1 = nearing * nearing;
+    const double _s2 = (((0.0078125 * p_gravity) + fabs(vx)) + fabs(vy)) + fabs(vz);
+    const double _s3 = p_gravity + (gap_curvature * (_s2 * _s2));
+    const double _s4 = larger(gap, 0.0);
+    const double _s5 = 2.0 * _s3;
+    const double _s6 = _s1 + (_s5 * _s4);
+    const double _s7 = sqrt(_s6);
+    const double _s8 = larger(0.0, _s3);
+    const bool _s9 = nearing < 0.0;
+    const double _s10 = choose((0.0 <= _s6), (choose(_s9, (2.0 * _s4), (nearing + _s7)) / choose(_s9, (_s7 - nearing), _s8)), (INFINITE));
+    const double _s11 = -gap;
+    const double _s12 = larger(_s11, 0.0);
+    const double _s13 = _s1 + (_s5 * _s12);
+    const double _s14 = sqrt(_s13);
+    const bool _s15 = (-nearing) < 0.0;
+    const double _s16 = choose((0.0 <= _s13), (choose(_s15, (2.0 * _s12), (_s14 - nearing)) / choose(_s15, (nearing + _s14), _s8)), (INFINITE));
+    const double _s17 = fabs(nearing) / _s3;
+    return {choose(_s0, smaller(_s10, free_time), free_time), choose((_s0 || (0.0078125 < larger(_s16, _s17))), doubt, 0.0)};
+}
+
+/* Time for which it certainly reaches no seam, where the distance bends differently.
+   a parabola below the distance. 24 operations: 2 additions, 1 subtraction, 4 multiplications, 1 division, 1 square root, 1 negation, 1 absolute value, 6 comparisons, 7 selections. */
+struct kernel_seam_free_time_out {
+    double free_time;
+};
+
+static __device__ __forceinline__ kernel_seam_free_time_out kernel_seam_free_time(double p_gravity, double gap, double free_time, double near, double nearing)
+{
+    const double _s0 = fabs(gap);
+    const double _s1 = choose((0.0 < gap), nearing, (-nearing));
+    const double _s2 = ((2.0 * p_gravity) * _s0) + (_s1 * _s1);
+    const double _s3 = sqrt(_s2);
+    const bool _s4 = _s1 < 0.0;
+    const double _s5 = choose((0.0 <= _s2), (choose(_s4, (2.0 * _s0), (_s3 + _s1)) / choose(_s4, (_s3 - _s1), larger(0.0, p_gravity))), (INFINITE));
+    return {choose((_s0 <= near), free_time, smaller(_s5, free_time))};
+}
+
+/* Time for which a ball that leaves a surface certainly meets neither it nor another.
+   Taylor's theorem of the gap. 66 operations: 10 additions, 21 multiplications, 5 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections. */
+struct kernel_separated_out {
+    double when, doubt;
+};
+
+static __device__ __forceinline__ kernel_separated_out kernel_separated(double p_gravity, double vx, double vy, double vz, double doubt, double position_error, double velocity_error, double per_reach, double free_time, double lift, double gap_jerk, double gap_snap)
+{
+    const double _s0 = 0.25 * free_time;
+    const double _s1 = (((0.0078125 * p_gravity) + fabs(vx)) + fabs(vy)) + fabs(vz);
+    const double _s2 = fabs(per_reach);
+    const double _s3 = p_gravity + ((_s1 * _s1) * _s2);
+    const double _s4 = (1.0 + (_s1 * _s2)) + sqrt((p_gravity * _s2));
+    const double _s5 = (64.0 * _s3) * (_s4 * (_s4 * _s4));
+    const double _s6 = 0.5 * gap_jerk;
+    const double _s7 = sqrt((_s6 / _s5));
+    const double _s8 = 9.313225746154785e-10 * _s5;
+    const double _s9 = fabs(gap_snap) + _s8;
+    const double _s10 = _s6 / _s9;
+    const double _s11 = larger(0.0, lift);
+    const double _s12 = sqrt(((128.0 * _s11) / _s5));
+    const double _s13 = sqrt(((0.5 * _s11) / _s9));
+    const double _s14 = _s11 / ((4.0 * fabs(gap_jerk)) + _s8);
+    const double _s15 = smaller(_s13, _s14);
+    const double _s16 = choose((0.0 < gap_jerk), smaller(_s7, _s10), smaller(_s12, _s15));
+    const double _s17 = smaller(_s16, 0.0078125);
+    const double _s18 = smaller(_s0, _s17);
+    const double _s19 = (5.684341886080802e-14 * p_gravity) + ((16.0 * ((position_error * _s3) + (velocity_error * _s1))) * _s2);
+    return {larger(0.0, _s18), choose((((_s19 * _s4) < gap_jerk) || (_s19 < lift)), doubt, 0.0)};
+}
+
+/* Scale from the errors to the neighbouring motion.
+   a chosen distance. 29 operations: 3 additions, 4 multiplications, 1 division, 9 absolute values, 6 comparisons, 6 selections. */
+struct kernel_neighbour_scale_out {
+    double neighbour_scale;
+};
+
+static __device__ __forceinline__ kernel_neighbour_scale_out kernel_neighbour_scale(double p_ball_radius, double dx, double dy, double dz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz)
+{
+    const double _s0 = fabs(dwx);
+    const double _s1 = fabs(dwy);
+    const double _s2 = larger(_s0, _s1);
+    const double _s3 = fabs(dwz);
+    const double _s4 = fabs(dvx);
+    const double _s5 = fabs(dvy);
+    const double _s6 = larger(_s4, _s5);
+    const double _s7 = fabs(dvz);
+    const double _s8 = fabs(dx);
+    const double _s9 = fabs(dy);
+    const double _s10 = larger(_s8, _s9);
+    const double _s11 = fabs(dz);
+    const double _s12 = ((1.1102230246251565e-16 * p_ball_radius) + (0.125 * ((p_ball_radius * larger(_s2, _s3)) + larger(_s6, _s7)))) + larger(_s10, _s11);
+    return {(2.384185791015625e-07 * p_ball_radius) / _s12};
+}
+
+/* State of a neighbouring motion, along the errors.
+   Table 1. 18 operations: 9 additions, 9 multiplications. */
+struct kernel_neighbour_out {
+    double far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, far_nx, far_ny, far_nz, far_gap;
+};
+
+static __device__ __forceinline__ kernel_neighbour_out kernel_neighbour(double x, double y, double z, double vx, double vy, double vz, double wx, double wy, double wz, double dx, double dy, double dz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz, double neighbour_scale)
+{
+    return {x + (dx * neighbour_scale), y + (dy * neighbour_scale), z + (dz * neighbour_scale), vx + (dvx * neighbour_scale), vy + (dvy * neighbour_scale), vz + (dvz * neighbour_scale), wx + (dwx * neighbour_scale), wy + (dwy * neighbour_scale), wz + (dwz * neighbour_scale), 0.0, 0.0, 0.0, 0.0};
+}
+
+/* Errors after a step, with its roundings and truncation errors.
+   differences. 72 operations: 19 additions, 9 subtractions, 4 multiplications, 10 divisions, 3 negations, 9 absolute values, 9 comparisons, 9 selections. */
+struct kernel_compared_out {
+    double dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz;
+};
+
+static __device__ __forceinline__ kernel_compared_out kernel_compared(double p_ball_radius, double x, double y, double z, double vx, double vy, double vz, double wx, double wy, double wz, double far_x, double far_y, double far_z, double far_vx, double far_vy, double far_vz, double far_wx, double far_wy, double far_wz, double stride, double missed, double neighbour_scale)
+{
+    const double _s0 = (far_x - x) / neighbour_scale;
+    const double _s1 = (stride * missed) + (4.440892098500626e-16 * (((p_ball_radius + fabs(x)) + fabs(y)) + fabs(z)));
+    const double _s2 = -_s1;
+    const double _s3 = (far_y - y) / neighbour_scale;
+    const double _s4 = (far_z - z) / neighbour_scale;
+    const double _s5 = (far_vx - vx) / neighbour_scale;
+    const double _s6 = ((p_ball_radius * ((fabs(wx) + fabs(wy)) + fabs(wz))) + fabs(vx)) + fabs(vy);
+    const double _s7 = missed + (4.440892098500626e-16 * (_s6 + fabs(vz)));
+    const double _s8 = -_s7;
+    const double _s9 = (far_vy - vy) / neighbour_scale;
+    const double _s10 = (far_vz - vz) / neighbour_scale;
+    const double _s11 = (far_wx - wx) / neighbour_scale;
+    const double _s12 = _s7 / p_ball_radius;
+    const double _s13 = -_s12;
+    const double _s14 = (far_wy - wy) / neighbour_scale;
+    const double _s15 = (far_wz - wz) / neighbour_scale;
+    return {_s0 + choose((_s0 < 0.0), _s2, _s1), _s3 + choose((_s3 < 0.0), _s2, _s1), _s4 + choose((_s4 < 0.0), _s2, _s1), _s5 + choose((_s5 < 0.0), _s8, _s7), _s9 + choose((_s9 < 0.0), _s8, _s7), _s10 + choose((_s10 < 0.0), _s8, _s7), _s11 + choose((_s11 < 0.0), _s13, _s12), _s14 + choose((_s14 < 0.0), _s13, _s12), _s15 + choose((_s15 < 0.0), _s13, _s12)};
+}
+
+/* Errors after the flight of a departure.
+   derivative of Eq. 3. 34 operations: 9 additions, 10 multiplications, 3 negations, 6 absolute values, 3 comparisons, 3 selections. */
+struct kernel_carry_hop_out {
+    double dx, dy, dz;
+};
+
+static __device__ __forceinline__ kernel_carry_hop_out kernel_carry_hop(double x, double y, double z, double vx, double vy, double vz, double dx, double dy, double dz, double dvx, double dvy, double dvz, double when)
+{
+    const double _s0 = dx + (dvx * when);
+    const double _s1 = 2.0 * when;
+    const double _s2 = 1.1102230246251565e-16 * ((_s1 * fabs(vx)) + fabs(x));
+    const double _s3 = dy + (dvy * when);
+    const double _s4 = 1.1102230246251565e-16 * ((_s1 * fabs(vy)) + fabs(y));
+    const double _s5 = dz + (dvz * when);
+    const double _s6 = 1.1102230246251565e-16 * ((_s1 * fabs(vz)) + fabs(z));
+    return {_s0 + choose((_s0 < 0.0), (-_s2), _s2), _s3 + choose((_s3 < 0.0), (-_s4), _s4), _s5 + choose((_s5 < 0.0), (-_s6), _s6)};
+}
+
+/* Whether the ball is in contact, and has no flight to search.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+struct kernel_in_contact_out {
+    bool in_contact;
+    double when;
+    bool rests, rolling;
+    double began;
+};
+
+static __device__ __forceinline__ kernel_in_contact_out kernel_in_contact(double when, double mode)
+{
+    const bool _s0 = 0.0 < mode;
+    return {_s0, choose(_s0, 0.0, when), false, false, 0.0};
+}
+
+/* Whether a ball in flight may hit a surface.
+   Table 1. 4 operations: 1 comparison, 1 conjunction, 2 complements. */
+struct kernel_opens_in_flight_out {
+    bool open;
+};
+
+static __device__ __forceinline__ kernel_opens_in_flight_out kernel_opens_in_flight(double clear, bool in_contact)
+{
+    return {(!(0.0 < clear)) && (!in_contact)};
+}
+
+/* Whether a ball in flight may reach the box of a surface.
+   Table 1. 2 operations: 1 conjunction, 1 complement. */
+struct kernel_reachable_in_flight_out {
+    bool reachable;
+};
+
+static __device__ __forceinline__ kernel_reachable_in_flight_out kernel_reachable_in_flight(bool reachable, bool in_contact)
+{
+    return {reachable && (!in_contact)};
+}
+
+/* Start values of a turn in contact: no event yet.
+   Table 1. 7 operations: 5 comparisons, 1 conjunction, 1 selection. */
+struct kernel_resumed_out {
+    double which, earliest_delay, began, doubt;
+    bool begins, rolling, leaves;
+    double nx, ny, nz, gap, bent_x, bent_y, bent_z, lift, gap_jerk, gap_snap, per_reach;
+};
+
+static __device__ __forceinline__ kernel_resumed_out kernel_resumed(double position_error, double velocity_error, double clock, double mode)
+{
+    return {-1.0, 0.0, clock, choose(((position_error < (INFINITE)) && (velocity_error < (INFINITE))), (INFINITE), 0.0), mode == 1.0, mode == 2.0, mode == 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+}
+
+/* 1 if a decision lies within its error, unless it only delays bounces on one surface.
+   Table 1. 12 operations: 1 addition, 4 comparisons, 3 conjunctions, 1 disjunction, 2 complements, 1 selection. */
+struct kernel_doubted_in_contact_out {
+    double uncertain;
+};
+
+static __device__ __forceinline__ kernel_doubted_in_contact_out kernel_doubted_in_contact(double last, double when, double which, double earliest_delay, double doubt, double uncertain, bool edge, double assured)
+{
+    const bool _s0 = (((!((when + earliest_delay) < doubt)) && (doubt < (INFINITE))) || edge) && (!((0.0 < assured) && (which == last)));
+    return {choose(_s0, 1.0, uncertain)};
+}
+
+/* Whether the ball stays on a surface.
+   Table 1. 1 operation: 1 comparison. */
+struct kernel_holding_out {
+    bool here;
+};
+
+static __device__ __forceinline__ kernel_holding_out kernel_holding(double index, double held)
+{
+    return {held == index};
+}
+
+/* Whether a surface is another than the one that the ball stays on.
+   Table 1. 2 operations: 1 comparison, 1 complement. */
+struct kernel_beside_out {
+    bool beside;
+};
+
+static __device__ __forceinline__ kernel_beside_out kernel_beside(double index, double held)
+{
+    return {!(held == index)};
+}
+
+/* Start value: the ball has not departed.
+   Table 1. No operations. */
+struct kernel_unhopped_out {
+    bool hopped;
+};
+
+static __device__ __forceinline__ kernel_unhopped_out kernel_unhopped()
+{
+    return {false};
+}
+
+/* Event: the contact begins.
+   Table 1. No operations. */
+struct kernel_beginning_contact_out {
+    double which, circled;
+};
+
+static __device__ __forceinline__ kernel_beginning_contact_out kernel_beginning_contact()
+{
+    return {5.0, 0.0};
+}
+
+/* Event: the ball is off the surface.
+   Table 1. No operations. */
+struct kernel_take_off_out {
+    double which;
+};
+
+static __device__ __forceinline__ kernel_take_off_out kernel_take_off()
+{
+    return {7.0};
+}
+
+/* Log entry, outcome and mode of a ball in contact after a turn.
+   Table 1. 38 operations: 3 additions, 1 subtraction, 1 multiplication, 9 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 17 selections. */
+struct kernel_stay_in_contact_out {
+    double body, reached, doubt;
+    bool ends, hopped;
+    double last, mode, held, rolls;
+};
+
+static __device__ __forceinline__ kernel_stay_in_contact_out kernel_stay_in_contact(double last, double which, double doubt, double body, double clock, double reached, bool ends, double held, double rolls, bool rolling, double began, bool rests)
+{
+    const bool _s0 = which == 5.0;
+    const double _s1 = 2.0 * choose((held == 2.0), 2.0, choose((held == 1.0), 1.0, choose((held == 0.0), 0.0, -1.0)));
+    const bool _s2 = which == 6.0;
+    const bool _s3 = which == 7.0;
+    const bool _s4 = which == 8.0;
+    const bool _s5 = rolling && ((clock - began) <= 5.960464477539063e-08);
+    const bool _s6 = 4.0 < which;
+    return {choose(_s0, (4.0 + _s1), choose(_s2, (5.0 + _s1), choose(_s3, -1.0, choose(_s4, 3.0, body)))), choose(_s5, 2.0, choose(_s4, 6.0, choose(rests, 5.0, choose((_s6 || rolling), -1.0, reached)))), choose(_s5, 0.0, doubt), ends && (!_s6), _s3, choose(_s3, -1.0, last), choose((_s0 || rolling), 2.0, choose(_s2, 3.0, 0.0)), choose(((_s0 || _s2) || rolling), held, -1.0), choose(_s0, (1.0 + rolls), rolls)};
+}
+
+/* Whether the ball stays on the surface, slides, leaves, or is wedged.
+   Table 1. 16 operations: 1 comparison, 4 conjunctions, 3 disjunctions, 8 selections. */
+struct kernel_settled_out {
+    double mode, held, outcome, slip_left, uncertain;
+};
+
+static __device__ __forceinline__ kernel_settled_out kernel_settled(double index, double outcome, double uncertain, bool unsure, bool settles, bool nearly, bool lodges, bool slides, bool unpressed)
+{
+    return {choose(nearly, choose(settles, 1.0, choose(unpressed, 3.0, 0.0)), 0.0), choose((nearly && (settles || unpressed)), index, -1.0), choose(((nearly && (lodges || slides)) && (outcome < 0.0)), choose(lodges, 5.0, 2.0), outcome), choose((nearly && slides), 1.0, 0.0), choose((lodges || unsure), 1.0, uncertain)};
+}
+
+/* Square of the friction that rolling takes, per unit mass, and its rate.
+   F = beta (-a_t + s n × n'). 57 operations: 18 additions, 36 multiplications, 1 division, 2 negations. */
+struct kernel_pulled_out {
+    double rolling_friction, rolling_friction_rate, grip_deficit, grip_deficit_rate;
+};
+
+static __device__ __forceinline__ kernel_pulled_out kernel_pulled(double p_gravity, double p_inertia, double nx_0, double nx_1, double ny_0, double ny_1, double nz_0, double nz_1, double turn_rate_0, double turn_rate_1, double tx_0, double tx_1, double ty_0, double ty_1, double tz_0, double tz_1)
+{
+    const double _s0 = -(p_gravity * nz_0);
+    const double _s1 = p_inertia * (1.0 / (1.0 + p_inertia));
+    const double _s2 = ((nx_0 * _s0) + (turn_rate_0 * tx_0)) * _s1;
+    const double _s3 = ((ny_0 * _s0) + (turn_rate_0 * ty_0)) * _s1;
+    const double _s4 = ((p_gravity + (nz_0 * _s0)) + (turn_rate_0 * tz_0)) * _s1;
+    const double _s5 = -(p_gravity * nz_1);
+    const double _s6 = (2.0 * _s2) * (((((nx_0 * _s5) + (nx_1 * _s0)) + (turn_rate_0 * tx_1)) + (turn_rate_1 * tx_0)) * _s1);
+    const double _s7 = (2.0 * _s3) * (((((ny_0 * _s5) + (ny_1 * _s0)) + (turn_rate_0 * ty_1)) + (turn_rate_1 * ty_0)) * _s1);
+    const double _s8 = (2.0 * _s4) * (((((nz_0 * _s5) + (nz_1 * _s0)) + (turn_rate_0 * tz_1)) + (turn_rate_1 * tz_0)) * _s1);
+    return {((_s2 * _s2) + (_s3 * _s3)) + (_s4 * _s4), (_s6 + _s7) + _s8, -INFINITE, 0.0};
+}
+
+/* Start value of a contact: no excess is known.
+   Table 1. No operations. */
+struct kernel_forget_grip_deficit_out {
+    double last_grip_deficit;
+};
+
+static __device__ __forceinline__ kernel_forget_grip_deficit_out kernel_forget_grip_deficit()
+{
+    return {INFINITE};
+}
+
+/* Whether friction exceeds its limit for the first time.
+   F² > mu² N². 3 operations: 2 comparisons, 1 conjunction. */
+struct kernel_losing_out {
+    bool loses;
+};
+
+static __device__ __forceinline__ kernel_losing_out kernel_losing(double grip_deficit, double grip_lost)
+{
+    return {(0.0 < grip_deficit) && (grip_lost == (INFINITE))};
+}
+
+/* Time at which friction first exceeded its limit.
+   a cubic between the ends of a step. 97 operations: 22 additions, 9 subtractions, 28 multiplications, 5 divisions, 1 negation, 16 comparisons, 1 conjunction, 15 selections. */
+struct kernel_lost_grip_out {
+    double grip_lost;
+};
+
+static __device__ __forceinline__ kernel_lost_grip_out kernel_lost_grip(double clock, double grip_deficit, double grip_deficit_rate, double last_grip_deficit, double last_grip_deficit_rate, double last_grip_clock)
+{
+    const double _s0 = clock - last_grip_clock;
+    const double _s1 = grip_deficit - last_grip_deficit;
+    const double _s2 = -(last_grip_deficit / _s1);
+    const double _s3 = smaller(_s2, 1.0);
+    const double _s4 = larger(0.0, _s3);
+    const double _s5 = grip_deficit_rate * _s0;
+    const double _s6 = last_grip_deficit_rate * _s0;
+    const double _s7 = (_s5 + _s6) - (2.0 * _s1);
+    const double _s8 = ((3.0 * _s1) - _s5) - (2.0 * _s6);
+    const double _s9 = last_grip_deficit + (((((_s7 * _s4) + _s8) * _s4) + _s6) * _s4);
+    const double _s10 = 3.0 * _s7;
+    const double _s11 = 2.0 * _s8;
+    const double _s12 = (((_s10 * _s4) + _s11) * _s4) + _s6;
+    const double _s13 = _s4 - (_s9 / choose((0.0 < _s12), _s12, _s1));
+    const double _s14 = smaller(_s13, 1.0);
+    const double _s15 = larger(0.0, _s14);
+    const double _s16 = last_grip_deficit + (((((_s7 * _s15) + _s8) * _s15) + _s6) * _s15);
+    const double _s17 = (((_s10 * _s15) + _s11) * _s15) + _s6;
+    const double _s18 = _s15 - (_s16 / choose((0.0 < _s17), _s17, _s1));
+    const double _s19 = smaller(_s18, 1.0);
+    const double _s20 = larger(0.0, _s19);
+    const double _s21 = last_grip_deficit + (((((_s7 * _s20) + _s8) * _s20) + _s6) * _s20);
+    const double _s22 = (((_s10 * _s20) + _s11) * _s20) + _s6;
+    const double _s23 = _s20 - (_s21 / choose((0.0 < _s22), _s22, _s1));
+    const double _s24 = smaller(_s23, 1.0);
+    const double _s25 = larger(0.0, _s24);
+    const double _s26 = last_grip_deficit + (((((_s7 * _s25) + _s8) * _s25) + _s6) * _s25);
+    const double _s27 = (((_s10 * _s25) + _s11) * _s25) + _s6;
+    const double _s28 = _s25 - (_s26 / choose((0.0 < _s27), _s27, _s1));
+    const double _s29 = smaller(_s28, 1.0);
+    return {choose(((last_grip_deficit < (INFINITE)) && (last_grip_deficit < grip_deficit)), (last_grip_clock + (_s0 * larger(0.0, _s29))), clock)};
+}
+
+/* Excess, rate and time at the end of this step, for the next one.
+   Table 1. No operations. */
+struct kernel_remember_grip_deficit_out {
+    double last_grip_deficit, last_grip_deficit_rate, last_grip_clock;
+};
+
+static __device__ __forceinline__ kernel_remember_grip_deficit_out kernel_remember_grip_deficit(double clock, double grip_deficit, double grip_deficit_rate)
+{
+    return {grip_deficit, grip_deficit_rate, clock};
+}
+
+/* The parameters in which one body's law differs from another's.
+   data. 1 operation: 1 complement. */
+struct kernel_ring_impact_taken_out {
+    bool of_this_kind;
+    double its_0, its_1;
+};
+
+static __device__ __forceinline__ kernel_ring_impact_taken_out kernel_ring_impact_taken(double p_ring_restitution, double p_ring_friction)
+{
+    return {!false, p_ring_restitution, p_ring_friction};
+}
+
+/* Whether a decision within the contact lies within its error.
+   the law's own slack. 88 operations: 16 additions, 11 subtractions, 29 multiplications, 3 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
+struct kernel_ring_impact_doubt_out {
+    bool unsure;
+};
+
+static __device__ __forceinline__ kernel_ring_impact_doubt_out kernel_ring_impact_doubt(double vx, double vy, double vz, double wx, double wy, double wz, double nx, double ny, double nz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz, double turn, double p_ball_radius, double p_ring_restitution, double p_ring_friction, double p_inertia, double p_tangential_restitution, double p_restitution_speed)
+{
+    const double _s0 = (p_inertia * (1.0 + p_tangential_restitution)) / (1.0 + p_inertia);
+    const double _s1 = fabs(dwx);
+    const double _s2 = fabs(dwy);
+    const double _s3 = larger(_s1, _s2);
+    const double _s4 = fabs(dwz);
+    const double _s5 = ((p_ball_radius * ((fabs(wx) + fabs(wy)) + fabs(wz))) + fabs(vx)) + fabs(vy);
+    const double _s6 = _s5 + fabs(vz);
+    const double _s7 = fabs(dvx);
+    const double _s8 = fabs(dvy);
+    const double _s9 = larger(_s7, _s8);
+    const double _s10 = fabs(dvz);
+    const double _s11 = 64.0 * ((((p_ball_radius * larger(_s3, _s4)) + (turn * _s6)) + larger(_s9, _s10)) + (4.440892098500626e-16 * _s6));
+    const double _s12 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const double _s13 = (vz - (nz * _s12)) - (p_ball_radius * ((ny * wx) - (nx * wy)));
+    const double _s14 = (vy - (ny * _s12)) - (p_ball_radius * ((nx * wz) - (nz * wx)));
+    const double _s15 = (vx - (nx * _s12)) - (p_ball_radius * ((nz * wy) - (ny * wz)));
+    const double _s16 = p_ring_friction * ((1.0 + (p_ring_restitution / (1.0 - (_s12 / p_restitution_speed)))) * _s12);
+    const double _s17 = (_s0 * sqrt((((_s13 * _s13) + (_s14 * _s14)) + (_s15 * _s15)))) - (-_s16);
+    const bool _s18 = ((0.0 < p_ring_friction) && (p_ring_friction < (INFINITE))) && (!((((2.0 * p_ring_friction) + _s0) * _s11) < fabs(_s17)));
+    return {_s18};
+}
+
+/* Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
+   a geometric series of bounces. 154 operations: 21 additions, 4 subtractions, 50 multiplications, 9 divisions, 1 square root, 1 negation, 14 absolute values, 23 comparisons, 19 conjunctions, 7 disjunctions, 2 complements, 3 selections. */
+struct kernel_ring_impact_settling_out {
+    bool settles, lodges, slides, unpressed;
+    double assured;
+    bool unsure;
+};
+
+static __device__ __forceinline__ kernel_ring_impact_settling_out kernel_ring_impact_settling(double p_ball_radius, double p_inertia, double p_ring_friction, double p_ring_restitution, double wx, double wy, double wz, double velocity_error, double rolled_x, double rolled_y, double rolled_z, double turning_x, double turning_y, double turning_z, double slip, double bounce, double nearest, double second_contact_gap, double press, double weight, double rolling_friction, double lift)
+{
+    const double _s0 = 1.0 - p_ring_restitution;
+    const bool _s1 = 0.0 < _s0;
+    const double _s2 = bounce / press;
+    const double _s3 = 4.440892098500626e-16 + ((fabs(turning_x) + fabs(turning_y)) + fabs(turning_z));
+    const double _s4 = ((p_ball_radius * ((fabs(wx) + fabs(wy)) + fabs(wz))) + fabs(rolled_x)) + fabs(rolled_y);
+    const double _s5 = _s4 + fabs(rolled_z);
+    const double _s6 = fabs(weight);
+    const double _s7 = (8.0 * _s3) * ((_s3 * _s5) + _s6);
+    const double _s8 = _s0 * _s0;
+    const double _s9 = sqrt((p_ball_radius * _s6)) + _s5;
+    const double _s10 = 1.4210854715202004e-14 * _s9;
+    const double _s11 = 2.0 * rolling_friction;
+    const double _s12 = 1.0 + p_ring_restitution;
+    const double _s13 = p_ring_friction * _s12;
+    const double _s14 = press * _s13;
+    const bool _s15 = ((((0.0 < press) && _s1) && (((3.0 * _s2) * _s7) < (press * _s8))) && (slip <= (((8.0 * rolling_friction) * _s2) + _s10))) && (_s11 <= _s14);
+    const double _s16 = 0.5 * bounce;
+    const double _s17 = _s12 * _s0;
+    const double _s18 = 4.0 * rolling_friction;
+    const double _s19 = p_inertia * (1.0 / (1.0 + p_inertia));
+    const double _s20 = ((_s16 * _s2) + ((_s18 * (_s2 * _s2)) / _s17)) + ((((4.0 * slip) * _s19) * _s2) / _s0);
+    const double _s21 = 3.637978807091713e-12 * p_ball_radius;
+    const bool _s22 = _s15 && (_s20 <= _s21);
+    const double _s23 = 3.725290298461914e-09 * p_ball_radius;
+    const bool _s24 = second_contact_gap <= _s23;
+    const double _s25 = ((16.0 * _s2) * _s5) / _s0;
+    const bool _s26 = (_s23 + _s25) < nearest;
+    const bool _s27 = _s25 <= _s23;
+    const double _s28 = -lift;
+    const double _s29 = smaller(_s28, press);
+    const double _s30 = bounce / _s29;
+    const bool _s31 = (((0.0 < _s29) && _s1) && (((3.0 * _s30) * _s7) < (_s8 * _s29))) && ((_s23 + (((16.0 * _s30) * _s5) / _s0)) < nearest);
+    const bool _s32 = _s31 && (((_s16 * _s30) + ((_s18 * (_s30 * _s30)) / _s17)) <= _s21);
+    const bool _s33 = 0.0 < bounce;
+    const double _s34 = ((2.0 * ((_s11 * _s30) + choose(_s33, (bounce * _s13), 0.0))) / (_s19 * _s0)) + (1.4551915228366852e-11 * _s9);
+    const bool _s35 = (fabs(press) <= ((4.0 * velocity_error) * _s3)) || (((bounce * fabs((_s20 - _s21))) <= ((2.0 * velocity_error) * _s21)) && _s33);
+    const double _s36 = 16.0 * velocity_error;
+    const bool _s37 = _s32 && ((fabs((slip - _s34)) < _s36) || (fabs((_s11 - _s14)) < (_s36 * ((_s13 * _s3) + _s3))));
+    return {(_s22 && (!_s24)) && (_s26 || _s27), _s22 && _s24, _s32 && ((_s34 < slip) || (_s14 < _s11)), (bounce <= _s10) && (0.0 <= lift), choose(((_s15 && _s26) || _s31), 1.0, 0.0), (_s35 || _s37) || ((_s22 && _s27) && (!_s26))};
+}
+
+/* Excess F² - mu² N² and its rate.
+   Coulomb's law. 8 operations: 2 subtractions, 6 multiplications. */
+struct kernel_ring_impact_grip_deficit_out {
+    double grip_deficit, grip_deficit_rate;
+};
+
+static __device__ __forceinline__ kernel_ring_impact_grip_deficit_out kernel_ring_impact_grip_deficit(double p_ring_friction, double rolling_friction, double rolling_friction_rate, double force, double force_rate)
+{
+    const double _s0 = p_ring_friction * p_ring_friction;
+    return {rolling_friction - (_s0 * (force * force)), rolling_friction_rate - (_s0 * (2.0 * (force * force_rate)))};
+}
+
+/* Velocity and spin after a contact, frame-free.
+   momentum, angular momentum and Coulomb's law of friction. 85 operations: 10 additions, 19 subtractions, 43 multiplications, 5 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
+struct kernel_ring_impact_out {
+    double vx, vy, vz, wx, wy, wz;
+};
+
+static __device__ __forceinline__ kernel_ring_impact_out kernel_ring_impact(double vx, double vy, double vz, double wx, double wy, double wz, double nx, double ny, double nz, double p_ball_radius, double p_ring_restitution, double p_ring_friction, double p_inertia, double p_tangential_restitution, double p_restitution_speed)
+{
+    const double _s0 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const double _s1 = vx - (nx * _s0);
+    const double _s2 = _s1 - (p_ball_radius * ((nz * wy) - (ny * wz)));
+    const double _s3 = vz - (nz * _s0);
+    const double _s4 = _s3 - (p_ball_radius * ((ny * wx) - (nx * wy)));
+    const double _s5 = vy - (ny * _s0);
+    const double _s6 = _s5 - (p_ball_radius * ((nx * wz) - (nz * wx)));
+    const double _s7 = ((_s4 * _s4) + (_s6 * _s6)) + (_s2 * _s2);
+    const double _s8 = (p_inertia * (1.0 + p_tangential_restitution)) / (1.0 + p_inertia);
+    const double _s9 = p_ring_restitution / (1.0 - (_s0 / p_restitution_speed));
+    const double _s10 = -(p_ring_friction * ((1.0 + _s9) * _s0));
+    const double _s11 = choose((0.0 < p_ring_friction), choose((p_ring_friction < (INFINITE)), choose(((_s7 * (_s8 * _s8)) <= (_s10 * _s10)), _s8, (_s10 / sqrt(_s7))), _s8), 0.0);
+    const double _s12 = _s11 / (p_ball_radius * p_inertia);
+    return {(_s1 - (_s2 * _s11)) - ((nx * _s9) * _s0), (_s5 - (_s6 * _s11)) - ((ny * _s9) * _s0), (_s3 - (_s4 * _s11)) - ((nz * _s9) * _s0), wx + (_s12 * ((ny * _s4) - (nz * _s6))), wy + (_s12 * ((nz * _s2) - (nx * _s4))), wz + (_s12 * ((nx * _s6) - (ny * _s2)))};
+}
+
+/* Errors of velocity and spin after a contact, from those before it.
+   derivative of the contact with friction, with roundings. 313 operations: 61 additions, 38 subtractions, 127 multiplications, 11 divisions, 1 square root, 13 negations, 18 absolute values, 19 comparisons, 25 selections. */
+struct kernel_carry_ring_impact_out {
+    double dvx, dvy, dvz, dwx, dwy, dwz;
+};
+
+static __device__ __forceinline__ kernel_carry_ring_impact_out kernel_carry_ring_impact(double vx, double vy, double vz, double wx, double wy, double wz, double nx, double ny, double nz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz, double dnx, double dny, double dnz, double turn, double lifting, double p_ball_radius, double p_ring_restitution, double p_ring_friction, double p_inertia, double p_tangential_restitution, double p_restitution_speed)
+{
+    const double _s0 = (((nx * dvx) + (vx * dnx)) + ((ny * dvy) + (vy * dny))) + ((nz * dvz) + (vz * dnz));
+    const double _s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const double _s2 = dvx - ((nx * _s0) + (dnx * _s1));
+    const double _s3 = (vx - (nx * _s1)) - (p_ball_radius * ((nz * wy) - (ny * wz)));
+    const double _s4 = (vz - (nz * _s1)) - (p_ball_radius * ((ny * wx) - (nx * wy)));
+    const double _s5 = (vy - (ny * _s1)) - (p_ball_radius * ((nx * wz) - (nz * wx)));
+    const double _s6 = ((_s4 * _s4) + (_s5 * _s5)) + (_s3 * _s3);
+    const double _s7 = (p_inertia * (1.0 + p_tangential_restitution)) / (1.0 + p_inertia);
+    const double _s8 = 1.0 - (_s1 / p_restitution_speed);
+    const double _s9 = p_ring_restitution / _s8;
+    const double _s10 = 1.0 + _s9;
+    const double _s11 = -(p_ring_friction * (_s10 * _s1));
+    const double _s12 = -((p_ring_restitution * (-(_s0 / p_restitution_speed))) / (_s8 * _s8));
+    const double _s13 = sqrt(_s6);
+    const double _s14 = dvz - ((nz * _s0) + (dnz * _s1));
+    const double _s15 = _s14 - (p_ball_radius * (((ny * dwx) + (wx * dny)) - ((nx * dwy) + (wy * dnx))));
+    const double _s16 = dvy - ((ny * _s0) + (dny * _s1));
+    const double _s17 = _s16 - (p_ball_radius * (((nx * dwz) + (wz * dnx)) - ((nz * dwx) + (wx * dnz))));
+    const double _s18 = _s2 - (p_ball_radius * (((nz * dwy) + (wy * dnz)) - ((ny * dwz) + (wz * dny))));
+    const double _s19 = ((0.5 * _s11) * ((((2.0 * _s4) * _s15) + ((2.0 * _s5) * _s17)) + ((2.0 * _s3) * _s18))) / (_s13 * _s6);
+    const double _s20 = ((-(p_ring_friction * ((_s10 * _s0) + (_s12 * _s1)))) / _s13) - _s19;
+    const bool _s21 = (_s6 * (_s7 * _s7)) <= (_s11 * _s11);
+    const bool _s22 = p_ring_friction < (INFINITE);
+    const bool _s23 = 0.0 < p_ring_friction;
+    const double _s24 = choose(_s23, choose(_s22, choose(_s21, 0.0, _s20), 0.0), 0.0);
+    const double _s25 = choose(_s23, choose(_s22, choose(_s21, _s7, (_s11 / _s13)), _s7), 0.0);
+    const double _s26 = (_s2 - ((_s3 * _s24) + (_s18 * _s25))) - ((((nx * _s9) * _s0) + ((nx * _s12) * _s1)) + ((dnx * _s9) * _s1));
+    const double _s27 = ((p_ball_radius * ((fabs(wx) + fabs(wy)) + fabs(wz))) + fabs(vx)) + fabs(vy);
+    const double _s28 = _s27 + fabs(vz);
+    const double _s29 = 7.888609052210118e-31 + (2.220446049250313e-16 * _s28);
+    const double _s30 = fabs(_s26) + _s29;
+    const double _s31 = fabs(dwx);
+    const double _s32 = fabs(dwy);
+    const double _s33 = larger(_s31, _s32);
+    const double _s34 = fabs(dwz);
+    const double _s35 = fabs(dvx);
+    const double _s36 = fabs(dvy);
+    const double _s37 = larger(_s35, _s36);
+    const double _s38 = fabs(dvz);
+    const double _s39 = lifting * (((p_ball_radius * larger(_s33, _s34)) + (turn * _s28)) + larger(_s37, _s38));
+    const double _s40 = larger(_s30, _s39);
+    const bool _s41 = _s26 < 0.0;
+    const double _s42 = _s40 - _s30;
+    const double _s43 = (_s16 - ((_s5 * _s24) + (_s17 * _s25))) - ((((ny * _s9) * _s0) + ((ny * _s12) * _s1)) + ((dny * _s9) * _s1));
+    const double _s44 = fabs(_s43) + _s29;
+    const double _s45 = larger(_s44, _s39);
+    const double _s46 = _s45 - _s44;
+    const bool _s47 = _s43 < 0.0;
+    const double _s48 = (_s14 - ((_s4 * _s24) + (_s15 * _s25))) - ((((nz * _s9) * _s0) + ((nz * _s12) * _s1)) + ((dnz * _s9) * _s1));
+    const double _s49 = fabs(_s48) + _s29;
+    const double _s50 = larger(_s49, _s39);
+    const double _s51 = _s50 - _s49;
+    const bool _s52 = _s48 < 0.0;
+    const double _s53 = ((nx * choose(_s41, (-_s42), _s42)) + (ny * choose(_s47, (-_s46), _s46))) + (nz * choose(_s52, (-_s51), _s51));
+    const double _s54 = p_ball_radius * p_inertia;
+    const double _s55 = _s24 / _s54;
+    const double _s56 = _s25 / _s54;
+    const double _s57 = dwx + ((_s55 * ((ny * _s4) - (nz * _s5))) + (_s56 * (((ny * _s15) + (dny * _s4)) - ((nz * _s17) + (dnz * _s5)))));
+    const double _s58 = 1.0 / p_ball_radius;
+    const double _s59 = _s58 * _s29;
+    const double _s60 = fabs(_s57) + _s59;
+    const double _s61 = _s58 * _s39;
+    const double _s62 = larger(_s60, _s61);
+    const double _s63 = dwy + ((_s55 * ((nz * _s3) - (nx * _s4))) + (_s56 * (((nz * _s18) + (dnz * _s3)) - ((nx * _s15) + (dnx * _s4)))));
+    const double _s64 = fabs(_s63) + _s59;
+    const double _s65 = larger(_s64, _s61);
+    const double _s66 = dwz + ((_s55 * ((nx * _s5) - (ny * _s3))) + (_s56 * (((nx * _s17) + (dnx * _s5)) - ((ny * _s18) + (dny * _s3)))));
+    const double _s67 = fabs(_s66) + _s59;
+    const double _s68 = larger(_s67, _s61);
+    return {choose(_s41, (-_s40), _s40) - (nx * _s53), choose(_s47, (-_s45), _s45) - (ny * _s53), choose(_s52, (-_s50), _s50) - (nz * _s53), choose((_s57 < 0.0), (-_s62), _s62), choose((_s63 < 0.0), (-_s65), _s65), choose((_s66 < 0.0), (-_s68), _s68)};
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root. */
+struct kernel_ring_normal_out {
+    double nx, ny, nz;
+};
+
+static __device__ __forceinline__ kernel_ring_normal_out kernel_ring_normal(double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius)
+{
+    const double _s0 = 1.0 / (p_ball_radius + p_wire_radius);
+    const double _s1 = sqrt(((x * x) + (y * y)));
+    const double _s2 = (_s0 * (_s1 - p_ring_radius)) * (1.0 / _s1);
+    return {x * _s2, y * _s2, z * _s0};
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection. */
+struct kernel_ring_curvature_out {
+    double curvature;
+};
+
+static __device__ __forceinline__ kernel_ring_curvature_out kernel_ring_curvature(double p_ball_radius, double p_ring_radius, double p_wire_radius)
+{
+    const double _s0 = (p_ring_radius - p_ball_radius) - p_wire_radius;
+    const double _s1 = p_ball_radius + p_wire_radius;
+    return {1.0 / smaller(_s0, _s1)};
+}
+
+/* Error of the normal, from that of the position.
+   derivative of Table 2's normal. 34 operations: 6 additions, 3 subtractions, 18 multiplications, 3 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
+struct kernel_ring_carry_normal_out {
+    double dnx, dny, dnz, turn;
+};
+
+static __device__ __forceinline__ kernel_ring_carry_normal_out kernel_ring_carry_normal(double x, double y, double dx, double dy, double dz, double shift, double p_ball_radius, double p_ring_radius, double p_wire_radius)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = 1.0 / _s0;
+    const double _s2 = sqrt(((x * x) + (y * y)));
+    const double _s3 = 1.0 / _s2;
+    const double _s4 = ((x * dx) + (y * dy)) * _s3;
+    const double _s5 = _s2 - p_ring_radius;
+    const double _s6 = _s1 * ((_s4 * _s3) + ((-(_s4 * (_s3 * _s3))) * _s5));
+    const double _s7 = (_s1 * _s5) * _s3;
+    const double _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius;
+    return {(x * _s6) + (dx * _s7), (y * _s6) + (dy * _s7), dz * _s1, shift * (1.0 / smaller(_s8, _s0))};
+}
+
+/* Positive if there is certainly no contact before the horizon.
+   bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections. */
+struct kernel_ring_clear_out {
+    double clear;
+};
+
+static __device__ __forceinline__ kernel_ring_clear_out kernel_ring_clear(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s0);
+    const double _s2 = position_error + (horizon * velocity_error);
+    const double _s3 = (_s2 - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius);
+    const double _s4 = 1.00006103515625 * _s0;
+    const double _s5 = p_ring_radius + _s4;
+    const double _s6 = vz * vz;
+    const double _s7 = _s6 + ((2.0 * p_gravity) * (z - _s4));
+    const double _s8 = 1.0 / p_gravity;
+    const double _s9 = sqrt(_s7);
+    const double _s10 = _s8 * (vz - _s9);
+    const double _s11 = _s8 * (vz + _s9);
+    const double _s12 = x + (vx * _s11);
+    const double _s13 = y + (vy * _s11);
+    const double _s14 = (_s12 * _s12) + (_s13 * _s13);
+    const double _s15 = sqrt(_s14);
+    const double _s16 = _s15 - p_ring_radius;
+    const double _s17 = z + ((vz - ((0.5 * p_gravity) * _s11)) * _s11);
+    const double _s18 = _s5 * _s5;
+    const double _s19 = 9.313225746154785e-10 * _s18;
+    const double _s20 = (((_s16 * _s16) + (_s17 * _s17)) - (_s0 * _s0)) - _s19;
+    const double _s21 = (vx * vx) + (vy * vy);
+    const double _s22 = p_ring_radius - _s4;
+    const double _s23 = 0.0001220703125 * p_ring_radius;
+    const double _s24 = larger(_s22, _s23);
+    const double _s25 = _s24 * _s24;
+    const double _s26 = _s24 * _s25;
+    const double _s27 = ((((2.0 * _s6) + ((4.0 * p_gravity) * z)) + (2.0 * _s21)) - ((6.0003662109375 * p_gravity) * _s0)) * _s26;
+    const double _s28 = (x * vy) - (y * vx);
+    const double _s29 = _s28 * _s28;
+    const double _s30 = _s27 - ((2.0 * p_ring_radius) * _s29);
+    const double _s31 = (_s16 * ((vx * _s12) + (vy * _s13))) + ((_s17 * (vz - (p_gravity * _s11))) * _s15);
+    const double _s32 = x + (vx * horizon);
+    const double _s33 = y + (vy * horizon);
+    const double _s34 = choose(((((_s19 + (_s32 * _s32)) + (_s33 * _s33)) - _s25) < 0.0), 1.0, choose((((_s21 * (_s19 + _s25)) - _s29) < 0.0), 1.0, 0.0));
+    const double _s35 = choose(((((4.0 * (_s31 * _s31)) * _s26) - (((2.0 * _s30) * _s14) * _s20)) < 0.0), _s34, 0.0);
+    const double _s36 = choose((horizon < (_s11 - (9.313225746154785e-10 * horizon))), 1.0, choose((0.0 < _s20), choose((0.0 < _s30), _s35, 0.0), 0.0));
+    const double _s37 = (x * vx) + (y * vy);
+    const double _s38 = (_s10 * _s21) + _s37;
+    const double _s39 = choose((_s38 < 0.0), choose((_s18 < ((_s10 * (_s37 + _s38)) + ((x * x) + (y * y)))), _s36, 0.0), 0.0);
+    const double _s40 = choose(((extent + (horizon * (speed + (p_gravity * horizon)))) < (65536.0 * _s5)), choose((0.0 < _s7), choose((_s10 < 0.0), _s36, _s39), 0.0), 0.0);
+    return {choose((0.0 < larger(_s1, _s3)), 0.0, choose((_s2 < (5.820766091346741e-11 * _s5)), _s40, 0.0))};
+}
+
+/* Constants and windows of the search along a flight, and its error budget.
+   bounds of the event condition. 190 operations: 31 additions, 20 subtractions, 54 multiplications, 3 divisions, 7 square roots, 1 negation, 5 absolute values, 31 comparisons, 38 selections. */
+struct kernel_ring_prepare_out {
+    double energy2, moment2, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, budget_exceeded;
+};
+
+static __device__ __forceinline__ kernel_ring_prepare_out kernel_ring_prepare(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = vz * vz;
+    const double _s1 = (vx * vx) + (vy * vy);
+    const double _s2 = ((2.0 * _s0) + ((4.0 * p_gravity) * z)) + (2.0 * _s1);
+    const double _s3 = (x * vy) - (y * vx);
+    const double _s4 = _s3 * _s3;
+    const double _s5 = (2.0 * p_ring_radius) * _s4;
+    const double _s6 = (x * x) + (y * y);
+    const double _s7 = p_ball_radius + p_wire_radius;
+    const double _s8 = 1.00006103515625 * _s7;
+    const double _s9 = 2.0 * p_gravity;
+    const double _s10 = 8.881784197001252e-16 * (_s0 + (_s9 * (fabs(z) + _s8)));
+    const double _s11 = (_s0 + (_s9 * (z + _s8))) + _s10;
+    const double _s12 = 1.0 / p_gravity;
+    const double _s13 = sqrt(_s11);
+    const double _s14 = 1.7763568394002505e-15 * (fabs(vz) + _s13);
+    const bool _s15 = 0.0 <= _s11;
+    const double _s16 = choose(_s15, (_s12 * ((vz - _s13) - _s14)), (INFINITE));
+    const double _s17 = p_ring_radius + _s8;
+    const double _s18 = _s17 * _s17;
+    const double _s19 = (1.7763568394002505e-15 * _s1) * (_s18 + _s6);
+    const double _s20 = ((_s18 * _s1) + _s19) - _s4;
+    const double _s21 = (x * vx) + (y * vy);
+    const double _s22 = sqrt(_s20);
+    const double _s23 = 1.7763568394002505e-15 * ((fabs(_s21) + fabs(_s3)) + _s22);
+    const double _s24 = 1.0 / _s1;
+    const bool _s25 = 0.0 <= _s20;
+    const bool _s26 = 2.409919865102884e-181 < _s1;
+    const double _s27 = choose(_s26, choose(_s25, ((-((_s21 + _s22) + _s23)) * _s24), (INFINITE)), (-INFINITE));
+    const double _s28 = larger(_s16, _s27);
+    const double _s29 = p_ring_radius - _s8;
+    const double _s30 = 0.0001220703125 * p_ring_radius;
+    const double _s31 = larger(_s29, _s30);
+    const double _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4;
+    const double _s33 = sqrt(larger(_s32, 0.0));
+    const double _s34 = choose(_s26, choose(_s25, (((_s22 + _s23) - _s21) * _s24), (-INFINITE)), (INFINITE));
+    const bool _s35 = 0.0 < choose(_s26, _s32, 0.0);
+    const double _s36 = choose(_s35, (((_s23 - _s21) - _s33) * _s24), _s34);
+    const double _s37 = (_s0 + (_s9 * (z - _s8))) - _s10;
+    const double _s38 = sqrt(larger(_s37, 0.0));
+    const double _s39 = choose(_s15, (_s12 * ((vz + _s13) + _s14)), (-INFINITE));
+    const bool _s40 = 0.0 < _s37;
+    const double _s41 = choose(_s40, (_s12 * ((vz + _s14) - _s38)), _s39);
+    const double _s42 = smaller(_s36, _s41);
+    const double _s43 = choose(_s35, (((_s33 - _s21) - _s23) * _s24), (INFINITE));
+    const double _s44 = larger(_s43, _s36);
+    const double _s45 = larger(_s16, _s44);
+    const double _s46 = smaller(_s34, _s41);
+    const double _s47 = choose(_s40, (_s12 * ((vz + _s38) - _s14)), (INFINITE));
+    const double _s48 = larger(_s47, _s41);
+    const bool _s49 = _s45 <= _s46;
+    const double _s50 = choose(_s49, _s45, larger(_s48, _s27));
+    const double _s51 = choose(_s49, _s46, smaller(_s36, _s39));
+    const double _s52 = larger(_s48, _s44);
+    const double _s53 = smaller(_s34, _s39);
+    const double _s54 = 1.0 / _s31;
+    const double _s55 = larger(0.0, _s42);
+    const double _s56 = larger(_s55, _s51);
+    const double _s57 = larger(_s56, _s53);
+    const double _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7);
+    const double _s59 = sqrt(2.0) * sqrt((_s12 * (((2.0 * p_ball_radius) + (2.0 * p_wire_radius)) + extent)));
+    const double _s60 = _s59 + ((2.0 * speed) * _s12);
+    const double _s61 = ((position_error + (velocity_error * smaller(_s60, horizon))) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius);
+    return {_s2, _s5, sqrt(_s6), larger(0.0, _s28), smaller(_s42, horizon), larger(0.0, _s50), smaller(_s51, horizon), larger(0.0, _s52), smaller(_s53, horizon), (((6.0003662109375 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + fabs(_s2), smaller(_s57, horizon), larger(_s58, _s61)};
+}
+
+/* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+   running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections. */
+struct kernel_ring_margins_out {
+    double margin, leaving_margin, rate_margin;
+};
+
+static __device__ __forceinline__ kernel_ring_margins_out kernel_ring_margins(double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = speed + (p_gravity * horizon);
+    const double _s2 = 1.00006103515625 * _s0;
+    const double _s3 = _s2 * _s1;
+    const double _s4 = p_ring_radius + _s2;
+    const double _s5 = extent + (horizon * _s1);
+    const double _s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s5);
+    const double _s7 = p_ring_radius - _s2;
+    const double _s8 = 0.0001220703125 * p_ring_radius;
+    const double _s9 = _s2 / larger(_s7, _s8);
+    const double _s10 = larger(1.0, _s9);
+    const double _s11 = 5.0 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (2.220446049250313e-16 * _s1))));
+    const double _s12 = 1.0009765625 * ((((3.552713678800501e-15 * _s1) * ((_s5 * _s10) + _s4)) + (4.440892098500626e-16 * _s3)) + _s11);
+    return {1.0009765625 * ((((4.440892098500626e-16 * horizon) * _s3) + ((1.3323489447131243e-15 * _s0) * _s4)) + ((5.00030517578125 * _s0) * _s6)), _s12, 1.0009765625 * ((3.552713678800501e-15 * (_s4 * _s1)) + _s11)};
+}
+
+/* Newton's next value of a root near t, and gap and rate there.
+   Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection. */
+struct kernel_ring_refine_out {
+    double time, gap, rate;
+};
+
+static __device__ __forceinline__ kernel_ring_refine_out kernel_ring_refine(double t, double leaving, double x, double y, double z, double vx, double vy, double vz, double rho_start, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = x + (vx * t);
+    const double _s1 = y + (vy * t);
+    const double _s2 = sqrt(((_s0 * _s0) + (_s1 * _s1)));
+    const double _s3 = rho_start + _s2;
+    const double _s4 = 1.0 / (_s3 * _s2);
+    const double _s5 = _s2 - p_ring_radius;
+    const double _s6 = vz - ((0.5 * p_gravity) * t);
+    const double _s7 = z + (t * _s6);
+    const double _s8 = 2.0 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + (_s7 * (vz - (p_gravity * t))));
+    const double _s9 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4);
+    const double _s10 = p_ball_radius + p_wire_radius;
+    const double _s11 = choose((0.0 < leaving), (t * (_s9 + ((z + _s7) * _s6))), (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10)));
+    return {t - (_s11 / _s8), _s11, _s8};
+}
+
+/* Gap, rate, second derivative, a step without a root, its end, and the clearance.
+   Newton from the left under a curvature bound. 143 operations: 29 additions, 16 subtractions, 53 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
+struct kernel_ring_advance_out {
+    double gap, rate, bend, step, next, clearance;
+};
+
+static __device__ __forceinline__ kernel_ring_advance_out kernel_ring_advance(double t, double end, double leaving, double margin, double rate_margin, double ceiling, double x, double y, double z, double vx, double vy, double vz, double energy2, double moment2, double rho_start, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = x + (vx * t);
+    const double _s1 = y + (vy * t);
+    const double _s2 = sqrt(((_s0 * _s0) + (_s1 * _s1)));
+    const double _s3 = _s2 - p_ring_radius;
+    const double _s4 = rho_start + _s2;
+    const double _s5 = 1.0 / (_s4 * _s2);
+    const double _s6 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5);
+    const double _s7 = vz - ((0.5 * p_gravity) * t);
+    const double _s8 = z + (t * _s7);
+    const double _s9 = p_ball_radius + p_wire_radius;
+    const double _s10 = choose((0.0 < leaving), (t * (_s6 + ((z + _s8) * _s7))), (((_s3 * _s3) + (_s8 * _s8)) - (_s9 * _s9)));
+    const double _s11 = _s4 * _s5;
+    const double _s12 = _s11 * ((vx * _s0) + (vy * _s1));
+    const double _s13 = vz - (p_gravity * t);
+    const double _s14 = 2.0 * ((_s12 * _s3) + (_s8 * _s13));
+    const double _s15 = 6.0 * p_gravity;
+    const double _s16 = _s15 * _s8;
+    const double _s17 = moment2 * (_s11 * (_s11 * _s11));
+    const double _s18 = 1.00006103515625 * _s9;
+    const double _s19 = 9.094947017729282e-13 * (p_ring_radius + _s18);
+    const double _s20 = _s14 - rate_margin;
+    const double _s21 = _s10 - margin;
+    const double _s22 = larger(_s21, 0.0);
+    const double _s23 = (_s16 + _s17) - energy2;
+    const bool _s24 = _s20 < 0.0;
+    const double _s25 = 2.0 * _s22;
+    const double _s26 = choose((0.0 < choose((0.0 <= _s20), _s22, 0.0)), (INFINITE), (choose(_s24, _s25, (4.0 * _s20)) / choose(_s24, (-_s20), larger(0.0, _s23))));
+    const double _s27 = end - t;
+    const double _s28 = smaller(_s26, _s27);
+    const double _s29 = _s19 + ((_s28 * larger(_s13, 0.0)) + _s8);
+    const double _s30 = _s15 * smaller(_s18, _s29);
+    const double _s31 = ((_s28 * smaller(0.0, _s12)) + _s2) - _s19;
+    const double _s32 = p_ring_radius - _s18;
+    const double _s33 = 0.0001220703125 * p_ring_radius;
+    const double _s34 = larger(_s32, _s33);
+    const double _s35 = 1.0 / larger(_s31, _s34);
+    const double _s36 = moment2 * (_s35 * (_s35 * _s35));
+    const double _s37 = ((_s30 + _s36) + (9.094947017729282e-13 * ((_s36 + fabs(energy2)) + fabs(_s30)))) - energy2;
+    const double _s38 = ((2.0 * _s37) * _s22) + (_s20 * _s20);
+    const double _s39 = sqrt(_s38);
+    const double _s40 = choose((0.0 <= _s38), (choose(_s24, _s25, (_s20 + _s39)) / choose(_s24, (_s39 - _s20), larger(0.0, _s37))), (INFINITE));
+    const double _s41 = smaller(_s40, _s28);
+    const double _s42 = -(rate_margin + _s14);
+    return {_s10, _s14, (energy2 - _s16) - _s17, _s41, t + _s41, choose((0.0 < _s42), ((_s42 * _s42) - ((8.0 * ceiling) * (margin + _s25))), _s42)};
+}
+
+/* Windows of the search along a flight, and whether single precision serves for it.
+   bounds of the event condition. 186 operations: 24 additions, 16 subtractions, 37 multiplications, 2 divisions, 4 square roots, 1 negation, 4 absolute values, 43 comparisons, 7 conjunctions, 3 disjunctions, 45 selections. */
+struct kernel_ring_opened_out {
+    float t, end;
+    bool searching;
+    float low1, high1, low2, high2, latest;
+    bool representable;
+};
+
+static __device__ __forceinline__ kernel_ring_opened_out kernel_ring_opened(float horizon, float x, float y, float z, float vx, float vy, float vz, float extent, float speed, float p_ball_radius, float p_ring_radius, float p_wire_radius, float p_gravity)
+{
+    const float _s0 = vz * vz;
+    const float _s1 = ((float)1.00006103515625) * (p_ball_radius + p_wire_radius);
+    const float _s2 = ((float)2.0) * p_gravity;
+    const float _s3 = ((float)4.76837158203125e-07) * (_s0 + (_s2 * (fabsf(z) + _s1)));
+    const float _s4 = (_s0 + (_s2 * (z + _s1))) + _s3;
+    const float _s5 = ((float)1.0) / p_gravity;
+    const float _s6 = sqrtf(_s4);
+    const float _s7 = ((float)9.5367431640625e-07) * (fabsf(vz) + _s6);
+    const bool _s8 = ((float)0.0) <= _s4;
+    const float _s9 = choose(_s8, (_s5 * ((vz - _s6) - _s7)), ((float)INFINITE));
+    const float _s10 = (vx * vx) + (vy * vy);
+    const float _s11 = p_ring_radius + _s1;
+    const float _s12 = _s11 * _s11;
+    const float _s13 = (((float)9.5367431640625e-07) * _s10) * (_s12 + ((x * x) + (y * y)));
+    const float _s14 = (x * vy) - (y * vx);
+    const float _s15 = _s14 * _s14;
+    const float _s16 = ((_s12 * _s10) + _s13) - _s15;
+    const float _s17 = (x * vx) + (y * vy);
+    const float _s18 = sqrtf(_s16);
+    const float _s19 = ((float)9.5367431640625e-07) * ((fabsf(_s17) + fabsf(_s14)) + _s18);
+    const float _s20 = ((float)1.0) / _s10;
+    const bool _s21 = ((float)0.0) <= _s16;
+    const bool _s22 = ((float)8.673617379884035e-19) < _s10;
+    const float _s23 = choose(_s22, choose(_s21, ((-((_s17 + _s18) + _s19)) * _s20), ((float)INFINITE)), (-(float)INFINITE));
+    const float _s24 = larger(_s9, _s23);
+    const float _s25 = larger(((float)0.0), _s24);
+    const float _s26 = larger(((float)0.0), _s25);
+    const float _s27 = p_ring_radius - _s1;
+    const float _s28 = ((float)0.0001220703125) * p_ring_radius;
+    const float _s29 = larger(_s27, _s28);
+    const float _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15;
+    const float _s31 = sqrtf(larger(_s30, ((float)0.0)));
+    const float _s32 = choose(_s22, choose(_s21, (((_s18 + _s19) - _s17) * _s20), (-(float)INFINITE)), ((float)INFINITE));
+    const bool _s33 = ((float)0.0) < choose(_s22, _s30, ((float)0.0));
+    const float _s34 = choose(_s33, (((_s19 - _s17) - _s31) * _s20), _s32);
+    const float _s35 = (_s0 + (_s2 * (z - _s1))) - _s3;
+    const float _s36 = sqrtf(larger(_s35, ((float)0.0)));
+    const float _s37 = choose(_s8, (_s5 * ((vz + _s6) + _s7)), (-(float)INFINITE));
+    const bool _s38 = ((float)0.0) < _s35;
+    const float _s39 = choose(_s38, (_s5 * ((vz + _s7) - _s36)), _s37);
+    const float _s40 = smaller(_s34, _s39);
+    const float _s41 = ((float)1.000000238418579) * horizon;
+    const float _s42 = smaller(_s40, _s41);
+    const bool _s43 = _s26 < _s42;
+    const float _s44 = choose(_s33, (((_s31 - _s17) - _s19) * _s20), ((float)INFINITE));
+    const float _s45 = larger(_s44, _s34);
+    const float _s46 = larger(_s9, _s45);
+    const float _s47 = smaller(_s32, _s39);
+    const float _s48 = choose(_s38, (_s5 * ((vz + _s36) - _s7)), ((float)INFINITE));
+    const float _s49 = larger(_s48, _s39);
+    const bool _s50 = _s46 <= _s47;
+    const float _s51 = choose(_s50, _s46, larger(_s49, _s23));
+    const float _s52 = larger(((float)0.0), _s51);
+    const float _s53 = larger(((float)0.0), _s52);
+    const float _s54 = choose(_s50, _s47, smaller(_s34, _s37));
+    const float _s55 = smaller(_s54, _s41);
+    const bool _s56 = _s53 < _s55;
+    const float _s57 = larger(_s49, _s45);
+    const float _s58 = larger(((float)0.0), _s57);
+    const float _s59 = larger(((float)0.0), _s58);
+    const float _s60 = smaller(_s32, _s37);
+    const float _s61 = smaller(_s60, _s41);
+    const bool _s62 = _s59 < _s61;
+    const float _s63 = larger(((float)0.0), _s40);
+    const float _s64 = larger(_s63, _s54);
+    const float _s65 = larger(_s64, _s60);
+    const bool _s66 = (((_s11 <= (((float)32.0) * _s29)) && (_s11 <= ((((float)32.0) * p_ball_radius) + (((float)32.0) * p_wire_radius)))) && (_s11 <= ((float)4096.0))) && (((float)0.000244140625) <= _s29);
+    return {choose(_s43, _s26, choose(_s56, _s53, choose(_s62, _s59, ((float)0.0)))), choose(_s43, _s42, choose(_s56, _s55, choose(_s62, _s61, ((float)0.0)))), ((false || _s62) || _s56) || _s43, _s52, _s55, _s58, _s61, smaller(_s65, _s41), (((_s66 && (p_gravity <= ((float)4096.0))) && (((float)0.000244140625) <= p_gravity)) && (extent <= ((float)4096.0))) && (speed <= ((float)4096.0))};
+}
+
+/* Constants, margins and windows of the search in single precision, from its begin.
+   running error analysis. 109 operations: 21 additions, 8 subtractions, 55 multiplications, 5 divisions, 1 square root, 5 absolute values, 7 comparisons, 1 conjunction, 6 selections. */
+struct kernel_ring_resolution_out {
+    float share, t, end, x, y, z, vx, vy, vz, energy2, moment2, rho_start, ceiling, flat, tilt, jerk, quotient_margin, start_rate, rho_rate, rate_margin, low1, high1, low2, high2;
+    bool fits;
+};
+
+static __device__ __forceinline__ kernel_ring_resolution_out kernel_ring_resolution(float t, float end, float leaving, float horizon, float x, float y, float z, float vx, float vy, float vz, float extent, float speed, float start_rate, float rho_rate, float low1, float high1, float low2, float high2, float p_ball_radius, float p_ring_radius, float p_wire_radius, float p_gravity)
+{
+    const bool _s0 = ((float)0.0) < leaving;
+    const float _s1 = speed + (p_gravity * horizon);
+    const float _s2 = p_ball_radius + p_wire_radius;
+    const float _s3 = ((float)1.00006103515625) * _s2;
+    const float _s4 = p_ring_radius - _s3;
+    const float _s5 = ((float)0.0001220703125) * p_ring_radius;
+    const float _s6 = larger(_s4, _s5);
+    const float _s7 = _s2 / _s6;
+    const float _s8 = larger(((float)1.0), _s7);
+    const float _s9 = _s1 * _s8;
+    const float _s10 = extent + (horizon * _s1);
+    const float _s11 = ((float)5.0) * ((_s9 * _s10) + (_s2 * _s1));
+    const float _s12 = (((float)0.00390625) * start_rate) / _s11;
+    const float _s13 = smaller(_s12, ((float)2.9802322387695312e-08));
+    const float _s14 = choose(_s0, larger(((float)2.842170943040401e-14), _s13), ((float)2.9802322387695312e-08));
+    const float _s15 = ((((float)2.0) * (vz * vz)) + ((((float)4.0) * p_gravity) * z)) + (((float)2.0) * ((vx * vx) + (vy * vy)));
+    const float _s16 = (x * vy) - (y * vx);
+    const float _s17 = (((float)2.0) * p_ring_radius) * (_s16 * _s16);
+    const float _s18 = ((float)1.0) / _s6;
+    const float _s19 = _s18 * (_s18 * _s18);
+    const float _s20 = (((((float)6.0003662109375) * p_gravity) * _s2) + (_s17 * _s19)) + fabsf(_s15);
+    const float _s21 = horizon - t;
+    const float _s22 = p_gravity * (_s21 * _s21);
+    const float _s23 = p_ring_radius + _s3;
+    const float _s24 = (_s10 * _s14) + (((float)9.5367431640625e-07) * (_s22 + _s23));
+    const float _s25 = (((float)0.5) * ((_s17 * (fabsf(vx) + fabsf(vy))) * _s19)) / _s6;
+    return {_s14, (float)0.0, end - t, x, y, z, vx, vy, vz, _s15, _s17, sqrtf(((x * x) + (y * y))), ((float)1.0009765625) * _s20, (((float)5.0048828125) * _s2) * _s24, choose(_s0, (((float)1.0009765625) * ((((float)4.76837158203125e-07) * fabsf(start_rate)) + ((((float)5.684341886080802e-14) + _s14) * _s11))), ((float)INFINITE)), ((float)1.0009765625) * ((p_gravity * ((p_gravity * _s21) + fabsf(vz))) + _s25), (((float)7.62939453125e-06) * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, ((float)5.0) * (((((float)1.0009765625) * _s9) * _s24) + (((((float)2.384185791015625e-07) + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((((float)128.0) * p_ball_radius) + (((float)128.0) * p_wire_radius))) && ((t * leaving) <= ((float)0.0))};
+}
+
+/* Time and window of the search after a step, whether a root is certain, and whether it goes on.
+   Newton from the left under a curvature bound. 237 operations: 42 additions, 20 subtractions, 82 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 34 selections. */
+struct kernel_ring_step_out {
+    float t, end;
+    bool certain, stepping;
+};
+
+static __device__ __forceinline__ kernel_ring_step_out kernel_ring_step(float t, float end, float rate_margin, float ceiling, float x, float y, float z, float vx, float vy, float vz, float energy2, float moment2, float rho_start, float flat, float tilt, float quotient_margin, float jerk, float start_rate, float rho_rate, float low1, float high1, float low2, float high2, float p_ball_radius, float p_ring_radius, float p_wire_radius, float p_gravity)
+{
+    const float _s0 = tilt + (t * quotient_margin);
+    const float _s1 = t * _s0;
+    const bool _s2 = _s1 < flat;
+    const float _s3 = (t * t) * jerk;
+    const bool _s4 = _s2 && (_s3 < rate_margin);
+    const float _s5 = choose(_s4, (_s3 + (((float)2.0) * _s0)), rate_margin);
+    const float _s6 = (vx * vx) + (vy * vy);
+    const float _s7 = x + (vx * t);
+    const float _s8 = y + (vy * t);
+    const float _s9 = sqrtf(((_s7 * _s7) + (_s8 * _s8)));
+    const float _s10 = rho_start + _s9;
+    const float _s11 = ((float)1.0) / (_s10 * _s9);
+    const float _s12 = _s9 * _s11;
+    const float _s13 = _s12 * ((t * _s6) + (((float)2.0) * ((x * vx) + (y * vy))));
+    const float _s14 = vz - ((((float)0.5) * p_gravity) * t);
+    const float _s15 = ((((((float)2.0) * (rho_start - p_ring_radius)) * (_s6 - (rho_rate * _s13))) * _s12) + (_s13 * _s13)) + (_s14 * _s14);
+    const float _s16 = start_rate + (t * (_s15 - (p_gravity * z)));
+    const float _s17 = _s10 * _s11;
+    const float _s18 = _s17 * ((vx * _s7) + (vy * _s8));
+    const float _s19 = _s9 - p_ring_radius;
+    const float _s20 = z + (t * _s14);
+    const float _s21 = vz - (p_gravity * t);
+    const float _s22 = choose(_s4, ((((float)2.0) * _s16) - start_rate), (((float)2.0) * ((_s18 * _s19) + (_s20 * _s21))));
+    const float _s23 = -(_s5 + _s22);
+    const float _s24 = p_ball_radius + p_wire_radius;
+    const float _s25 = choose(_s2, _s1, flat);
+    const float _s26 = choose(_s2, (t * _s16), (((_s19 * _s19) + (_s20 * _s20)) - (_s24 * _s24))) - _s25;
+    const float _s27 = larger(_s26, ((float)0.0));
+    const float _s28 = ((float)2.0) * (_s27 + (((float)2.0) * _s25));
+    const float _s29 = _s22 - _s5;
+    const float _s30 = ((float)6.0) * p_gravity;
+    const float _s31 = _s30 * _s20;
+    const float _s32 = moment2 * (_s17 * (_s17 * _s17));
+    const float _s33 = (_s31 + _s32) - energy2;
+    const bool _s34 = _s29 < ((float)0.0);
+    const float _s35 = ((float)2.0) * _s27;
+    const float _s36 = choose((((float)0.0) < choose((((float)0.0) <= _s29), _s27, ((float)0.0))), ((float)INFINITE), (choose(_s34, (_s35 + (((float)8.0) * _s25)), (((float)4.0) * _s29)) / choose(_s34, (-_s29), larger(((float)0.0), _s33))));
+    const float _s37 = end - t;
+    const float _s38 = smaller(_s36, _s37);
+    const float _s39 = ((float)1.00006103515625) * _s24;
+    const float _s40 = ((((float)0.0001220703125) * p_ball_radius) + (((float)0.0001220703125) * p_wire_radius)) + ((_s38 * larger(_s21, ((float)0.0))) + _s20);
+    const float _s41 = _s30 * smaller(_s39, _s40);
+    const float _s42 = (fabsf(vx) + fabsf(vy)) * _s38;
+    const float _s43 = (((_s38 * smaller(((float)0.0), _s18)) + _s9) - (((float)0.0001220703125) * _s42)) - (((float)9.5367431640625e-07) * (p_ring_radius + _s39));
+    const float _s44 = p_ring_radius - _s39;
+    const float _s45 = ((float)0.0001220703125) * p_ring_radius;
+    const float _s46 = larger(_s44, _s45);
+    const float _s47 = ((float)1.0) / larger(_s43, _s46);
+    const float _s48 = moment2 * (_s47 * (_s47 * _s47));
+    const float _s49 = fabsf(energy2);
+    const float _s50 = ((_s41 + _s48) + (((float)3.814697265625e-06) * ((_s48 + _s49) + fabsf(_s41)))) - energy2;
+    const float _s51 = -_s21;
+    const float _s52 = (_s30 * (((((float)0.000244140625) * p_ball_radius) + (((float)0.000244140625) * p_wire_radius)) + (((p_gravity * _s38) + larger(_s51, ((float)0.0))) * _s38))) + ((((float)3.0) * (_s32 * _s17)) * _s42);
+    const float _s53 = energy2 + (_s52 + (((float)0.000244140625) * ((_s49 + fabsf(_s31)) + _s32)));
+    const float _s54 = (_s53 - _s31) - _s32;
+    const float _s55 = choose((((float)0.0) < _s23), ((_s23 * _s23) - ((((float)8.0) * _s28) * choose((_s28 <= (_s23 * _s38)), larger(_s50, _s54), ceiling))), _s23);
+    const bool _s56 = ((float)0.0) < _s55;
+    const float _s57 = ((((float)2.0) * _s50) * _s27) + (_s29 * _s29);
+    const float _s58 = sqrtf(_s57);
+    const float _s59 = choose((((float)0.0) <= _s57), (choose(_s34, _s35, (_s58 + _s29)) / choose(_s34, (_s58 - _s29), larger(((float)0.0), _s50))), ((float)INFINITE));
+    const float _s60 = smaller(_s59, _s38);
+    const float _s61 = t + _s60;
+    const bool _s62 = (!_s56) && (((_s22 < ((float)0.0)) && (_s26 <= _s25)) || ((t < end) && (!(t < _s61))));
+    const bool _s63 = !(_s56 || _s62);
+    const bool _s64 = _s63 && (_s37 <= _s60);
+    const float _s65 = larger(end, low1);
+    const bool _s66 = _s65 < high1;
+    const float _s67 = larger(end, low2);
+    const bool _s68 = _s67 < high2;
+    return {choose(_s64, choose(_s66, _s65, choose(_s68, _s67, ((float)INFINITE))), choose(_s62, t, _s61)), choose(_s64, choose(_s66, high1, choose(_s68, high2, end)), end), _s56, _s63 && ((!_s64) || ((false || _s68) || _s66))};
+}
+
+/* Distance from the axis, its rate and that of the gap, at the start of a flight.
+   Table 2. 13 operations: 3 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root. */
+struct kernel_ring_started_out {
+    double rho_start, start_rate, rho_rate;
+};
+
+static __device__ __forceinline__ kernel_ring_started_out kernel_ring_started(double x, double y, double z, double vx, double vy, double vz, double p_ring_radius)
+{
+    const double _s0 = sqrt(((x * x) + (y * y)));
+    const double _s1 = ((x * vx) + (y * vy)) / _s0;
+    return {_s0, 2.0 * ((z * vz) + (_s1 * (_s0 - p_ring_radius))), _s1};
+}
+
+/* Positive if the bounds of the search do not hold.
+   bounds of the event condition. 26 operations: 5 additions, 4 subtractions, 10 multiplications, 1 division, 2 square roots, 2 comparisons, 2 selections. */
+struct kernel_ring_budget_exceeded_out {
+    double budget_exceeded;
+};
+
+static __device__ __forceinline__ kernel_ring_budget_exceeded_out kernel_ring_budget_exceeded(double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = (0.000244140625 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius));
+    const double _s1 = 1.0 / p_gravity;
+    const double _s2 = sqrt(2.0) * sqrt((_s1 * (((2.0 * p_ball_radius) + (2.0 * p_wire_radius)) + extent)));
+    const double _s3 = _s2 + ((2.0 * speed) * _s1);
+    const double _s4 = ((position_error + (velocity_error * smaller(_s3, horizon))) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius);
+    return {larger(_s0, _s4)};
+}
+
+/* Distance, its rate, and a bound on how fast it bends down, by the squared speed.
+   Table 2. 33 operations: 5 additions, 5 subtractions, 15 multiplications, 4 divisions, 2 square roots, 1 comparison, 1 selection. */
+struct kernel_ring_beside_out {
+    double gap, nearing, gap_curvature;
+};
+
+static __device__ __forceinline__ kernel_ring_beside_out kernel_ring_beside(double p_ball_radius, double p_ring_radius, double p_wire_radius, double x, double y, double z, double vx, double vy, double vz)
+{
+    const double _s0 = sqrt(((x * x) + (y * y)));
+    const double _s1 = _s0 - p_ring_radius;
+    const double _s2 = sqrt(((z * z) + (_s1 * _s1)));
+    const double _s3 = 2.0 * p_ring_radius;
+    const double _s4 = ((2.0 * z) * vz) + (((0.5 * ((2.0 * _s0) - _s3)) * (((2.0 * x) * vx) + ((2.0 * y) * vy))) / _s0);
+    const double _s5 = (_s3 / _s0) - 1.0;
+    return {(_s2 - p_ball_radius) - p_wire_radius, (0.5 * _s4) / _s2, larger(0.0, _s5) / (p_ball_radius + p_wire_radius)};
+}
+
+/* Distance of a ball that rolls on another surface, and its first two derivatives.
+   derivatives of Table 2's distance. 70 operations: 14 additions, 3 subtractions, 47 multiplications, 2 divisions, 2 square roots, 2 negations. */
+struct kernel_ring_closing_out {
+    double gap, nearing, rolling_gap_acceleration, normal_cosine;
+};
+
+static __device__ __forceinline__ kernel_ring_closing_out kernel_ring_closing(double p_ball_radius, double p_ring_radius, double p_wire_radius, double x, double y, double z, double nx, double ny, double nz, double rolled_x, double rolled_y, double rolled_z, double rolling_acceleration_x, double rolling_acceleration_y, double rolling_acceleration_z)
+{
+    const double _s0 = sqrt(((x * x) + (y * y)));
+    const double _s1 = _s0 - p_ring_radius;
+    const double _s2 = sqrt(((z * z) + (_s1 * _s1)));
+    const double _s3 = 2.0 * z;
+    const double _s4 = 2.0 * x;
+    const double _s5 = 2.0 * y;
+    const double _s6 = (_s4 * rolled_x) + (_s5 * rolled_y);
+    const double _s7 = 1.0 / _s0;
+    const double _s8 = (0.5 * _s6) * _s7;
+    const double _s9 = (_s3 * rolled_z) + ((2.0 * _s8) * _s1);
+    const double _s10 = 1.0 / _s2;
+    const double _s11 = (0.5 * _s9) * _s10;
+    const double _s12 = ((-(_s8 * (_s7 * _s7))) * _s6) + (((2.0 * ((rolled_x * rolled_x) + (x * rolling_acceleration_x))) + (2.0 * ((rolled_y * rolled_y) + (y * rolling_acceleration_y)))) * _s7);
+    const double _s13 = ((2.0 * ((rolled_z * rolled_z) + (z * rolling_acceleration_z))) + (2.0 * ((_s1 * (0.5 * _s12)) + (_s8 * _s8)))) * _s10;
+    const double _s14 = 0.5 * (((-(_s11 * (_s10 * _s10))) * _s9) + _s13);
+    const double _s15 = (2.0 * ((0.5 * ((_s4 * nx) + (_s5 * ny))) * _s7)) * _s1;
+    return {(_s2 - p_ball_radius) - p_wire_radius, _s11, _s14, (0.5 * ((_s3 * nz) + _s15)) * _s10};
+}
+
+/* Distance from the surface.
+   Table 2. 11 operations: 2 additions, 3 subtractions, 4 multiplications, 2 square roots. */
+struct kernel_ring_distance_out {
+    double gap;
+};
+
+static __device__ __forceinline__ kernel_ring_distance_out kernel_ring_distance(double p_ball_radius, double p_ring_radius, double p_wire_radius, double x, double y, double z)
+{
+    const double _s0 = sqrt(((x * x) + (y * y))) - p_ring_radius;
+    return {(sqrt(((z * z) + (_s0 * _s0))) - p_ball_radius) - p_wire_radius};
+}
+
+/* Curvature of the surface that the centre of a rolling ball stays on.
+   Table 2. 2 operations: 1 addition, 1 division. */
+struct kernel_ring_rolling_surface_out {
+    double bent_x, bent_y, bent_z, per_reach;
+};
+
+static __device__ __forceinline__ kernel_ring_rolling_surface_out kernel_ring_rolling_surface(double p_ball_radius, double p_wire_radius)
+{
+    return {1.0, 1.0, 1.0, 1.0 / (p_ball_radius + p_wire_radius)};
+}
+
+/* Rate of the normal.
+   derivative of Table 2's normal. 28 operations: 6 additions, 1 subtraction, 17 multiplications, 2 divisions, 1 square root, 1 negation. */
+struct kernel_ring_turning_out {
+    double turning_x, turning_y, turning_z;
+};
+
+static __device__ __forceinline__ kernel_ring_turning_out kernel_ring_turning(double p_ball_radius, double p_ring_radius, double p_wire_radius, double x, double y, double rolled_x, double rolled_y, double rolled_z)
+{
+    const double _s0 = 1.0 / (p_ball_radius + p_wire_radius);
+    const double _s1 = sqrt(((x * x) + (y * y)));
+    const double _s2 = 1.0 / _s1;
+    const double _s3 = ((x * rolled_x) + (y * rolled_y)) * _s2;
+    const double _s4 = _s1 - p_ring_radius;
+    const double _s5 = _s0 * ((_s3 * _s2) + ((-(_s3 * (_s2 * _s2))) * _s4));
+    const double _s6 = (_s0 * _s4) * _s2;
+    return {(x * _s5) + (rolled_x * _s6), (y * _s5) + (rolled_y * _s6), rolled_z * _s0};
+}
+
+/* Second to fourth derivative of the distance along a flight.
+   derivatives of Table 2's distance. 148 operations: 41 additions, 2 subtractions, 94 multiplications, 2 divisions, 2 square roots, 7 negations. */
+struct kernel_ring_separation_out {
+    double lift, gap_jerk, gap_snap;
+};
+
+static __device__ __forceinline__ kernel_ring_separation_out kernel_ring_separation(double p_gravity, double p_ring_radius, double x, double y, double z, double vx, double vy, double vz)
+{
+    const double _s0 = ((2.0 * x) * vx) + ((2.0 * y) * vy);
+    const double _s1 = sqrt(((x * x) + (y * y)));
+    const double _s2 = 1.0 / _s1;
+    const double _s3 = (0.5 * _s0) * _s2;
+    const double _s4 = _s1 - p_ring_radius;
+    const double _s5 = 2.0 * _s3;
+    const double _s6 = ((2.0 * z) * vz) + (_s5 * _s4);
+    const double _s7 = 1.0 / sqrt(((z * z) + (_s4 * _s4)));
+    const double _s8 = (0.5 * _s6) * _s7;
+    const double _s9 = _s7 * _s7;
+    const double _s10 = -(_s8 * _s9);
+    const double _s11 = _s2 * _s2;
+    const double _s12 = -(_s3 * _s11);
+    const double _s13 = (2.0 * (vx * vx)) + (2.0 * (vy * vy));
+    const double _s14 = 0.5 * ((_s12 * _s0) + (_s13 * _s2));
+    const double _s15 = (2.0 * ((vz * vz) - (p_gravity * z))) + (2.0 * ((_s4 * _s14) + (_s3 * _s3)));
+    const double _s16 = 0.5 * ((_s10 * _s6) + (_s15 * _s7));
+    const double _s17 = _s10 * _s15;
+    const double _s18 = 2.0 * _s10;
+    const double _s19 = -((_s16 * _s9) + ((_s18 * _s8) * _s7));
+    const double _s20 = _s12 * _s13;
+    const double _s21 = 2.0 * _s12;
+    const double _s22 = -((_s14 * _s11) + ((_s21 * _s3) * _s2));
+    const double _s23 = 0.5 * (_s20 + (_s20 + (_s0 * _s22)));
+    const double _s24 = (2.0 * (-((3.0 * p_gravity) * vz))) + (2.0 * ((_s5 * _s14) + ((_s3 * _s14) + (_s4 * _s23))));
+    const double _s25 = 0.5 * ((_s17 + (_s6 * _s19)) + (_s17 + (_s24 * _s7)));
+    const double _s26 = _s10 * _s24;
+    const double _s27 = _s3 * _s23;
+    const double _s28 = _s27 + (_s14 * _s14);
+    const double _s29 = _s13 * _s22;
+    const double _s30 = ((_s23 * _s11) + ((_s21 * _s14) * _s2)) + (2.0 * ((((_s12 * _s12) * _s3) + ((_s12 * _s14) * _s2)) + ((_s3 * _s22) * _s2)));
+    const double _s31 = 0.5 * (_s29 + (_s29 + ((_s0 * (-_s30)) + _s29)));
+    const double _s32 = (2.0 * (3.0 * (p_gravity * p_gravity))) + (2.0 * ((2.0 * _s28) + ((_s27 + (_s4 * _s31)) + _s28)));
+    const double _s33 = _s15 * _s19;
+    const double _s34 = _s26 + _s33;
+    const double _s35 = ((_s25 * _s9) + ((_s18 * _s16) * _s7)) + (2.0 * ((((_s10 * _s10) * _s8) + ((_s10 * _s16) * _s7)) + ((_s8 * _s19) * _s7)));
+    const double _s36 = 0.5 * (((_s26 + (_s32 * _s7)) + _s34) + (_s34 + ((_s6 * (-_s35)) + _s33)));
+    return {_s16, _s25, _s36};
+}
+
+/* Constant terms, in the ring's coordinates.
+   Routh's equations. 43 operations: 8 additions, 4 subtractions, 25 multiplications, 4 divisions, 2 square roots. */
+struct kernel_ring_round_start_out {
+    double cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0, sin_0, tilted_0, near_0;
+};
+
+static __device__ __forceinline__ kernel_ring_round_start_out kernel_ring_round_start(double p_ball_radius, double p_inertia, double p_ring_radius, double p_wire_radius, double x, double y, double z, double vx, double vy, double vz, double wx, double wy, double wz, double per_reach)
+{
+    const double _s0 = sqrt(((x * x) + (y * y)));
+    const double _s1 = _s0 - p_ring_radius;
+    const double _s2 = 1.0 / sqrt(((z * z) + (_s1 * _s1)));
+    const double _s3 = _s1 * _s2;
+    const double _s4 = z * _s2;
+    const double _s5 = 1.0 / _s0;
+    const double _s6 = x * _s5;
+    const double _s7 = y * _s5;
+    const double _s8 = (vy * _s6) - (vx * _s7);
+    const double _s9 = p_ball_radius * ((wz * _s4) + (_s3 * ((wx * _s6) + (wy * _s7))));
+    return {_s3, _s4, per_reach * ((vz * _s3) - (_s4 * ((vx * _s6) + (vy * _s7)))), _s8, _s9, _s6, _s7, (_s4 * _s8) - ((p_inertia * (1.0 / (1.0 + p_inertia))) * (_s9 * _s3)), 1.0 / (p_ring_radius + (_s3 * (p_ball_radius + p_wire_radius)))};
+}
+
+/* State of a ball that rolls on the ring at time t.
+   Routh's equations. 223 operations: 83 additions, 10 subtractions, 126 multiplications, 2 divisions, 1 square root, 1 negation. */
+struct kernel_ring_round_moved_out {
+    double x, y, z, vx, vy, vz, wx, wy, wz, climb;
+};
+
+static __device__ __forceinline__ kernel_ring_round_moved_out kernel_ring_round_moved(double p_ball_radius, double p_ring_radius, double p_wire_radius, double t, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double turn_rate_6, double turn_rate_7, double turn_rate_8, double turn_rate_9, double turn_rate_10, double turn_rate_11, double turn_rate_12, double climb_0, double climb_1, double climb_2, double climb_3, double climb_4, double climb_5, double climb_6, double climb_7, double climb_8, double climb_9, double climb_10, double climb_11, double climb_12, double cosine_0, double cosine_1, double cosine_2, double cosine_3, double cosine_4, double cosine_5, double cosine_6, double cosine_7, double cosine_8, double cosine_9, double cosine_10, double cosine_11, double cosine_12, double sine_0, double sine_1, double sine_2, double sine_3, double sine_4, double sine_5, double sine_6, double sine_7, double sine_8, double sine_9, double sine_10, double sine_11, double sine_12, double along_0, double along_1, double along_2, double along_3, double along_4, double along_5, double along_6, double along_7, double along_8, double along_9, double along_10, double along_11, double along_12, double cos_0, double sin_0, double omega_0, double omega_1, double omega_2, double omega_3, double omega_4, double omega_5, double omega_6, double omega_7, double omega_8, double omega_9, double omega_10, double omega_11)
+{
+    const double _s0 = cosine_9 + (t * (cosine_10 + (t * (cosine_11 + (t * cosine_12)))));
+    const double _s1 = cosine_6 + (t * (cosine_7 + (t * (cosine_8 + (t * _s0)))));
+    const double _s2 = cosine_3 + (t * (cosine_4 + (t * (cosine_5 + (t * _s1)))));
+    const double _s3 = cosine_0 + (t * (cosine_1 + (t * (cosine_2 + (t * _s2)))));
+    const double _s4 = sine_9 + (t * (sine_10 + (t * (sine_11 + (t * sine_12)))));
+    const double _s5 = sine_6 + (t * (sine_7 + (t * (sine_8 + (t * _s4)))));
+    const double _s6 = sine_3 + (t * (sine_4 + (t * (sine_5 + (t * _s5)))));
+    const double _s7 = sine_0 + (t * (sine_1 + (t * (sine_2 + (t * _s6)))));
+    const double _s8 = 1.0 / sqrt(((_s3 * _s3) + (_s7 * _s7)));
+    const double _s9 = _s3 * _s8;
+    const double _s10 = p_ball_radius + p_wire_radius;
+    const double _s11 = p_ring_radius + (_s9 * _s10);
+    const double _s12 = t * ((0.1 * omega_9) + (t * ((0.09090909090909091 * omega_10) + ((0.08333333333333333 * t) * omega_11))));
+    const double _s13 = (0.14285714285714285 * omega_6) + (t * ((0.125 * omega_7) + (t * ((0.1111111111111111 * omega_8) + _s12))));
+    const double _s14 = (0.25 * omega_3) + (t * ((0.2 * omega_4) + (t * ((0.16666666666666666 * omega_5) + (t * _s13)))));
+    const double _s15 = omega_0 + (t * ((0.5 * omega_1) + (t * ((0.3333333333333333 * omega_2) + (t * _s14)))));
+    const double _s16 = t * _s15;
+    const double _s17 = _s16 * _s16;
+    const double _s18 = ((2.48015873015873e-05 + (((2.08767569878681e-09 * _s17) - 2.755731922398589e-07) * _s17)) * _s17) - 0.001388888888888889;
+    const double _s19 = 1.0 + ((((0.041666666666666664 + (_s18 * _s17)) * _s17) - 0.5) * _s17);
+    const double _s20 = 0.008333333333333333 + ((((2.7557319223985893e-06 - (2.505210838544172e-08 * _s17)) * _s17) - 0.0001984126984126984) * _s17);
+    const double _s21 = _s16 * (1.0 + (((_s20 * _s17) - 0.16666666666666666) * _s17));
+    const double _s22 = (cos_0 * _s19) - (sin_0 * _s21);
+    const double _s23 = (cos_0 * _s21) + (sin_0 * _s19);
+    const double _s24 = _s7 * _s8;
+    const double _s25 = climb_9 + (t * (climb_10 + (t * (climb_11 + (t * climb_12)))));
+    const double _s26 = climb_6 + (t * (climb_7 + (t * (climb_8 + (t * _s25)))));
+    const double _s27 = climb_3 + (t * (climb_4 + (t * (climb_5 + (t * _s26)))));
+    const double _s28 = climb_0 + (t * (climb_1 + (t * (climb_2 + (t * _s27)))));
+    const double _s29 = _s10 * _s28;
+    const double _s30 = -(_s29 * _s24);
+    const double _s31 = along_9 + (t * (along_10 + (t * (along_11 + (t * along_12)))));
+    const double _s32 = along_6 + (t * (along_7 + (t * (along_8 + (t * _s31)))));
+    const double _s33 = along_3 + (t * (along_4 + (t * (along_5 + (t * _s32)))));
+    const double _s34 = along_0 + (t * (along_1 + (t * (along_2 + (t * _s33)))));
+    const double _s35 = 1.0 / p_ball_radius;
+    const double _s36 = turn_rate_9 + (t * (turn_rate_10 + (t * (turn_rate_11 + (t * turn_rate_12)))));
+    const double _s37 = turn_rate_6 + (t * (turn_rate_7 + (t * (turn_rate_8 + (t * _s36)))));
+    const double _s38 = turn_rate_3 + (t * (turn_rate_4 + (t * (turn_rate_5 + (t * _s37)))));
+    const double _s39 = turn_rate_0 + (t * (turn_rate_1 + (t * (turn_rate_2 + (t * _s38)))));
+    const double _s40 = (_s9 * _s39) - (_s24 * _s34);
+    return {_s11 * _s22, _s11 * _s23, _s24 * _s10, (_s30 * _s22) - (_s34 * _s23), (_s30 * _s23) + (_s34 * _s22), _s29 * _s9, _s35 * ((_s29 * _s23) + (_s22 * _s40)), _s35 * ((_s23 * _s40) - (_s29 * _s22)), _s35 * ((_s9 * _s34) + (_s24 * _s39)), _s28};
+}
+
+/* Length of a step of the series, and bounds in it.
+   Routh's equations. 334 operations: 96 additions, 6 subtractions, 172 multiplications, 3 divisions, 7 square roots, 1 negation, 45 absolute values, 2 comparisons, 2 selections. */
+struct kernel_ring_round_pace_out {
+    double stride, missed, strongest, fastest, section_acceleration, force, force_rate, force_bend, friction_force_rate, vx_1, vy_1, vz_1;
+};
+
+static __device__ __forceinline__ kernel_ring_round_pace_out kernel_ring_round_pace(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_11, double turn_rate_12, double climb_0, double climb_1, double climb_2, double climb_3, double climb_4, double climb_5, double climb_6, double climb_7, double climb_8, double climb_9, double climb_10, double climb_11, double climb_12, double cosine_0, double cosine_12, double sine_0, double sine_12, double along_0, double along_1, double along_2, double along_3, double along_4, double along_5, double along_6, double along_7, double along_8, double along_9, double along_10, double along_11, double along_12, double cos_0, double sin_0, double omega_0, double omega_1, double omega_2, double omega_3, double omega_4, double omega_5, double omega_6, double omega_7, double omega_8, double omega_9, double omega_10, double omega_11)
+{
+    const double _s0 = fabs(climb_0);
+    const double _s1 = p_ball_radius + p_wire_radius;
+    const double _s2 = fabs(along_0);
+    const double _s3 = (_s0 * _s1) + (fabs(turn_rate_0) + _s2);
+    const double _s4 = (0.015625 * p_gravity) + _s3;
+    const double _s5 = fabs(climb_11);
+    const double _s6 = fabs(along_11);
+    const double _s7 = fabs(climb_12);
+    const double _s8 = fabs(along_12);
+    const double _s9 = ((0.25 * ((per_reach * _s3) + sqrt((p_gravity * per_reach)))) * ((_s5 * _s1) + (fabs(turn_rate_11) + _s6))) + ((_s7 * _s1) + (fabs(turn_rate_12) + _s8));
+    const double _s10 = fabs(omega_0);
+    const double _s11 = omega_0 * omega_0;
+    const double _s12 = (4.0 * _s10) * (16.0 * _s11);
+    const double _s13 = _s12 * _s12;
+    const double _s14 = _s4 * ((fabs(cosine_12) + fabs(sine_12)) + (4.547473508864641e-13 * (_s13 * _s13)));
+    const double _s15 = sqrt(sqrt(((4.547473508864641e-13 * _s4) / larger(_s9, _s14))));
+    const double _s16 = sqrt(sqrt(_s15));
+    const double _s17 = (0.75 * _s16) * sqrt(sqrt(_s16));
+    const double _s18 = _s17 * (_s17 * _s17);
+    const double _s19 = ((_s18 + (2.0 * _s15)) / ((2.0 * _s18) + _s15)) * _s17;
+    const double _s20 = smaller(_s19, 0.0625);
+    const double _s21 = fabs(climb_10);
+    const double _s22 = (((((12.0 * _s7) * _s20) + (11.0 * _s5)) * _s20) + (10.0 * _s21)) * _s20;
+    const double _s23 = fabs(climb_9);
+    const double _s24 = fabs(climb_8);
+    const double _s25 = fabs(climb_7);
+    const double _s26 = ((((_s22 + (9.0 * _s23)) * _s20) + (8.0 * _s24)) * _s20) + (7.0 * _s25);
+    const double _s27 = fabs(climb_6);
+    const double _s28 = fabs(climb_5);
+    const double _s29 = fabs(climb_4);
+    const double _s30 = (((((_s26 * _s20) + (6.0 * _s27)) * _s20) + (5.0 * _s28)) * _s20) + (4.0 * _s29);
+    const double _s31 = fabs(climb_3);
+    const double _s32 = fabs(climb_2);
+    const double _s33 = fabs(climb_1);
+    const double _s34 = (((((_s30 * _s20) + (3.0 * _s31)) * _s20) + (2.0 * _s32)) * _s20) + _s33;
+    const double _s35 = (((((_s7 * _s20) + _s5) * _s20) + _s21) * _s20) + _s23;
+    const double _s36 = (((((_s35 * _s20) + _s24) * _s20) + _s25) * _s20) + _s27;
+    const double _s37 = (((((_s36 * _s20) + _s28) * _s20) + _s29) * _s20) + _s31;
+    const double _s38 = (((((_s37 * _s20) + _s32) * _s20) + _s33) * _s20) + _s0;
+    const double _s39 = _s1 * (_s34 + (_s38 * _s38));
+    const double _s40 = fabs(omega_11);
+    const double _s41 = fabs(omega_10);
+    const double _s42 = fabs(omega_9);
+    const double _s43 = fabs(omega_8);
+    const double _s44 = (((((_s40 * _s20) + _s41) * _s20) + _s42) * _s20) + _s43;
+    const double _s45 = fabs(omega_7);
+    const double _s46 = fabs(omega_6);
+    const double _s47 = fabs(omega_5);
+    const double _s48 = (((((_s44 * _s20) + _s45) * _s20) + _s46) * _s20) + _s47;
+    const double _s49 = fabs(omega_4);
+    const double _s50 = fabs(omega_3);
+    const double _s51 = fabs(omega_2);
+    const double _s52 = (((((_s48 * _s20) + _s49) * _s20) + _s50) * _s20) + _s51;
+    const double _s53 = fabs(omega_1);
+    const double _s54 = (((_s52 * _s20) + _s53) * _s20) + _s10;
+    const double _s55 = fabs(along_10);
+    const double _s56 = fabs(along_9);
+    const double _s57 = (((((_s8 * _s20) + _s6) * _s20) + _s55) * _s20) + _s56;
+    const double _s58 = fabs(along_8);
+    const double _s59 = fabs(along_7);
+    const double _s60 = fabs(along_6);
+    const double _s61 = (((((_s57 * _s20) + _s58) * _s20) + _s59) * _s20) + _s60;
+    const double _s62 = fabs(along_5);
+    const double _s63 = fabs(along_4);
+    const double _s64 = fabs(along_3);
+    const double _s65 = (((((_s61 * _s20) + _s62) * _s20) + _s63) * _s20) + _s64;
+    const double _s66 = fabs(along_2);
+    const double _s67 = fabs(along_1);
+    const double _s68 = (((((_s65 * _s20) + _s66) * _s20) + _s67) * _s20) + _s2;
+    const double _s69 = (_s1 * _s38) + _s68;
+    const double _s70 = (((((12.0 * _s8) * _s20) + (11.0 * _s6)) * _s20) + (10.0 * _s55)) * _s20;
+    const double _s71 = ((((_s70 + (9.0 * _s56)) * _s20) + (8.0 * _s58)) * _s20) + (7.0 * _s59);
+    const double _s72 = (((((_s71 * _s20) + (6.0 * _s60)) * _s20) + (5.0 * _s62)) * _s20) + (4.0 * _s63);
+    const double _s73 = (((((_s72 * _s20) + (3.0 * _s64)) * _s20) + (2.0 * _s66)) * _s20) + _s67;
+    const double _s74 = (climb_0 * climb_0) * _s1;
+    const double _s75 = along_0 * omega_0;
+    const double _s76 = p_inertia * (1.0 / (1.0 + p_inertia));
+    const double _s77 = p_gravity * (3.0 - (2.0 * _s76));
+    const double _s78 = 3.0 * p_ring_radius;
+    const double _s79 = (((((11.0 * _s40) * _s20) + (10.0 * _s41)) * _s20) + (9.0 * _s42)) * _s20;
+    const double _s80 = ((((_s79 + (8.0 * _s43)) * _s20) + (7.0 * _s45)) * _s20) + (6.0 * _s46);
+    const double _s81 = (((((_s80 * _s20) + (5.0 * _s47)) * _s20) + (4.0 * _s49)) * _s20) + (3.0 * _s50);
+    const double _s82 = _s38 * _s20;
+    const double _s83 = fabs(sine_0) + _s82;
+    const double _s84 = (_s54 * ((((_s81 * _s20) + (2.0 * _s51)) * _s20) + _s53)) * _s83;
+    const double _s85 = _s78 * (_s54 * _s54);
+    const double _s86 = fabs(cosine_0) + _s82;
+    const double _s87 = ((((6.0 * p_ring_radius) * _s84) + (_s38 * ((_s85 * _s86) + (_s77 * _s83)))) * _s38) + (_s34 * ((_s85 * _s83) + (_s77 * _s86)));
+    const double _s88 = -(((cosine_0 * _s74) + _s75) + ((climb_1 * sine_0) * _s1));
+    const double _s89 = along_1 - (omega_0 * ((climb_0 * sine_0) * _s1));
+    return {_s20, 5.684341886080802e-14 * _s4, _s39 + ((_s54 * _s69) + _s73), _s69, _s39, ((p_gravity * sine_0) - _s74) - (cosine_0 * _s75), climb_0 * ((cosine_0 * _s77) + (sine_0 * (_s78 * _s11))), _s87, ((2.0 * p_gravity) * _s76) * (climb_0 * cosine_0), (cos_0 * _s88) - (sin_0 * _s89), (cos_0 * _s89) + (sin_0 * _s88), ((climb_1 * cosine_0) * _s1) - (sine_0 * _s74)};
+}
+
+/* Square of the friction that rolling on the ring takes, and its rate.
+   Routh's equations. 27 operations: 7 additions, 19 multiplications, 1 division. */
+struct kernel_ring_round_pulled_out {
+    double rolling_friction, rolling_friction_rate, grip_deficit, grip_deficit_rate;
+};
+
+static __device__ __forceinline__ kernel_ring_round_pulled_out kernel_ring_round_pulled(double p_gravity, double p_inertia, double turn_rate_0, double turn_rate_1, double climb_0, double climb_1, double cosine_0, double cosine_1, double omega_0, double omega_1)
+{
+    const double _s0 = p_inertia * (1.0 / (1.0 + p_inertia));
+    const double _s1 = _s0 * (turn_rate_0 * climb_0);
+    const double _s2 = p_gravity + (turn_rate_0 * omega_0);
+    const double _s3 = _s0 * (cosine_0 * _s2);
+    const double _s4 = _s3 * (_s0 * ((cosine_0 * ((turn_rate_0 * omega_1) + (turn_rate_1 * omega_0))) + (cosine_1 * _s2)));
+    const double _s5 = 2.0 * ((_s1 * (_s0 * ((turn_rate_0 * climb_1) + (turn_rate_1 * climb_0)))) + _s4);
+    return {(_s1 * _s1) + (_s3 * _s3), _s5, -INFINITE, 0.0};
+}
+
+/* Whether the ball certainly rolls on the ring for ever.
+   Routh's equations. 49 operations: 4 additions, 3 subtractions, 21 multiplications, 1 division, 1 absolute value, 8 comparisons, 6 conjunctions, 1 complement, 4 selections. */
+struct kernel_ring_swung_out {
+    double circled;
+    bool endless;
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_ring_swung_out kernel_ring_swung(double p_ball_radius, double p_gravity, double p_wire_radius, double which, double doubt, double position_error, double velocity_error, double force, double force_rate, double force_bend, double stride, double fastest, double circled, double climb, double climb_0, double section_acceleration, double azimuth_clearance)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = stride * stride;
+    const bool _s2 = ((0.000244140625 * _s0) < (azimuth_clearance - ((0.125 * section_acceleration) * _s1))) && ((0.00390625 * p_gravity) < ((force + (stride * smaller(force_rate, 0.0))) - ((0.5 * force_bend) * _s1)));
+    const bool _s3 = _s2 && (which == -1.0);
+    const bool _s4 = ((climb * climb_0) < 0.0) && (((0.015625 * p_gravity) * stride) < (fabs((climb - climb_0)) * _s0));
+    const bool _s5 = (_s3 && _s4) && (0.0 < circled);
+    const double _s6 = p_gravity + ((fastest * fastest) * (1.0 / _s0));
+    const bool _s7 = !((_s6 * (512.0 * ((position_error * _s6) + (velocity_error * fastest)))) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0));
+    return {choose(_s3, choose(_s4, 1.0, circled), 0.0), _s5, choose((_s5 && _s7), 0.0, doubt)};
+}
+
+/* Coefficients of order 1, from those of lower order.
+   Routh's equations. 26 operations: 4 additions, 1 subtraction, 18 multiplications, 1 division, 2 negations. */
+struct kernel_ring_round_0_out {
+    double omega_0, around_0, cosine_1, sine_1, climb_1, along_1, turn_rate_1, tilted_1;
+};
+
+static __device__ __forceinline__ kernel_ring_round_0_out kernel_ring_round_0(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double near_0, double climb_0, double cosine_0, double sine_0, double along_0, double tilted_0)
+{
+    const double _s0 = near_0 * along_0;
+    const double _s1 = climb_0 * _s0;
+    const double _s2 = 1.0 / (1.0 + p_inertia);
+    const double _s3 = p_ball_radius + p_wire_radius;
+    return {_s0, _s1, -(climb_0 * sine_0), climb_0 * cosine_0, -(per_reach * (((p_gravity * cosine_0) * _s2) + (tilted_0 * _s0))), ((sine_0 * _s1) * _s3) - ((p_inertia * _s2) * (turn_rate_0 * climb_0)), p_ring_radius * _s1, ((p_ring_radius * _s2) * (cosine_0 * _s1)) + (_s1 * _s3)};
+}
+
+/* Coefficients of order 2, from those of lower order.
+   Routh's equations. 49 operations: 11 additions, 2 subtractions, 33 multiplications, 1 division, 2 negations. */
+struct kernel_ring_round_1_out {
+    double omega_1, around_1, cosine_2, sine_2, climb_2, along_2, turn_rate_2, tilted_2;
+};
+
+static __device__ __forceinline__ kernel_ring_round_1_out kernel_ring_round_1(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_1, double near_0, double climb_0, double climb_1, double cosine_0, double cosine_1, double sine_0, double sine_1, double along_1, double omega_0, double around_0, double tilted_0, double tilted_1)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = near_0 * (along_1 - ((cosine_1 * omega_0) * _s0));
+    const double _s2 = (climb_0 * _s1) + (climb_1 * omega_0);
+    const double _s3 = 1.0 / (1.0 + p_inertia);
+    return {_s1, _s2, -(0.5 * ((climb_0 * sine_1) + (climb_1 * sine_0))), 0.5 * ((climb_0 * cosine_1) + (climb_1 * cosine_0)), -((0.5 * per_reach) * (((p_gravity * cosine_1) * _s3) + ((omega_0 * tilted_1) + (tilted_0 * _s1)))), 0.5 * ((_s0 * ((sine_0 * _s2) + (sine_1 * around_0))) - ((p_inertia * _s3) * ((turn_rate_0 * climb_1) + (turn_rate_1 * climb_0)))), (0.5 * p_ring_radius) * _s2, 0.5 * (((p_ring_radius * _s3) * ((cosine_0 * _s2) + (cosine_1 * around_0))) + (_s0 * _s2))};
+}
+
+/* Coefficients of order 3, from those of lower order.
+   Routh's equations. 65 operations: 19 additions, 2 subtractions, 41 multiplications, 1 division, 2 negations. */
+struct kernel_ring_round_2_out {
+    double omega_2, around_2, cosine_3, sine_3, climb_3, along_3, turn_rate_3, tilted_3;
+};
+
+static __device__ __forceinline__ kernel_ring_round_2_out kernel_ring_round_2(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double near_0, double climb_0, double climb_1, double climb_2, double cosine_0, double cosine_1, double cosine_2, double sine_0, double sine_1, double sine_2, double along_2, double omega_0, double omega_1, double around_0, double around_1, double tilted_0, double tilted_1, double tilted_2)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = near_0 * (along_2 - (_s0 * ((cosine_1 * omega_1) + (cosine_2 * omega_0))));
+    const double _s2 = ((climb_0 * _s1) + (climb_1 * omega_1)) + (climb_2 * omega_0);
+    const double _s3 = 1.0 / (1.0 + p_inertia);
+    const double _s4 = -((0.3333333333333333 * per_reach) * (((p_gravity * cosine_2) * _s3) + (((omega_0 * tilted_2) + (omega_1 * tilted_1)) + (tilted_0 * _s1))));
+    const double _s5 = 0.3333333333333333 * ((_s0 * (((sine_0 * _s2) + (sine_1 * around_1)) + (sine_2 * around_0))) - ((p_inertia * _s3) * (((turn_rate_0 * climb_2) + (turn_rate_1 * climb_1)) + (turn_rate_2 * climb_0))));
+    const double _s6 = 0.3333333333333333 * (((p_ring_radius * _s3) * (((cosine_0 * _s2) + (cosine_1 * around_1)) + (cosine_2 * around_0))) + (_s0 * _s2));
+    return {_s1, _s2, -(0.3333333333333333 * (((climb_0 * sine_2) + (climb_1 * sine_1)) + (climb_2 * sine_0))), 0.3333333333333333 * (((climb_0 * cosine_2) + (climb_1 * cosine_1)) + (climb_2 * cosine_0)), _s4, _s5, (0.3333333333333333 * p_ring_radius) * _s2, _s6};
+}
+
+/* Coefficients of order 4, from those of lower order.
+   Routh's equations. 81 operations: 27 additions, 2 subtractions, 49 multiplications, 1 division, 2 negations. */
+struct kernel_ring_round_3_out {
+    double omega_3, around_3, cosine_4, sine_4, climb_4, along_4, turn_rate_4, tilted_4;
+};
+
+static __device__ __forceinline__ kernel_ring_round_3_out kernel_ring_round_3(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double near_0, double climb_0, double climb_1, double climb_2, double climb_3, double cosine_0, double cosine_1, double cosine_2, double cosine_3, double sine_0, double sine_1, double sine_2, double sine_3, double along_3, double omega_0, double omega_1, double omega_2, double around_0, double around_1, double around_2, double tilted_0, double tilted_1, double tilted_2, double tilted_3)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = near_0 * (along_3 - (_s0 * (((cosine_1 * omega_2) + (cosine_2 * omega_1)) + (cosine_3 * omega_0))));
+    const double _s2 = (((climb_0 * _s1) + (climb_1 * omega_2)) + (climb_2 * omega_1)) + (climb_3 * omega_0);
+    const double _s3 = -(0.25 * ((((climb_0 * sine_3) + (climb_1 * sine_2)) + (climb_2 * sine_1)) + (climb_3 * sine_0)));
+    const double _s4 = 1.0 / (1.0 + p_inertia);
+    const double _s5 = (0.25 * per_reach) * (((p_gravity * cosine_3) * _s4) + ((((omega_0 * tilted_3) + (omega_1 * tilted_2)) + (omega_2 * tilted_1)) + (tilted_0 * _s1)));
+    const double _s6 = (_s0 * ((((sine_0 * _s2) + (sine_1 * around_2)) + (sine_2 * around_1)) + (sine_3 * around_0))) - ((p_inertia * _s4) * ((((turn_rate_0 * climb_3) + (turn_rate_1 * climb_2)) + (turn_rate_2 * climb_1)) + (turn_rate_3 * climb_0)));
+    const double _s7 = ((p_ring_radius * _s4) * ((((cosine_0 * _s2) + (cosine_1 * around_2)) + (cosine_2 * around_1)) + (cosine_3 * around_0))) + (_s0 * _s2);
+    return {_s1, _s2, _s3, 0.25 * ((((climb_0 * cosine_3) + (climb_1 * cosine_2)) + (climb_2 * cosine_1)) + (climb_3 * cosine_0)), -_s5, 0.25 * _s6, (0.25 * p_ring_radius) * _s2, 0.25 * _s7};
+}
+
+/* Coefficients of order 5, from those of lower order.
+   Routh's equations. 97 operations: 35 additions, 2 subtractions, 57 multiplications, 1 division, 2 negations. */
+struct kernel_ring_round_4_out {
+    double omega_4, around_4, cosine_5, sine_5, climb_5, along_5, turn_rate_5, tilted_5;
+};
+
+static __device__ __forceinline__ kernel_ring_round_4_out kernel_ring_round_4(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double near_0, double climb_0, double climb_1, double climb_2, double climb_3, double climb_4, double cosine_0, double cosine_1, double cosine_2, double cosine_3, double cosine_4, double sine_0, double sine_1, double sine_2, double sine_3, double sine_4, double along_4, double omega_0, double omega_1, double omega_2, double omega_3, double around_0, double around_1, double around_2, double around_3, double tilted_0, double tilted_1, double tilted_2, double tilted_3, double tilted_4)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = along_4 - (_s0 * ((((cosine_1 * omega_3) + (cosine_2 * omega_2)) + (cosine_3 * omega_1)) + (cosine_4 * omega_0)));
+    const double _s2 = near_0 * _s1;
+    const double _s3 = ((((climb_0 * _s2) + (climb_1 * omega_3)) + (climb_2 * omega_2)) + (climb_3 * omega_1)) + (climb_4 * omega_0);
+    const double _s4 = 0.2 * (((((climb_0 * sine_4) + (climb_1 * sine_3)) + (climb_2 * sine_2)) + (climb_3 * sine_1)) + (climb_4 * sine_0));
+    const double _s5 = 0.2 * (((((climb_0 * cosine_4) + (climb_1 * cosine_3)) + (climb_2 * cosine_2)) + (climb_3 * cosine_1)) + (climb_4 * cosine_0));
+    const double _s6 = 1.0 / (1.0 + p_inertia);
+    const double _s7 = ((p_gravity * cosine_4) * _s6) + (((((omega_0 * tilted_4) + (omega_1 * tilted_3)) + (omega_2 * tilted_2)) + (omega_3 * tilted_1)) + (tilted_0 * _s2));
+    const double _s8 = _s0 * (((((sine_0 * _s3) + (sine_1 * around_3)) + (sine_2 * around_2)) + (sine_3 * around_1)) + (sine_4 * around_0));
+    const double _s9 = (p_inertia * _s6) * (((((turn_rate_0 * climb_4) + (turn_rate_1 * climb_3)) + (turn_rate_2 * climb_2)) + (turn_rate_3 * climb_1)) + (turn_rate_4 * climb_0));
+    const double _s10 = (p_ring_radius * _s6) * (((((cosine_0 * _s3) + (cosine_1 * around_3)) + (cosine_2 * around_2)) + (cosine_3 * around_1)) + (cosine_4 * around_0));
+    return {_s2, _s3, -_s4, _s5, -((0.2 * per_reach) * _s7), 0.2 * (_s8 - _s9), (0.2 * p_ring_radius) * _s3, 0.2 * (_s10 + (_s0 * _s3))};
+}
+
+/* Coefficients of order 6, from those of lower order.
+   Routh's equations. 113 operations: 43 additions, 2 subtractions, 65 multiplications, 1 division, 2 negations. */
+struct kernel_ring_round_5_out {
+    double omega_5, around_5, cosine_6, sine_6, climb_6, along_6, turn_rate_6, tilted_6;
+};
+
+static __device__ __forceinline__ kernel_ring_round_5_out kernel_ring_round_5(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double near_0, double climb_0, double climb_1, double climb_2, double climb_3, double climb_4, double climb_5, double cosine_0, double cosine_1, double cosine_2, double cosine_3, double cosine_4, double cosine_5, double sine_0, double sine_1, double sine_2, double sine_3, double sine_4, double sine_5, double along_5, double omega_0, double omega_1, double omega_2, double omega_3, double omega_4, double around_0, double around_1, double around_2, double around_3, double around_4, double tilted_0, double tilted_1, double tilted_2, double tilted_3, double tilted_4, double tilted_5)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = _s0 * (((((cosine_1 * omega_4) + (cosine_2 * omega_3)) + (cosine_3 * omega_2)) + (cosine_4 * omega_1)) + (cosine_5 * omega_0));
+    const double _s2 = near_0 * (along_5 - _s1);
+    const double _s3 = (((((climb_0 * _s2) + (climb_1 * omega_4)) + (climb_2 * omega_3)) + (climb_3 * omega_2)) + (climb_4 * omega_1)) + (climb_5 * omega_0);
+    const double _s4 = (((((climb_0 * sine_5) + (climb_1 * sine_4)) + (climb_2 * sine_3)) + (climb_3 * sine_2)) + (climb_4 * sine_1)) + (climb_5 * sine_0);
+    const double _s5 = (((((climb_0 * cosine_5) + (climb_1 * cosine_4)) + (climb_2 * cosine_3)) + (climb_3 * cosine_2)) + (climb_4 * cosine_1)) + (climb_5 * cosine_0);
+    const double _s6 = 1.0 / (1.0 + p_inertia);
+    const double _s7 = (((((omega_0 * tilted_5) + (omega_1 * tilted_4)) + (omega_2 * tilted_3)) + (omega_3 * tilted_2)) + (omega_4 * tilted_1)) + (tilted_0 * _s2);
+    const double _s8 = (((((sine_0 * _s3) + (sine_1 * around_4)) + (sine_2 * around_3)) + (sine_3 * around_2)) + (sine_4 * around_1)) + (sine_5 * around_0);
+    const double _s9 = (((((turn_rate_0 * climb_5) + (turn_rate_1 * climb_4)) + (turn_rate_2 * climb_3)) + (turn_rate_3 * climb_2)) + (turn_rate_4 * climb_1)) + (turn_rate_5 * climb_0);
+    const double _s10 = (((((cosine_0 * _s3) + (cosine_1 * around_4)) + (cosine_2 * around_3)) + (cosine_3 * around_2)) + (cosine_4 * around_1)) + (cosine_5 * around_0);
+    return {_s2, _s3, -(0.16666666666666666 * _s4), 0.16666666666666666 * _s5, -((0.16666666666666666 * per_reach) * (((p_gravity * cosine_5) * _s6) + _s7)), 0.16666666666666666 * ((_s0 * _s8) - ((p_inertia * _s6) * _s9)), (0.16666666666666666 * p_ring_radius) * _s3, 0.16666666666666666 * (((p_ring_radius * _s6) * _s10) + (_s0 * _s3))};
+}
+
+/* Coefficients of order 7, from those of lower order.
+   Routh's equations. 129 operations: 51 additions, 2 subtractions, 73 multiplications, 1 division, 2 negations. */
+struct kernel_ring_round_6_out {
+    double omega_6, around_6, cosine_7, sine_7, climb_7, along_7, turn_rate_7, tilted_7;
+};
+
+static __device__ __forceinline__ kernel_ring_round_6_out kernel_ring_round_6(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double turn_rate_6, double near_0, double climb_0, double climb_1, double climb_2, double climb_3, double climb_4, double climb_5, double climb_6, double cosine_0, double cosine_1, double cosine_2, double cosine_3, double cosine_4, double cosine_5, double cosine_6, double sine_0, double sine_1, double sine_2, double sine_3, double sine_4, double sine_5, double sine_6, double along_6, double omega_0, double omega_1, double omega_2, double omega_3, double omega_4, double omega_5, double around_0, double around_1, double around_2, double around_3, double around_4, double around_5, double tilted_0, double tilted_1, double tilted_2, double tilted_3, double tilted_4, double tilted_5, double tilted_6)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = (((((cosine_1 * omega_5) + (cosine_2 * omega_4)) + (cosine_3 * omega_3)) + (cosine_4 * omega_2)) + (cosine_5 * omega_1)) + (cosine_6 * omega_0);
+    const double _s2 = near_0 * (along_6 - (_s0 * _s1));
+    const double _s3 = (((((climb_0 * _s2) + (climb_1 * omega_5)) + (climb_2 * omega_4)) + (climb_3 * omega_3)) + (climb_4 * omega_2)) + (climb_5 * omega_1);
+    const double _s4 = _s3 + (climb_6 * omega_0);
+    const double _s5 = (((((climb_0 * sine_6) + (climb_1 * sine_5)) + (climb_2 * sine_4)) + (climb_3 * sine_3)) + (climb_4 * sine_2)) + (climb_5 * sine_1);
+    const double _s6 = (((((climb_0 * cosine_6) + (climb_1 * cosine_5)) + (climb_2 * cosine_4)) + (climb_3 * cosine_3)) + (climb_4 * cosine_2)) + (climb_5 * cosine_1);
+    const double _s7 = 1.0 / (1.0 + p_inertia);
+    const double _s8 = (((((omega_0 * tilted_6) + (omega_1 * tilted_5)) + (omega_2 * tilted_4)) + (omega_3 * tilted_3)) + (omega_4 * tilted_2)) + (omega_5 * tilted_1);
+    const double _s9 = (((((sine_0 * _s4) + (sine_1 * around_5)) + (sine_2 * around_4)) + (sine_3 * around_3)) + (sine_4 * around_2)) + (sine_5 * around_1);
+    const double _s10 = (((((turn_rate_0 * climb_6) + (turn_rate_1 * climb_5)) + (turn_rate_2 * climb_4)) + (turn_rate_3 * climb_3)) + (turn_rate_4 * climb_2)) + (turn_rate_5 * climb_1);
+    const double _s11 = (((((cosine_0 * _s4) + (cosine_1 * around_5)) + (cosine_2 * around_4)) + (cosine_3 * around_3)) + (cosine_4 * around_2)) + (cosine_5 * around_1);
+    return {_s2, _s4, -(0.14285714285714285 * (_s5 + (climb_6 * sine_0))), 0.14285714285714285 * (_s6 + (climb_6 * cosine_0)), -((0.14285714285714285 * per_reach) * (((p_gravity * cosine_6) * _s7) + (_s8 + (tilted_0 * _s2)))), 0.14285714285714285 * ((_s0 * (_s9 + (sine_6 * around_0))) - ((p_inertia * _s7) * (_s10 + (turn_rate_6 * climb_0)))), (0.14285714285714285 * p_ring_radius) * _s4, 0.14285714285714285 * (((p_ring_radius * _s7) * (_s11 + (cosine_6 * around_0))) + (_s0 * _s4))};
+}
+
+/* Coefficients of order 8, from those of lower order.
+   Routh's equations. 145 operations: 59 additions, 2 subtractions, 81 multiplications, 1 division, 2 negations. */
+struct kernel_ring_round_7_out {
+    double omega_7, around_7, cosine_8, sine_8, climb_8, along_8, turn_rate_8, tilted_8;
+};
+
+static __device__ __forceinline__ kernel_ring_round_7_out kernel_ring_round_7(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double turn_rate_6, double turn_rate_7, double near_0, double climb_0, double climb_1, double climb_2, double climb_3, double climb_4, double climb_5, double climb_6, double climb_7, double cosine_0, double cosine_1, double cosine_2, double cosine_3, double cosine_4, double cosine_5, double cosine_6, double cosine_7, double sine_0, double sine_1, double sine_2, double sine_3, double sine_4, double sine_5, double sine_6, double sine_7, double along_7, double omega_0, double omega_1, double omega_2, double omega_3, double omega_4, double omega_5, double omega_6, double around_0, double around_1, double around_2, double around_3, double around_4, double around_5, double around_6, double tilted_0, double tilted_1, double tilted_2, double tilted_3, double tilted_4, double tilted_5, double tilted_6, double tilted_7)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = (((((cosine_1 * omega_6) + (cosine_2 * omega_5)) + (cosine_3 * omega_4)) + (cosine_4 * omega_3)) + (cosine_5 * omega_2)) + (cosine_6 * omega_1);
+    const double _s2 = near_0 * (along_7 - (_s0 * (_s1 + (cosine_7 * omega_0))));
+    const double _s3 = (((((climb_0 * _s2) + (climb_1 * omega_6)) + (climb_2 * omega_5)) + (climb_3 * omega_4)) + (climb_4 * omega_3)) + (climb_5 * omega_2);
+    const double _s4 = (_s3 + (climb_6 * omega_1)) + (climb_7 * omega_0);
+    const double _s5 = (((((climb_0 * sine_7) + (climb_1 * sine_6)) + (climb_2 * sine_5)) + (climb_3 * sine_4)) + (climb_4 * sine_3)) + (climb_5 * sine_2);
+    const double _s6 = (((((climb_0 * cosine_7) + (climb_1 * cosine_6)) + (climb_2 * cosine_5)) + (climb_3 * cosine_4)) + (climb_4 * cosine_3)) + (climb_5 * cosine_2);
+    const double _s7 = 1.0 / (1.0 + p_inertia);
+    const double _s8 = (((((omega_0 * tilted_7) + (omega_1 * tilted_6)) + (omega_2 * tilted_5)) + (omega_3 * tilted_4)) + (omega_4 * tilted_3)) + (omega_5 * tilted_2);
+    const double _s9 = -((0.125 * per_reach) * (((p_gravity * cosine_7) * _s7) + ((_s8 + (omega_6 * tilted_1)) + (tilted_0 * _s2))));
+    const double _s10 = (((((sine_0 * _s4) + (sine_1 * around_6)) + (sine_2 * around_5)) + (sine_3 * around_4)) + (sine_4 * around_3)) + (sine_5 * around_2);
+    const double _s11 = (((((turn_rate_0 * climb_7) + (turn_rate_1 * climb_6)) + (turn_rate_2 * climb_5)) + (turn_rate_3 * climb_4)) + (turn_rate_4 * climb_3)) + (turn_rate_5 * climb_2);
+    const double _s12 = 0.125 * ((_s0 * ((_s10 + (sine_6 * around_1)) + (sine_7 * around_0))) - ((p_inertia * _s7) * ((_s11 + (turn_rate_6 * climb_1)) + (turn_rate_7 * climb_0))));
+    const double _s13 = (((((cosine_0 * _s4) + (cosine_1 * around_6)) + (cosine_2 * around_5)) + (cosine_3 * around_4)) + (cosine_4 * around_3)) + (cosine_5 * around_2);
+    const double _s14 = 0.125 * (((p_ring_radius * _s7) * ((_s13 + (cosine_6 * around_1)) + (cosine_7 * around_0))) + (_s0 * _s4));
+    return {_s2, _s4, -(0.125 * ((_s5 + (climb_6 * sine_1)) + (climb_7 * sine_0))), 0.125 * ((_s6 + (climb_6 * cosine_1)) + (climb_7 * cosine_0)), _s9, _s12, (0.125 * p_ring_radius) * _s4, _s14};
+}
+
+/* Coefficients of order 9, from those of lower order.
+   Routh's equations. 161 operations: 67 additions, 2 subtractions, 89 multiplications, 1 division, 2 negations. */
+struct kernel_ring_round_8_out {
+    double omega_8, around_8, cosine_9, sine_9, climb_9, along_9, turn_rate_9, tilted_9;
+};
+
+static __device__ __forceinline__ kernel_ring_round_8_out kernel_ring_round_8(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double turn_rate_6, double turn_rate_7, double turn_rate_8, double near_0, double climb_0, double climb_1, double climb_2, double climb_3, double climb_4, double climb_5, double climb_6, double climb_7, double climb_8, double cosine_0, double cosine_1, double cosine_2, double cosine_3, double cosine_4, double cosine_5, double cosine_6, double cosine_7, double cosine_8, double sine_0, double sine_1, double sine_2, double sine_3, double sine_4, double sine_5, double sine_6, double sine_7, double sine_8, double along_8, double omega_0, double omega_1, double omega_2, double omega_3, double omega_4, double omega_5, double omega_6, double omega_7, double around_0, double around_1, double around_2, double around_3, double around_4, double around_5, double around_6, double around_7, double tilted_0, double tilted_1, double tilted_2, double tilted_3, double tilted_4, double tilted_5, double tilted_6, double tilted_7, double tilted_8)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = (((((cosine_1 * omega_7) + (cosine_2 * omega_6)) + (cosine_3 * omega_5)) + (cosine_4 * omega_4)) + (cosine_5 * omega_3)) + (cosine_6 * omega_2);
+    const double _s2 = near_0 * (along_8 - (_s0 * ((_s1 + (cosine_7 * omega_1)) + (cosine_8 * omega_0))));
+    const double _s3 = (((((climb_0 * _s2) + (climb_1 * omega_7)) + (climb_2 * omega_6)) + (climb_3 * omega_5)) + (climb_4 * omega_4)) + (climb_5 * omega_3);
+    const double _s4 = ((_s3 + (climb_6 * omega_2)) + (climb_7 * omega_1)) + (climb_8 * omega_0);
+    const double _s5 = (((((climb_0 * sine_8) + (climb_1 * sine_7)) + (climb_2 * sine_6)) + (climb_3 * sine_5)) + (climb_4 * sine_4)) + (climb_5 * sine_3);
+    const double _s6 = -(0.1111111111111111 * (((_s5 + (climb_6 * sine_2)) + (climb_7 * sine_1)) + (climb_8 * sine_0)));
+    const double _s7 = (((((climb_0 * cosine_8) + (climb_1 * cosine_7)) + (climb_2 * cosine_6)) + (climb_3 * cosine_5)) + (climb_4 * cosine_4)) + (climb_5 * cosine_3);
+    const double _s8 = 1.0 / (1.0 + p_inertia);
+    const double _s9 = (((((omega_0 * tilted_8) + (omega_1 * tilted_7)) + (omega_2 * tilted_6)) + (omega_3 * tilted_5)) + (omega_4 * tilted_4)) + (omega_5 * tilted_3);
+    const double _s10 = (0.1111111111111111 * per_reach) * (((p_gravity * cosine_8) * _s8) + (((_s9 + (omega_6 * tilted_2)) + (omega_7 * tilted_1)) + (tilted_0 * _s2)));
+    const double _s11 = (((((sine_0 * _s4) + (sine_1 * around_7)) + (sine_2 * around_6)) + (sine_3 * around_5)) + (sine_4 * around_4)) + (sine_5 * around_3);
+    const double _s12 = (((((turn_rate_0 * climb_8) + (turn_rate_1 * climb_7)) + (turn_rate_2 * climb_6)) + (turn_rate_3 * climb_5)) + (turn_rate_4 * climb_4)) + (turn_rate_5 * climb_3);
+    const double _s13 = (_s0 * (((_s11 + (sine_6 * around_2)) + (sine_7 * around_1)) + (sine_8 * around_0))) - ((p_inertia * _s8) * (((_s12 + (turn_rate_6 * climb_2)) + (turn_rate_7 * climb_1)) + (turn_rate_8 * climb_0)));
+    const double _s14 = (((((cosine_0 * _s4) + (cosine_1 * around_7)) + (cosine_2 * around_6)) + (cosine_3 * around_5)) + (cosine_4 * around_4)) + (cosine_5 * around_3);
+    const double _s15 = ((p_ring_radius * _s8) * (((_s14 + (cosine_6 * around_2)) + (cosine_7 * around_1)) + (cosine_8 * around_0))) + (_s0 * _s4);
+    return {_s2, _s4, _s6, 0.1111111111111111 * (((_s7 + (climb_6 * cosine_2)) + (climb_7 * cosine_1)) + (climb_8 * cosine_0)), -_s10, 0.1111111111111111 * _s13, (0.1111111111111111 * p_ring_radius) * _s4, 0.1111111111111111 * _s15};
+}
+
+/* Coefficients of order 10, from those of lower order.
+   Routh's equations. 177 operations: 75 additions, 2 subtractions, 97 multiplications, 1 division, 2 negations. */
+struct kernel_ring_round_9_out {
+    double omega_9, around_9, cosine_10, sine_10, climb_10, along_10, turn_rate_10, tilted_10;
+};
+
+static __device__ __forceinline__ kernel_ring_round_9_out kernel_ring_round_9(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double turn_rate_6, double turn_rate_7, double turn_rate_8, double turn_rate_9, double near_0, double climb_0, double climb_1, double climb_2, double climb_3, double climb_4, double climb_5, double climb_6, double climb_7, double climb_8, double climb_9, double cosine_0, double cosine_1, double cosine_2, double cosine_3, double cosine_4, double cosine_5, double cosine_6, double cosine_7, double cosine_8, double cosine_9, double sine_0, double sine_1, double sine_2, double sine_3, double sine_4, double sine_5, double sine_6, double sine_7, double sine_8, double sine_9, double along_9, double omega_0, double omega_1, double omega_2, double omega_3, double omega_4, double omega_5, double omega_6, double omega_7, double omega_8, double around_0, double around_1, double around_2, double around_3, double around_4, double around_5, double around_6, double around_7, double around_8, double tilted_0, double tilted_1, double tilted_2, double tilted_3, double tilted_4, double tilted_5, double tilted_6, double tilted_7, double tilted_8, double tilted_9)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = (((((cosine_1 * omega_8) + (cosine_2 * omega_7)) + (cosine_3 * omega_6)) + (cosine_4 * omega_5)) + (cosine_5 * omega_4)) + (cosine_6 * omega_3);
+    const double _s2 = along_9 - (_s0 * (((_s1 + (cosine_7 * omega_2)) + (cosine_8 * omega_1)) + (cosine_9 * omega_0)));
+    const double _s3 = near_0 * _s2;
+    const double _s4 = (((((climb_0 * _s3) + (climb_1 * omega_8)) + (climb_2 * omega_7)) + (climb_3 * omega_6)) + (climb_4 * omega_5)) + (climb_5 * omega_4);
+    const double _s5 = (((_s4 + (climb_6 * omega_3)) + (climb_7 * omega_2)) + (climb_8 * omega_1)) + (climb_9 * omega_0);
+    const double _s6 = (((((climb_0 * sine_9) + (climb_1 * sine_8)) + (climb_2 * sine_7)) + (climb_3 * sine_6)) + (climb_4 * sine_5)) + (climb_5 * sine_4);
+    const double _s7 = 0.1 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0));
+    const double _s8 = (((((climb_0 * cosine_9) + (climb_1 * cosine_8)) + (climb_2 * cosine_7)) + (climb_3 * cosine_6)) + (climb_4 * cosine_5)) + (climb_5 * cosine_4);
+    const double _s9 = 0.1 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0));
+    const double _s10 = 1.0 / (1.0 + p_inertia);
+    const double _s11 = (((((omega_0 * tilted_9) + (omega_1 * tilted_8)) + (omega_2 * tilted_7)) + (omega_3 * tilted_6)) + (omega_4 * tilted_5)) + (omega_5 * tilted_4);
+    const double _s12 = ((p_gravity * cosine_9) * _s10) + ((((_s11 + (omega_6 * tilted_3)) + (omega_7 * tilted_2)) + (omega_8 * tilted_1)) + (tilted_0 * _s3));
+    const double _s13 = (((((sine_0 * _s5) + (sine_1 * around_8)) + (sine_2 * around_7)) + (sine_3 * around_6)) + (sine_4 * around_5)) + (sine_5 * around_4);
+    const double _s14 = _s0 * ((((_s13 + (sine_6 * around_3)) + (sine_7 * around_2)) + (sine_8 * around_1)) + (sine_9 * around_0));
+    const double _s15 = (((((turn_rate_0 * climb_9) + (turn_rate_1 * climb_8)) + (turn_rate_2 * climb_7)) + (turn_rate_3 * climb_6)) + (turn_rate_4 * climb_5)) + (turn_rate_5 * climb_4);
+    const double _s16 = (p_inertia * _s10) * ((((_s15 + (turn_rate_6 * climb_3)) + (turn_rate_7 * climb_2)) + (turn_rate_8 * climb_1)) + (turn_rate_9 * climb_0));
+    const double _s17 = (((((cosine_0 * _s5) + (cosine_1 * around_8)) + (cosine_2 * around_7)) + (cosine_3 * around_6)) + (cosine_4 * around_5)) + (cosine_5 * around_4);
+    const double _s18 = (p_ring_radius * _s10) * ((((_s17 + (cosine_6 * around_3)) + (cosine_7 * around_2)) + (cosine_8 * around_1)) + (cosine_9 * around_0));
+    return {_s3, _s5, -_s7, _s9, -((0.1 * per_reach) * _s12), 0.1 * (_s14 - _s16), (0.1 * p_ring_radius) * _s5, 0.1 * (_s18 + (_s0 * _s5))};
+}
+
+/* Coefficients of order 11, from those of lower order.
+   Routh's equations. 193 operations: 83 additions, 2 subtractions, 105 multiplications, 1 division, 2 negations. */
+struct kernel_ring_round_10_out {
+    double omega_10, around_10, cosine_11, sine_11, climb_11, along_11, turn_rate_11, tilted_11;
+};
+
+static __device__ __forceinline__ kernel_ring_round_10_out kernel_ring_round_10(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double turn_rate_6, double turn_rate_7, double turn_rate_8, double turn_rate_9, double turn_rate_10, double near_0, double climb_0, double climb_1, double climb_2, double climb_3, double climb_4, double climb_5, double climb_6, double climb_7, double climb_8, double climb_9, double climb_10, double cosine_0, double cosine_1, double cosine_2, double cosine_3, double cosine_4, double cosine_5, double cosine_6, double cosine_7, double cosine_8, double cosine_9, double cosine_10, double sine_0, double sine_1, double sine_2, double sine_3, double sine_4, double sine_5, double sine_6, double sine_7, double sine_8, double sine_9, double sine_10, double along_10, double omega_0, double omega_1, double omega_2, double omega_3, double omega_4, double omega_5, double omega_6, double omega_7, double omega_8, double omega_9, double around_0, double around_1, double around_2, double around_3, double around_4, double around_5, double around_6, double around_7, double around_8, double around_9, double tilted_0, double tilted_1, double tilted_2, double tilted_3, double tilted_4, double tilted_5, double tilted_6, double tilted_7, double tilted_8, double tilted_9, double tilted_10)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = (((((cosine_1 * omega_9) + (cosine_2 * omega_8)) + (cosine_3 * omega_7)) + (cosine_4 * omega_6)) + (cosine_5 * omega_5)) + (cosine_6 * omega_4);
+    const double _s2 = _s0 * ((((_s1 + (cosine_7 * omega_3)) + (cosine_8 * omega_2)) + (cosine_9 * omega_1)) + (cosine_10 * omega_0));
+    const double _s3 = near_0 * (along_10 - _s2);
+    const double _s4 = (((((climb_0 * _s3) + (climb_1 * omega_9)) + (climb_2 * omega_8)) + (climb_3 * omega_7)) + (climb_4 * omega_6)) + (climb_5 * omega_5);
+    const double _s5 = ((((_s4 + (climb_6 * omega_4)) + (climb_7 * omega_3)) + (climb_8 * omega_2)) + (climb_9 * omega_1)) + (climb_10 * omega_0);
+    const double _s6 = (((((climb_0 * sine_10) + (climb_1 * sine_9)) + (climb_2 * sine_8)) + (climb_3 * sine_7)) + (climb_4 * sine_6)) + (climb_5 * sine_5);
+    const double _s7 = ((((_s6 + (climb_6 * sine_4)) + (climb_7 * sine_3)) + (climb_8 * sine_2)) + (climb_9 * sine_1)) + (climb_10 * sine_0);
+    const double _s8 = (((((climb_0 * cosine_10) + (climb_1 * cosine_9)) + (climb_2 * cosine_8)) + (climb_3 * cosine_7)) + (climb_4 * cosine_6)) + (climb_5 * cosine_5);
+    const double _s9 = ((((_s8 + (climb_6 * cosine_4)) + (climb_7 * cosine_3)) + (climb_8 * cosine_2)) + (climb_9 * cosine_1)) + (climb_10 * cosine_0);
+    const double _s10 = 1.0 / (1.0 + p_inertia);
+    const double _s11 = (((((omega_0 * tilted_10) + (omega_1 * tilted_9)) + (omega_2 * tilted_8)) + (omega_3 * tilted_7)) + (omega_4 * tilted_6)) + (omega_5 * tilted_5);
+    const double _s12 = ((((_s11 + (omega_6 * tilted_4)) + (omega_7 * tilted_3)) + (omega_8 * tilted_2)) + (omega_9 * tilted_1)) + (tilted_0 * _s3);
+    const double _s13 = (((((sine_0 * _s5) + (sine_1 * around_9)) + (sine_2 * around_8)) + (sine_3 * around_7)) + (sine_4 * around_6)) + (sine_5 * around_5);
+    const double _s14 = ((((_s13 + (sine_6 * around_4)) + (sine_7 * around_3)) + (sine_8 * around_2)) + (sine_9 * around_1)) + (sine_10 * around_0);
+    const double _s15 = (((((turn_rate_0 * climb_10) + (turn_rate_1 * climb_9)) + (turn_rate_2 * climb_8)) + (turn_rate_3 * climb_7)) + (turn_rate_4 * climb_6)) + (turn_rate_5 * climb_5);
+    const double _s16 = ((((_s15 + (turn_rate_6 * climb_4)) + (turn_rate_7 * climb_3)) + (turn_rate_8 * climb_2)) + (turn_rate_9 * climb_1)) + (turn_rate_10 * climb_0);
+    const double _s17 = (((((cosine_0 * _s5) + (cosine_1 * around_9)) + (cosine_2 * around_8)) + (cosine_3 * around_7)) + (cosine_4 * around_6)) + (cosine_5 * around_5);
+    const double _s18 = ((((_s17 + (cosine_6 * around_4)) + (cosine_7 * around_3)) + (cosine_8 * around_2)) + (cosine_9 * around_1)) + (cosine_10 * around_0);
+    return {_s3, _s5, -(0.09090909090909091 * _s7), 0.09090909090909091 * _s9, -((0.09090909090909091 * per_reach) * (((p_gravity * cosine_10) * _s10) + _s12)), 0.09090909090909091 * ((_s0 * _s14) - ((p_inertia * _s10) * _s16)), (0.09090909090909091 * p_ring_radius) * _s5, 0.09090909090909091 * (((p_ring_radius * _s10) * _s18) + (_s0 * _s5))};
+}
+
+/* Coefficients of order 12, from those of lower order.
+   Routh's equations. 209 operations: 91 additions, 2 subtractions, 113 multiplications, 1 division, 2 negations. */
+struct kernel_ring_round_11_out {
+    double omega_11, around_11, cosine_12, sine_12, climb_12, along_12, turn_rate_12, tilted_12;
+};
+
+static __device__ __forceinline__ kernel_ring_round_11_out kernel_ring_round_11(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_radius, double p_wire_radius, double per_reach, double turn_rate_0, double turn_rate_1, double turn_rate_2, double turn_rate_3, double turn_rate_4, double turn_rate_5, double turn_rate_6, double turn_rate_7, double turn_rate_8, double turn_rate_9, double turn_rate_10, double turn_rate_11, double near_0, double climb_0, double climb_1, double climb_2, double climb_3, double climb_4, double climb_5, double climb_6, double climb_7, double climb_8, double climb_9, double climb_10, double climb_11, double cosine_0, double cosine_1, double cosine_2, double cosine_3, double cosine_4, double cosine_5, double cosine_6, double cosine_7, double cosine_8, double cosine_9, double cosine_10, double cosine_11, double sine_0, double sine_1, double sine_2, double sine_3, double sine_4, double sine_5, double sine_6, double sine_7, double sine_8, double sine_9, double sine_10, double sine_11, double along_11, double omega_0, double omega_1, double omega_2, double omega_3, double omega_4, double omega_5, double omega_6, double omega_7, double omega_8, double omega_9, double omega_10, double around_0, double around_1, double around_2, double around_3, double around_4, double around_5, double around_6, double around_7, double around_8, double around_9, double around_10, double tilted_0, double tilted_1, double tilted_2, double tilted_3, double tilted_4, double tilted_5, double tilted_6, double tilted_7, double tilted_8, double tilted_9, double tilted_10, double tilted_11)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = (((((cosine_1 * omega_10) + (cosine_2 * omega_9)) + (cosine_3 * omega_8)) + (cosine_4 * omega_7)) + (cosine_5 * omega_6)) + (cosine_6 * omega_5);
+    const double _s2 = ((((_s1 + (cosine_7 * omega_4)) + (cosine_8 * omega_3)) + (cosine_9 * omega_2)) + (cosine_10 * omega_1)) + (cosine_11 * omega_0);
+    const double _s3 = near_0 * (along_11 - (_s0 * _s2));
+    const double _s4 = (((((climb_0 * _s3) + (climb_1 * omega_10)) + (climb_2 * omega_9)) + (climb_3 * omega_8)) + (climb_4 * omega_7)) + (climb_5 * omega_6);
+    const double _s5 = ((((_s4 + (climb_6 * omega_5)) + (climb_7 * omega_4)) + (climb_8 * omega_3)) + (climb_9 * omega_2)) + (climb_10 * omega_1);
+    const double _s6 = _s5 + (climb_11 * omega_0);
+    const double _s7 = (((((climb_0 * sine_11) + (climb_1 * sine_10)) + (climb_2 * sine_9)) + (climb_3 * sine_8)) + (climb_4 * sine_7)) + (climb_5 * sine_6);
+    const double _s8 = ((((_s7 + (climb_6 * sine_5)) + (climb_7 * sine_4)) + (climb_8 * sine_3)) + (climb_9 * sine_2)) + (climb_10 * sine_1);
+    const double _s9 = (((((climb_0 * cosine_11) + (climb_1 * cosine_10)) + (climb_2 * cosine_9)) + (climb_3 * cosine_8)) + (climb_4 * cosine_7)) + (climb_5 * cosine_6);
+    const double _s10 = ((((_s9 + (climb_6 * cosine_5)) + (climb_7 * cosine_4)) + (climb_8 * cosine_3)) + (climb_9 * cosine_2)) + (climb_10 * cosine_1);
+    const double _s11 = 1.0 / (1.0 + p_inertia);
+    const double _s12 = (((((omega_0 * tilted_11) + (omega_1 * tilted_10)) + (omega_2 * tilted_9)) + (omega_3 * tilted_8)) + (omega_4 * tilted_7)) + (omega_5 * tilted_6);
+    const double _s13 = ((((_s12 + (omega_6 * tilted_5)) + (omega_7 * tilted_4)) + (omega_8 * tilted_3)) + (omega_9 * tilted_2)) + (omega_10 * tilted_1);
+    const double _s14 = (((((sine_0 * _s6) + (sine_1 * around_10)) + (sine_2 * around_9)) + (sine_3 * around_8)) + (sine_4 * around_7)) + (sine_5 * around_6);
+    const double _s15 = ((((_s14 + (sine_6 * around_5)) + (sine_7 * around_4)) + (sine_8 * around_3)) + (sine_9 * around_2)) + (sine_10 * around_1);
+    const double _s16 = (((((turn_rate_0 * climb_11) + (turn_rate_1 * climb_10)) + (turn_rate_2 * climb_9)) + (turn_rate_3 * climb_8)) + (turn_rate_4 * climb_7)) + (turn_rate_5 * climb_6);
+    const double _s17 = ((((_s16 + (turn_rate_6 * climb_5)) + (turn_rate_7 * climb_4)) + (turn_rate_8 * climb_3)) + (turn_rate_9 * climb_2)) + (turn_rate_10 * climb_1);
+    const double _s18 = (((((cosine_0 * _s6) + (cosine_1 * around_10)) + (cosine_2 * around_9)) + (cosine_3 * around_8)) + (cosine_4 * around_7)) + (cosine_5 * around_6);
+    const double _s19 = ((((_s18 + (cosine_6 * around_5)) + (cosine_7 * around_4)) + (cosine_8 * around_3)) + (cosine_9 * around_2)) + (cosine_10 * around_1);
+    return {_s3, _s6, -(0.08333333333333333 * (_s8 + (climb_11 * sine_0))), 0.08333333333333333 * (_s10 + (climb_11 * cosine_0)), -((0.08333333333333333 * per_reach) * (((p_gravity * cosine_11) * _s11) + (_s13 + (tilted_0 * _s3)))), 0.08333333333333333 * ((_s0 * (_s15 + (sine_11 * around_0))) - ((p_inertia * _s11) * (_s17 + (turn_rate_11 * climb_0)))), (0.08333333333333333 * p_ring_radius) * _s6, 0.08333333333333333 * (((p_ring_radius * _s11) * (_s19 + (cosine_11 * around_0))) + (_s0 * _s6))};
+}
+
+/* First window that ends later than a time, from then on.
+   Table 1. 18 operations: 6 comparisons, 3 disjunctions, 9 selections. */
+struct kernel_ring_enter_out {
+    double t, end;
+    bool searching;
+};
+
+static __device__ __forceinline__ kernel_ring_enter_out kernel_ring_enter(double t, double end, double after, double low0, double low1, double low2, double high0, double high1, double high2)
+{
+    const double _s0 = larger(after, low0);
+    const bool _s1 = _s0 < high0;
+    const double _s2 = larger(after, low1);
+    const bool _s3 = _s2 < high1;
+    const double _s4 = larger(after, low2);
+    const bool _s5 = _s4 < high2;
+    return {choose(_s1, _s0, choose(_s3, _s2, choose(_s5, _s4, t))), choose(_s1, high0, choose(_s3, high1, choose(_s5, high2, end))), ((false || _s5) || _s3) || _s1};
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. 28 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections. */
+struct kernel_backboard_normal_out {
+    double nx, ny, nz;
+};
+
+static __device__ __forceinline__ kernel_backboard_normal_out kernel_backboard_normal(double x, double y, double z, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness)
+{
+    const double _s0 = 1.0 / p_ball_radius;
+    const double _s1 = p_board_distance + x;
+    const double _s2 = -((p_board_distance + p_board_thickness) + x);
+    const double _s3 = y - p_board_half_width;
+    const double _s4 = -(p_board_half_width + y);
+    const double _s5 = z - p_board_top;
+    const double _s6 = p_board_bottom - z;
+    return {_s0 * (larger(_s1, 0.0) - larger(_s2, 0.0)), _s0 * (larger(_s3, 0.0) - larger(_s4, 0.0)), _s0 * (larger(_s5, 0.0) - larger(_s6, 0.0))};
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. 1 operation: 1 division. */
+struct kernel_backboard_curvature_out {
+    double curvature;
+};
+
+static __device__ __forceinline__ kernel_backboard_curvature_out kernel_backboard_curvature(double p_ball_radius)
+{
+    return {1.0 / p_ball_radius};
+}
+
+/* Error of the normal, from that of the position.
+   derivative of Table 2's normal. 32 operations: 4 additions, 6 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+struct kernel_backboard_carry_normal_out {
+    double dnx, dny, dnz, turn;
+};
+
+static __device__ __forceinline__ kernel_backboard_carry_normal_out kernel_backboard_carry_normal(double x, double y, double z, double dx, double dy, double dz, double shift, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness)
+{
+    const double _s0 = 1.0 / p_ball_radius;
+    const double _s1 = choose(((p_board_distance + x) < 0.0), 0.0, dx) - choose(((-((p_board_distance + p_board_thickness) + x)) < 0.0), 0.0, (-dx));
+    const double _s2 = _s0 * (choose(((y - p_board_half_width) < 0.0), 0.0, dy) - choose(((-(p_board_half_width + y)) < 0.0), 0.0, (-dy)));
+    return {_s0 * _s1, _s2, _s0 * (choose(((z - p_board_top) < 0.0), 0.0, dz) - choose(((p_board_bottom - z) < 0.0), 0.0, (-dz))), shift * _s0};
+}
+
+/* Constants and windows of the search along a flight, and its error budget.
+   bounds of the event condition. 135 operations: 27 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections. */
+struct kernel_backboard_prepare_out {
+    double low0, high0, low1, high1, ceiling, latest, budget_exceeded;
+};
+
+static __device__ __forceinline__ kernel_backboard_prepare_out kernel_backboard_prepare(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_gravity)
+{
+    const double _s0 = fabs(vx);
+    const double _s1 = 0.5 * p_board_thickness;
+    const double _s2 = p_ball_radius + _s1;
+    const double _s3 = 0.5 * p_board_top;
+    const double _s4 = p_ball_radius + _s3;
+    const double _s5 = 0.5 * p_board_bottom;
+    const double _s6 = _s4 - _s5;
+    const double _s7 = p_ball_radius + p_board_half_width;
+    const double _s8 = smaller(_s7, _s2);
+    const double _s9 = smaller(_s6, _s8);
+    const double _s10 = 6.103515625e-05 * _s9;
+    const double _s11 = _s2 + _s10;
+    const double _s12 = p_board_distance + _s1;
+    const double _s13 = _s12 + x;
+    const double _s14 = choose((vx < 0.0), (-_s13), _s13);
+    const double _s15 = (-(_s11 + _s14)) / _s0;
+    const double _s16 = larger(0.0, _s15);
+    const double _s17 = fabs(vy);
+    const double _s18 = _s7 + _s10;
+    const double _s19 = choose((vy < 0.0), (-y), y);
+    const double _s20 = (-(_s18 + _s19)) / _s17;
+    const double _s21 = larger(_s16, _s20);
+    const double _s22 = vz * vz;
+    const double _s23 = (z - _s5) - _s3;
+    const double _s24 = (_s4 + _s10) - _s5;
+    const double _s25 = 2.0 * p_gravity;
+    const double _s26 = _s22 + (_s25 * (_s23 + _s24));
+    const double _s27 = 1.0 / p_gravity;
+    const double _s28 = sqrt(_s26);
+    const bool _s29 = 0.0 <= _s26;
+    const double _s30 = choose(_s29, (_s27 * (vz - _s28)), (INFINITE));
+    const double _s31 = larger(_s21, _s30);
+    const double _s32 = _s22 + (_s25 * (_s23 - _s24));
+    const double _s33 = sqrt(larger(_s32, 0.0));
+    const double _s34 = choose(_s29, (_s27 * (vz + _s28)), (-INFINITE));
+    const bool _s35 = 0.0 < _s32;
+    const double _s36 = choose(_s35, (_s27 * (vz - _s33)), _s34);
+    const double _s37 = (_s18 - _s19) / _s17;
+    const double _s38 = (_s11 - _s14) / _s0;
+    const double _s39 = smaller(_s38, (INFINITE));
+    const double _s40 = smaller(_s37, _s39);
+    const double _s41 = smaller(_s36, _s40);
+    const double _s42 = choose(_s35, (_s27 * (vz + _s33)), (INFINITE));
+    const double _s43 = larger(_s21, _s42);
+    const double _s44 = smaller(_s34, _s40);
+    const double _s45 = larger(0.0, _s41);
+    const double _s46 = larger(_s45, _s44);
+    const double _s47 = smaller(_s46, horizon);
+    const double _s48 = speed + (p_gravity * _s47);
+    const double _s49 = 2.0 * (((1.25 * fabs((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9))) + (3.0 * (_s48 * _s48)));
+    const double _s50 = larger(_s2, _s7);
+    const double _s51 = ((_s12 + extent) + fabs((_s5 + _s3))) + larger(_s50, _s6);
+    const double _s52 = (sqrt(2.0) * sqrt((_s27 * (_s51 + _s9)))) + ((2.0 * speed) * _s27);
+    const double _s53 = ((position_error + (velocity_error * smaller(_s52, horizon))) + (3.552713678800501e-15 * (((speed * speed) * _s27) + _s51))) - (1.52587890625e-05 * _s9);
+    return {larger(0.0, _s31), smaller(_s41, horizon), larger(0.0, _s43), smaller(_s44, horizon), _s49, _s47, _s53};
+}
+
+/* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+   running error analysis. 83 operations: 31 additions, 1 subtraction, 45 multiplications, 2 absolute values, 2 comparisons, 2 selections. */
+struct kernel_backboard_margins_out {
+    double margin, leaving_margin, rate_margin;
+};
+
+static __device__ __forceinline__ kernel_backboard_margins_out kernel_backboard_margins(double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_gravity)
+{
+    const double _s0 = (p_ball_radius + (0.5 * p_board_top)) - (0.5 * p_board_bottom);
+    const double _s1 = p_ball_radius + p_board_half_width;
+    const double _s2 = p_ball_radius + (0.5 * p_board_thickness);
+    const double _s3 = smaller(_s1, _s2);
+    const double _s4 = p_ball_radius + (0.0001220703125 * smaller(_s0, _s3));
+    const double _s5 = speed + (p_gravity * horizon);
+    const double _s6 = extent + (horizon * _s5);
+    const double _s7 = 2.220446049250313e-16 * _s6;
+    const double _s8 = 2.0 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s6));
+    const double _s9 = ((3.3306690738754696e-16 * p_board_half_width) + _s7) + _s8;
+    const double _s10 = 2.001953125 * _s4;
+    const double _s11 = (((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness)) + (3.3306690738754696e-16 * _s6)) + _s8;
+    const double _s12 = (((2.220446049250313e-16 * fabs(p_board_bottom)) + (2.220446049250313e-16 * fabs(p_board_top))) + _s7) + _s8;
+    const double _s13 = ((((5.55653613398821e-16 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((1.3335686721571705e-15 * horizon) * _s4) * _s5);
+    const double _s14 = 4.00390625 * _s5;
+    const double _s15 = ((((6.667843360785852e-15 * _s4) * _s5) + ((12.01171875 * _s4) * (velocity_error + (3.3306690738754696e-16 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11);
+    const double _s16 = 2.001953125 * _s5;
+    const double _s17 = ((((2.667137344314341e-15 * _s4) * _s5) + ((6.005859375 * _s4) * (velocity_error + (2.220446049250313e-16 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11);
+    return {_s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)};
+}
+
+/* Newton's next value of a root near t, and gap and rate there.
+   Newton's method. 101 operations: 19 additions, 19 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections. */
+struct kernel_backboard_refine_out {
+    double time, gap, rate;
+};
+
+static __device__ __forceinline__ kernel_backboard_refine_out kernel_backboard_refine(double t, double leaving, double x, double y, double z, double vx, double vy, double vz, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_gravity)
+{
+    const double _s0 = x + (vx * t);
+    const double _s1 = p_board_distance + _s0;
+    const double _s2 = p_board_distance + p_board_thickness;
+    const double _s3 = -(_s2 + _s0);
+    const double _s4 = larger(_s1, 0.0) - larger(_s3, 0.0);
+    const double _s5 = y + (vy * t);
+    const double _s6 = _s5 - p_board_half_width;
+    const double _s7 = -(p_board_half_width + _s5);
+    const double _s8 = larger(_s6, 0.0) - larger(_s7, 0.0);
+    const double _s9 = vz - ((0.5 * p_gravity) * t);
+    const double _s10 = z + (t * _s9);
+    const double _s11 = _s10 - p_board_top;
+    const double _s12 = p_board_bottom - _s10;
+    const double _s13 = larger(_s11, 0.0) - larger(_s12, 0.0);
+    const double _s14 = 2.0 * (((vx * _s4) + (vy * _s8)) + ((vz - (p_gravity * t)) * _s13));
+    const double _s15 = p_board_distance + x;
+    const double _s16 = -(_s2 + x);
+    const double _s17 = larger(_s15, 0.0) - larger(_s16, 0.0);
+    const double _s18 = _s4 * _s4;
+    const double _s19 = y - p_board_half_width;
+    const double _s20 = -(p_board_half_width + y);
+    const double _s21 = larger(_s19, 0.0) - larger(_s20, 0.0);
+    const double _s22 = _s8 * _s8;
+    const double _s23 = z - p_board_top;
+    const double _s24 = p_board_bottom - z;
+    const double _s25 = larger(_s23, 0.0) - larger(_s24, 0.0);
+    const double _s26 = _s13 * _s13;
+    const double _s27 = (choose((0.0 < (_s17 * _s4)), (t * (vx * (_s17 + _s4))), (_s18 - (_s17 * _s17))) + choose((0.0 < (_s21 * _s8)), (t * (vy * (_s21 + _s8))), (_s22 - (_s21 * _s21)))) + choose((0.0 < (_s25 * _s13)), (t * (_s9 * (_s25 + _s13))), (_s26 - (_s25 * _s25)));
+    const double _s28 = choose((0.0 < leaving), _s27, (((_s18 + _s22) + _s26) - (p_ball_radius * p_ball_radius)));
+    return {t - (_s28 / _s14), _s28, _s14};
+}
+
+/* Gap, rate, second derivative, a step without a root, its end, and the clearance.
+   Newton from the left under a curvature bound. 190 operations: 33 additions, 25 subtractions, 49 multiplications, 2 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections. */
+struct kernel_backboard_advance_out {
+    double gap, rate, bend, step, next, clearance;
+};
+
+static __device__ __forceinline__ kernel_backboard_advance_out kernel_backboard_advance(double t, double end, double leaving, double margin, double rate_margin, double ceiling, double x, double y, double z, double vx, double vy, double vz, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_gravity)
+{
+    const double _s0 = p_board_distance + x;
+    const double _s1 = p_board_distance + p_board_thickness;
+    const double _s2 = -(_s1 + x);
+    const double _s3 = larger(_s0, 0.0) - larger(_s2, 0.0);
+    const double _s4 = x + (vx * t);
+    const double _s5 = p_board_distance + _s4;
+    const double _s6 = -(_s1 + _s4);
+    const double _s7 = larger(_s5, 0.0) - larger(_s6, 0.0);
+    const double _s8 = _s7 * _s7;
+    const double _s9 = y - p_board_half_width;
+    const double _s10 = -(p_board_half_width + y);
+    const double _s11 = larger(_s9, 0.0) - larger(_s10, 0.0);
+    const double _s12 = y + (vy * t);
+    const double _s13 = _s12 - p_board_half_width;
+    const double _s14 = -(p_board_half_width + _s12);
+    const double _s15 = larger(_s13, 0.0) - larger(_s14, 0.0);
+    const double _s16 = _s15 * _s15;
+    const double _s17 = z - p_board_top;
+    const double _s18 = p_board_bottom - z;
+    const double _s19 = larger(_s17, 0.0) - larger(_s18, 0.0);
+    const double _s20 = vz - ((0.5 * p_gravity) * t);
+    const double _s21 = z + (t * _s20);
+    const double _s22 = _s21 - p_board_top;
+    const double _s23 = p_board_bottom - _s21;
+    const double _s24 = larger(_s22, 0.0) - larger(_s23, 0.0);
+    const double _s25 = _s24 * _s24;
+    const double _s26 = (choose((0.0 < (_s3 * _s7)), (t * (vx * (_s3 + _s7))), (_s8 - (_s3 * _s3))) + choose((0.0 < (_s11 * _s15)), (t * (vy * (_s11 + _s15))), (_s16 - (_s11 * _s11)))) + choose((0.0 < (_s19 * _s24)), (t * (_s20 * (_s19 + _s24))), (_s25 - (_s19 * _s19)));
+    const double _s27 = choose((0.0 < leaving), _s26, (((_s8 + _s16) + _s25) - (p_ball_radius * p_ball_radius)));
+    const double _s28 = vz - (p_gravity * t);
+    const double _s29 = 2.0 * (((vx * _s7) + (vy * _s15)) + (_s28 * _s24));
+    const double _s30 = fabs(_s24);
+    const double _s31 = 2.0 * ((choose((0.0 < fabs(_s7)), (vx * vx), 0.0) + choose((0.0 < fabs(_s15)), (vy * vy), 0.0)) + choose((0.0 < _s30), ((_s28 * _s28) - (p_gravity * _s24)), 0.0));
+    const double _s32 = fabs((-p_gravity));
+    const double _s33 = (p_ball_radius + (0.5 * p_board_top)) - (0.5 * p_board_bottom);
+    const double _s34 = p_ball_radius + p_board_half_width;
+    const double _s35 = p_ball_radius + (0.5 * p_board_thickness);
+    const double _s36 = smaller(_s34, _s35);
+    const double _s37 = p_ball_radius + (0.0001220703125 * smaller(_s33, _s36));
+    const double _s38 = _s29 - rate_margin;
+    const double _s39 = _s27 - margin;
+    const double _s40 = larger(_s39, 0.0);
+    const double _s41 = -_s31;
+    const bool _s42 = _s38 < 0.0;
+    const double _s43 = 2.0 * _s40;
+    const double _s44 = choose((0.0 < choose((0.0 <= _s38), _s40, 0.0)), (INFINITE), (choose(_s42, _s43, (4.0 * _s38)) / choose(_s42, (-_s38), larger(0.0, _s41))));
+    const double _s45 = end - t;
+    const double _s46 = smaller(_s44, _s45);
+    const double _s47 = ((((0.5 * _s32) * _s46) + fabs(_s28)) * _s46) + _s30;
+    const double _s48 = (9.094947017729282e-13 * ceiling) + (2.0 * (_s32 * smaller(_s37, _s47)));
+    const double _s49 = ((2.0 * _s48) * _s40) + (_s38 * _s38);
+    const double _s50 = sqrt(_s49);
+    const double _s51 = choose((0.0 <= _s49), (choose(_s42, _s43, (_s38 + _s50)) / choose(_s42, (_s50 - _s38), larger(0.0, _s48))), (INFINITE));
+    const double _s52 = smaller(_s51, _s46);
+    const double _s53 = -(rate_margin + _s29);
+    return {_s27, _s29, _s31, _s52, t + _s52, choose((0.0 < _s53), ((_s53 * _s53) - ((8.0 * ceiling) * (margin + _s43))), _s53)};
+}
+
+/* Whether a flight may reach the box of a surface at all.
+   disjoint boxes. 62 operations: 12 additions, 11 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
+struct kernel_backboard_near_out {
+    bool near;
+};
+
+static __device__ __forceinline__ kernel_backboard_near_out kernel_backboard_near(double middle_x, double middle_y, double middle_z, double reach_x, double reach_y, double reach_z, double later_middle_x, double later_middle_y, double later_middle_z, double later_reach_x, double later_reach_y, double later_reach_z, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness)
+{
+    const double _s0 = 1.0000000009313226 * (p_ball_radius * p_ball_radius);
+    const double _s1 = 0.5 * p_board_thickness;
+    const double _s2 = -(p_board_distance + _s1);
+    const double _s3 = 1.0000000009313226 * _s1;
+    const double _s4 = fabs((_s2 - middle_x)) - (reach_x + _s3);
+    const double _s5 = larger(_s4, 0.0);
+    const double _s6 = 1.0000000009313226 * p_board_half_width;
+    const double _s7 = fabs((-middle_y)) - (reach_y + _s6);
+    const double _s8 = larger(_s7, 0.0);
+    const double _s9 = 0.5 * p_board_bottom;
+    const double _s10 = 0.5 * p_board_top;
+    const double _s11 = _s9 + _s10;
+    const double _s12 = 1.0000000009313226 * (_s10 - _s9);
+    const double _s13 = fabs((_s11 - middle_z)) - (reach_z + _s12);
+    const double _s14 = larger(_s13, 0.0);
+    const double _s15 = fabs((_s2 - later_middle_x)) - (later_reach_x + _s3);
+    const double _s16 = larger(_s15, 0.0);
+    const double _s17 = fabs((-later_middle_y)) - (later_reach_y + _s6);
+    const double _s18 = larger(_s17, 0.0);
+    const double _s19 = fabs((_s11 - later_middle_z)) - (later_reach_z + _s12);
+    const double _s20 = larger(_s19, 0.0);
+    const bool _s21 = !((_s0 < (((_s5 * _s5) + (_s8 * _s8)) + (_s14 * _s14))) && (_s0 < (((_s16 * _s16) + (_s18 * _s18)) + (_s20 * _s20))));
+    return {_s21};
+}
+
+/* Distance, its rate, and a bound on how fast it bends down, by the squared speed.
+   Table 2. 59 operations: 8 additions, 10 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections. */
+struct kernel_backboard_beside_out {
+    double gap, nearing, gap_curvature;
+};
+
+static __device__ __forceinline__ kernel_backboard_beside_out kernel_backboard_beside(double p_ball_radius, double p_board_bottom, double p_board_distance, double p_board_half_width, double p_board_thickness, double p_board_top, double x, double y, double z, double vx, double vy, double vz)
+{
+    const double _s0 = p_board_distance + x;
+    const double _s1 = -((p_board_distance + p_board_thickness) + x);
+    const double _s2 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s3 = y - p_board_half_width;
+    const double _s4 = -(p_board_half_width + y);
+    const double _s5 = larger(_s3, 0.0) - larger(_s4, 0.0);
+    const double _s6 = z - p_board_top;
+    const double _s7 = p_board_bottom - z;
+    const double _s8 = larger(_s6, 0.0) - larger(_s7, 0.0);
+    const double _s9 = sqrt((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)));
+    const double _s10 = ((2.0 * (choose((_s0 < 0.0), 0.0, vx) - choose((_s1 < 0.0), 0.0, (-vx)))) * _s2) + ((2.0 * (choose((_s3 < 0.0), 0.0, vy) - choose((_s4 < 0.0), 0.0, (-vy)))) * _s5);
+    const double _s11 = _s10 + ((2.0 * (choose((_s6 < 0.0), 0.0, vz) - choose((_s7 < 0.0), 0.0, (-vz)))) * _s8);
+    return {_s9 - p_ball_radius, (0.5 * _s11) / _s9, 0.0};
+}
+
+/* Distance of a ball that rolls on another surface, and its first two derivatives.
+   derivatives of Table 2's distance. 115 operations: 16 additions, 16 subtractions, 33 multiplications, 1 division, 1 square root, 12 negations, 12 comparisons, 24 selections. */
+struct kernel_backboard_closing_out {
+    double gap, nearing, rolling_gap_acceleration, normal_cosine;
+};
+
+static __device__ __forceinline__ kernel_backboard_closing_out kernel_backboard_closing(double p_ball_radius, double p_board_bottom, double p_board_distance, double p_board_half_width, double p_board_thickness, double p_board_top, double x, double y, double z, double nx, double ny, double nz, double rolled_x, double rolled_y, double rolled_z, double rolling_acceleration_x, double rolling_acceleration_y, double rolling_acceleration_z)
+{
+    const double _s0 = p_board_distance + x;
+    const double _s1 = -((p_board_distance + p_board_thickness) + x);
+    const double _s2 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s3 = y - p_board_half_width;
+    const double _s4 = -(p_board_half_width + y);
+    const double _s5 = larger(_s3, 0.0) - larger(_s4, 0.0);
+    const double _s6 = z - p_board_top;
+    const double _s7 = p_board_bottom - z;
+    const double _s8 = larger(_s6, 0.0) - larger(_s7, 0.0);
+    const double _s9 = sqrt((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)));
+    const bool _s10 = _s0 < 0.0;
+    const bool _s11 = _s1 < 0.0;
+    const double _s12 = choose(_s10, 0.0, rolled_x) - choose(_s11, 0.0, (-rolled_x));
+    const bool _s13 = _s3 < 0.0;
+    const bool _s14 = _s4 < 0.0;
+    const double _s15 = choose(_s13, 0.0, rolled_y) - choose(_s14, 0.0, (-rolled_y));
+    const bool _s16 = _s6 < 0.0;
+    const bool _s17 = _s7 < 0.0;
+    const double _s18 = choose(_s16, 0.0, rolled_z) - choose(_s17, 0.0, (-rolled_z));
+    const double _s19 = (((2.0 * _s12) * _s2) + ((2.0 * _s15) * _s5)) + ((2.0 * _s18) * _s8);
+    const double _s20 = 1.0 / _s9;
+    const double _s21 = (0.5 * _s19) * _s20;
+    const double _s22 = 2.0 * (((choose(_s10, 0.0, rolling_acceleration_x) - choose(_s11, 0.0, (-rolling_acceleration_x))) * _s2) + (_s12 * _s12));
+    const double _s23 = 2.0 * (((choose(_s13, 0.0, rolling_acceleration_y) - choose(_s14, 0.0, (-rolling_acceleration_y))) * _s5) + (_s15 * _s15));
+    const double _s24 = 2.0 * (((choose(_s16, 0.0, rolling_acceleration_z) - choose(_s17, 0.0, (-rolling_acceleration_z))) * _s8) + (_s18 * _s18));
+    const double _s25 = 0.5 * (((-(_s21 * (_s20 * _s20))) * _s19) + (((_s22 + _s23) + _s24) * _s20));
+    const double _s26 = ((2.0 * (choose(_s10, 0.0, nx) - choose(_s11, 0.0, (-nx)))) * _s2) + ((2.0 * (choose(_s13, 0.0, ny) - choose(_s14, 0.0, (-ny)))) * _s5);
+    const double _s27 = _s26 + ((2.0 * (choose(_s16, 0.0, nz) - choose(_s17, 0.0, (-nz)))) * _s8);
+    return {_s9 - p_ball_radius, _s21, _s25, (0.5 * _s27) * _s20};
+}
+
+/* Distance from the surface.
+   Table 2. 31 operations: 6 additions, 7 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections. */
+struct kernel_backboard_distance_out {
+    double gap;
+};
+
+static __device__ __forceinline__ kernel_backboard_distance_out kernel_backboard_distance(double p_ball_radius, double p_board_bottom, double p_board_distance, double p_board_half_width, double p_board_thickness, double p_board_top, double x, double y, double z)
+{
+    const double _s0 = p_board_distance + x;
+    const double _s1 = -((p_board_distance + p_board_thickness) + x);
+    const double _s2 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s3 = y - p_board_half_width;
+    const double _s4 = -(p_board_half_width + y);
+    const double _s5 = larger(_s3, 0.0) - larger(_s4, 0.0);
+    const double _s6 = z - p_board_top;
+    const double _s7 = p_board_bottom - z;
+    const double _s8 = larger(_s6, 0.0) - larger(_s7, 0.0);
+    return {sqrt((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8))) - p_ball_radius};
+}
+
+/* Curvature of the surface that the centre of a rolling ball stays on.
+   Table 2. 65 operations: 9 additions, 3 subtractions, 6 multiplications, 1 division, 8 negations, 2 absolute values, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections. */
+struct kernel_backboard_rolling_surface_out {
+    double bent_x, bent_y, bent_z, per_reach;
+};
+
+static __device__ __forceinline__ kernel_backboard_rolling_surface_out kernel_backboard_rolling_surface(double p_ball_radius, double p_board_bottom, double p_board_distance, double p_board_half_width, double p_board_thickness, double p_board_top, double x, double y, double z, double vx, double vy, double vz)
+{
+    const double _s0 = 1.4210854715202004e-14 * p_ball_radius;
+    const double _s1 = (_s0 + (2.842170943040401e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_board_thickness);
+    const double _s2 = p_board_distance + x;
+    const double _s3 = -_s1;
+    const double _s4 = -((p_board_distance + p_board_thickness) + x);
+    const double _s5 = choose((((_s1 < _s2) || ((_s3 < _s2) && (0.0 < vx))) || ((_s1 < _s4) || ((_s3 < _s4) && (0.0 < (-vx))))), 1.0, 0.0);
+    const double _s6 = _s0 + (2.842170943040401e-14 * p_board_half_width);
+    const double _s7 = y - p_board_half_width;
+    const double _s8 = -_s6;
+    const double _s9 = -(p_board_half_width + y);
+    const double _s10 = choose((((_s6 < _s7) || ((_s8 < _s7) && (0.0 < vy))) || ((_s6 < _s9) || ((_s8 < _s9) && (0.0 < (-vy))))), 1.0, 0.0);
+    const double _s11 = (_s0 + (1.4210854715202004e-14 * fabs(p_board_bottom))) + (1.4210854715202004e-14 * fabs(p_board_top));
+    const double _s12 = z - p_board_top;
+    const double _s13 = -_s11;
+    const double _s14 = p_board_bottom - z;
+    const double _s15 = choose((((_s11 < _s12) || ((_s13 < _s12) && (0.0 < vz))) || ((_s11 < _s14) || ((_s13 < _s14) && (0.0 < (-vz))))), 1.0, 0.0);
+    return {_s5, _s10, _s15, 1.0 / p_ball_radius};
+}
+
+/* Rate of the normal.
+   derivative of Table 2's normal. 31 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+struct kernel_backboard_turning_out {
+    double turning_x, turning_y, turning_z;
+};
+
+static __device__ __forceinline__ kernel_backboard_turning_out kernel_backboard_turning(double p_ball_radius, double p_board_bottom, double p_board_distance, double p_board_half_width, double p_board_thickness, double p_board_top, double x, double y, double z, double rolled_x, double rolled_y, double rolled_z)
+{
+    const double _s0 = 1.0 / p_ball_radius;
+    const double _s1 = choose(((p_board_distance + x) < 0.0), 0.0, rolled_x) - choose(((-((p_board_distance + p_board_thickness) + x)) < 0.0), 0.0, (-rolled_x));
+    const double _s2 = _s0 * (choose(((y - p_board_half_width) < 0.0), 0.0, rolled_y) - choose(((-(p_board_half_width + y)) < 0.0), 0.0, (-rolled_y)));
+    return {_s0 * _s1, _s2, _s0 * (choose(((z - p_board_top) < 0.0), 0.0, rolled_z) - choose(((p_board_bottom - z) < 0.0), 0.0, (-rolled_z)))};
+}
+
+/* Second to fourth derivative of the distance along a flight.
+   derivatives of Table 2's distance. 127 operations: 27 additions, 10 subtractions, 53 multiplications, 1 division, 1 square root, 9 negations, 12 comparisons, 14 selections. */
+struct kernel_backboard_separation_out {
+    double lift, gap_jerk, gap_snap;
+};
+
+static __device__ __forceinline__ kernel_backboard_separation_out kernel_backboard_separation(double p_board_bottom, double p_board_distance, double p_board_half_width, double p_board_thickness, double p_board_top, double p_gravity, double x, double y, double z, double vx, double vy, double vz)
+{
+    const double _s0 = p_board_distance + x;
+    const double _s1 = -((p_board_distance + p_board_thickness) + x);
+    const double _s2 = choose((_s0 < 0.0), 0.0, vx) - choose((_s1 < 0.0), 0.0, (-vx));
+    const double _s3 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s4 = y - p_board_half_width;
+    const double _s5 = -(p_board_half_width + y);
+    const double _s6 = choose((_s4 < 0.0), 0.0, vy) - choose((_s5 < 0.0), 0.0, (-vy));
+    const double _s7 = larger(_s4, 0.0) - larger(_s5, 0.0);
+    const double _s8 = z - p_board_top;
+    const bool _s9 = _s8 < 0.0;
+    const double _s10 = p_board_bottom - z;
+    const bool _s11 = _s10 < 0.0;
+    const double _s12 = choose(_s9, 0.0, vz) - choose(_s11, 0.0, (-vz));
+    const double _s13 = larger(_s8, 0.0) - larger(_s10, 0.0);
+    const double _s14 = (((2.0 * _s2) * _s3) + ((2.0 * _s6) * _s7)) + ((2.0 * _s12) * _s13);
+    const double _s15 = 1.0 / sqrt((((_s3 * _s3) + (_s7 * _s7)) + (_s13 * _s13)));
+    const double _s16 = (0.5 * _s14) * _s15;
+    const double _s17 = _s15 * _s15;
+    const double _s18 = -(_s16 * _s17);
+    const double _s19 = choose(_s9, 0.0, (-p_gravity)) - choose(_s11, 0.0, p_gravity);
+    const double _s20 = ((2.0 * ((_s19 * _s13) + (_s12 * _s12))) + (2.0 * (_s2 * _s2))) + (2.0 * (_s6 * _s6));
+    const double _s21 = 0.5 * ((_s18 * _s14) + (_s20 * _s15));
+    const double _s22 = _s18 * _s20;
+    const double _s23 = 2.0 * _s18;
+    const double _s24 = -((_s21 * _s17) + ((_s23 * _s16) * _s15));
+    const double _s25 = 2.0 * (((2.0 * _s19) * _s12) + (_s19 * _s12));
+    const double _s26 = 0.5 * ((_s22 + (_s14 * _s24)) + (_s22 + (_s25 * _s15)));
+    const double _s27 = _s18 * _s25;
+    const double _s28 = _s20 * _s24;
+    const double _s29 = _s27 + _s28;
+    const double _s30 = _s29 + (_s27 + (_s15 * (2.0 * (3.0 * (_s19 * _s19)))));
+    const double _s31 = ((_s26 * _s17) + ((_s23 * _s21) * _s15)) + (2.0 * ((((_s18 * _s18) * _s16) + ((_s18 * _s21) * _s15)) + ((_s16 * _s24) * _s15)));
+    const double _s32 = 0.5 * (_s30 + (_s29 + ((_s14 * (-_s31)) + _s28)));
+    return {_s21, _s26, _s32};
+}
+
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
+   Table 2. 7 operations: 4 additions, 3 multiplications. */
+struct kernel_backboard_seam0_out {
+    double gap, nearing, near;
+};
+
+static __device__ __forceinline__ kernel_backboard_seam0_out kernel_backboard_seam0(double p_ball_radius, double p_board_distance, double p_board_thickness, double x, double vx)
+{
+    return {(p_board_distance + p_board_thickness) + x, vx, ((1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_board_thickness)};
+}
+
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
+   Table 2. 6 operations: 3 additions, 3 multiplications. */
+struct kernel_backboard_seam1_out {
+    double gap, nearing, near;
+};
+
+static __device__ __forceinline__ kernel_backboard_seam1_out kernel_backboard_seam1(double p_ball_radius, double p_board_distance, double p_board_thickness, double x, double vx)
+{
+    return {p_board_distance + x, vx, ((1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_board_thickness)};
+}
+
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
+   Table 2. 4 operations: 2 additions, 2 multiplications. */
+struct kernel_backboard_seam2_out {
+    double gap, nearing, near;
+};
+
+static __device__ __forceinline__ kernel_backboard_seam2_out kernel_backboard_seam2(double p_ball_radius, double p_board_half_width, double y, double vy)
+{
+    return {p_board_half_width + y, vy, (1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_board_half_width)};
+}
+
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
+   Table 2. 4 operations: 1 addition, 1 subtraction, 2 multiplications. */
+struct kernel_backboard_seam3_out {
+    double gap, nearing, near;
+};
+
+static __device__ __forceinline__ kernel_backboard_seam3_out kernel_backboard_seam3(double p_ball_radius, double p_board_half_width, double y, double vy)
+{
+    return {y - p_board_half_width, vy, (1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_board_half_width)};
+}
+
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
+   Table 2. 8 operations: 2 additions, 1 subtraction, 3 multiplications, 2 absolute values. */
+struct kernel_backboard_seam4_out {
+    double gap, nearing, near;
+};
+
+static __device__ __forceinline__ kernel_backboard_seam4_out kernel_backboard_seam4(double p_ball_radius, double p_board_bottom, double p_board_top, double z, double vz)
+{
+    return {z - p_board_bottom, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * fabs(p_board_bottom))) + (1.4210854715202004e-14 * fabs(p_board_top))};
+}
+
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
+   Table 2. 8 operations: 2 additions, 1 subtraction, 3 multiplications, 2 absolute values. */
+struct kernel_backboard_seam5_out {
+    double gap, nearing, near;
+};
+
+static __device__ __forceinline__ kernel_backboard_seam5_out kernel_backboard_seam5(double p_ball_radius, double p_board_bottom, double p_board_top, double z, double vz)
+{
+    return {z - p_board_top, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * fabs(p_board_bottom))) + (1.4210854715202004e-14 * fabs(p_board_top))};
+}
+
+/* Bound below the distance at this height and distance from the axis, and its rate.
+   Table 2. 58 operations: 6 additions, 6 subtractions, 17 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections. */
+struct kernel_backboard_around_out {
+    double gap, nearing;
+};
+
+static __device__ __forceinline__ kernel_backboard_around_out kernel_backboard_around(double p_ball_radius, double p_board_bottom, double p_board_distance, double p_board_half_width, double p_board_thickness, double p_board_top, double x, double y, double z, double vx, double vy, double vz)
+{
+    const double _s0 = z - p_board_top;
+    const double _s1 = p_board_bottom - z;
+    const double _s2 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s3 = -p_board_half_width;
+    const double _s4 = larger(0.0, _s3);
+    const double _s5 = larger(_s4, _s3);
+    const double _s6 = -(p_board_distance + p_board_thickness);
+    const double _s7 = larger(0.0, _s6);
+    const double _s8 = larger(_s7, p_board_distance);
+    const double _s9 = sqrt(((x * x) + (y * y)));
+    const double _s10 = sqrt(((_s5 * _s5) + (_s8 * _s8))) - _s9;
+    const double _s11 = larger(0.0, _s10);
+    const double _s12 = sqrt(((_s2 * _s2) + (_s11 * _s11)));
+    const double _s13 = -((0.5 * (((2.0 * x) * vx) + ((2.0 * y) * vy))) * (1.0 / _s9));
+    const double _s14 = ((2.0 * (choose((_s0 < 0.0), 0.0, vz) - choose((_s1 < 0.0), 0.0, (-vz)))) * _s2) + ((2.0 * _s11) * choose((0.0 < _s10), _s13, 0.0));
+    return {_s12 - p_ball_radius, (0.5 * _s14) / _s12};
+}
+
+/* First window that ends later than a time, from then on.
+   Table 1. 12 operations: 4 comparisons, 2 disjunctions, 6 selections. */
+struct kernel_backboard_enter_out {
+    double t, end;
+    bool searching;
+};
+
+static __device__ __forceinline__ kernel_backboard_enter_out kernel_backboard_enter(double t, double end, double after, double low0, double low1, double high0, double high1)
+{
+    const double _s0 = larger(after, low0);
+    const bool _s1 = _s0 < high0;
+    const double _s2 = larger(after, low1);
+    const bool _s3 = _s2 < high1;
+    return {choose(_s1, _s0, choose(_s3, _s2, t)), choose(_s1, high0, choose(_s3, high1, end)), (false || _s3) || _s1};
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. 28 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections. */
+struct kernel_bridge_normal_out {
+    double nx, ny, nz;
+};
+
+static __device__ __forceinline__ kernel_bridge_normal_out kernel_bridge_normal(double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth)
+{
+    const double _s0 = 1.0 / p_ball_radius;
+    const double _s1 = p_ring_radius + x;
+    const double _s2 = -(p_board_distance + x);
+    const double _s3 = y - p_bridge_half_width;
+    const double _s4 = -(p_bridge_half_width + y);
+    const double _s5 = z - p_wire_radius;
+    const double _s6 = (p_wire_radius - p_bridge_depth) - z;
+    return {_s0 * (larger(_s1, 0.0) - larger(_s2, 0.0)), _s0 * (larger(_s3, 0.0) - larger(_s4, 0.0)), _s0 * (larger(_s5, 0.0) - larger(_s6, 0.0))};
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. 1 operation: 1 division. */
+struct kernel_bridge_curvature_out {
+    double curvature;
+};
+
+static __device__ __forceinline__ kernel_bridge_curvature_out kernel_bridge_curvature(double p_ball_radius)
+{
+    return {1.0 / p_ball_radius};
+}
+
+/* Error of the normal, from that of the position.
+   derivative of Table 2's normal. 32 operations: 3 additions, 7 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+struct kernel_bridge_carry_normal_out {
+    double dnx, dny, dnz, turn;
+};
+
+static __device__ __forceinline__ kernel_bridge_carry_normal_out kernel_bridge_carry_normal(double x, double y, double z, double dx, double dy, double dz, double shift, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth)
+{
+    const double _s0 = 1.0 / p_ball_radius;
+    const double _s1 = _s0 * (choose(((p_ring_radius + x) < 0.0), 0.0, dx) - choose(((-(p_board_distance + x)) < 0.0), 0.0, (-dx)));
+    const double _s2 = _s0 * (choose(((y - p_bridge_half_width) < 0.0), 0.0, dy) - choose(((-(p_bridge_half_width + y)) < 0.0), 0.0, (-dy)));
+    const double _s3 = _s0 * (choose(((z - p_wire_radius) < 0.0), 0.0, dz) - choose((((p_wire_radius - p_bridge_depth) - z) < 0.0), 0.0, (-dz)));
+    return {_s1, _s2, _s3, shift * _s0};
+}
+
+/* Constants and windows of the search along a flight, and its error budget.
+   bounds of the event condition. 135 operations: 27 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections. */
+struct kernel_bridge_prepare_out {
+    double low0, high0, low1, high1, ceiling, latest, budget_exceeded;
+};
+
+static __device__ __forceinline__ kernel_bridge_prepare_out kernel_bridge_prepare(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth, double p_gravity)
+{
+    const double _s0 = fabs(vx);
+    const double _s1 = 0.5 * p_board_distance;
+    const double _s2 = p_ball_radius + _s1;
+    const double _s3 = 0.5 * p_bridge_depth;
+    const double _s4 = p_ball_radius + _s3;
+    const double _s5 = p_ball_radius + p_bridge_half_width;
+    const double _s6 = 0.5 * p_ring_radius;
+    const double _s7 = _s2 - _s6;
+    const double _s8 = smaller(_s5, _s7);
+    const double _s9 = smaller(_s4, _s8);
+    const double _s10 = 6.103515625e-05 * _s9;
+    const double _s11 = (_s2 + _s10) - _s6;
+    const double _s12 = _s6 + _s1;
+    const double _s13 = _s12 + x;
+    const double _s14 = choose((vx < 0.0), (-_s13), _s13);
+    const double _s15 = (-(_s11 + _s14)) / _s0;
+    const double _s16 = larger(0.0, _s15);
+    const double _s17 = fabs(vy);
+    const double _s18 = _s5 + _s10;
+    const double _s19 = choose((vy < 0.0), (-y), y);
+    const double _s20 = (-(_s18 + _s19)) / _s17;
+    const double _s21 = larger(_s16, _s20);
+    const double _s22 = vz * vz;
+    const double _s23 = _s4 + _s10;
+    const double _s24 = (_s3 + z) - p_wire_radius;
+    const double _s25 = 2.0 * p_gravity;
+    const double _s26 = _s22 + (_s25 * (_s23 + _s24));
+    const double _s27 = 1.0 / p_gravity;
+    const double _s28 = sqrt(_s26);
+    const bool _s29 = 0.0 <= _s26;
+    const double _s30 = choose(_s29, (_s27 * (vz - _s28)), (INFINITE));
+    const double _s31 = larger(_s21, _s30);
+    const double _s32 = _s22 + (_s25 * (_s24 - _s23));
+    const double _s33 = sqrt(larger(_s32, 0.0));
+    const double _s34 = choose(_s29, (_s27 * (vz + _s28)), (-INFINITE));
+    const bool _s35 = 0.0 < _s32;
+    const double _s36 = choose(_s35, (_s27 * (vz - _s33)), _s34);
+    const double _s37 = (_s18 - _s19) / _s17;
+    const double _s38 = (_s11 - _s14) / _s0;
+    const double _s39 = smaller(_s38, (INFINITE));
+    const double _s40 = smaller(_s37, _s39);
+    const double _s41 = smaller(_s36, _s40);
+    const double _s42 = choose(_s35, (_s27 * (vz + _s33)), (INFINITE));
+    const double _s43 = larger(_s21, _s42);
+    const double _s44 = smaller(_s34, _s40);
+    const double _s45 = larger(0.0, _s41);
+    const double _s46 = larger(_s45, _s44);
+    const double _s47 = smaller(_s46, horizon);
+    const double _s48 = speed + (p_gravity * _s47);
+    const double _s49 = 2.0 * (((1.25 * fabs((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9))) + (3.0 * (_s48 * _s48)));
+    const double _s50 = larger(_s7, _s5);
+    const double _s51 = ((_s12 + extent) + fabs((_s3 - p_wire_radius))) + larger(_s50, _s4);
+    const double _s52 = (sqrt(2.0) * sqrt((_s27 * (_s51 + _s9)))) + ((2.0 * speed) * _s27);
+    const double _s53 = ((position_error + (velocity_error * smaller(_s52, horizon))) + (3.552713678800501e-15 * (((speed * speed) * _s27) + _s51))) - (1.52587890625e-05 * _s9);
+    return {larger(0.0, _s31), smaller(_s41, horizon), larger(0.0, _s43), smaller(_s44, horizon), _s49, _s47, _s53};
+}
+
+/* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+   running error analysis. 81 operations: 31 additions, 1 subtraction, 45 multiplications, 2 comparisons, 2 selections. */
+struct kernel_bridge_margins_out {
+    double margin, leaving_margin, rate_margin;
+};
+
+static __device__ __forceinline__ kernel_bridge_margins_out kernel_bridge_margins(double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth, double p_gravity)
+{
+    const double _s0 = p_ball_radius + (0.5 * p_bridge_depth);
+    const double _s1 = p_ball_radius + p_bridge_half_width;
+    const double _s2 = (p_ball_radius + (0.5 * p_board_distance)) - (0.5 * p_ring_radius);
+    const double _s3 = smaller(_s1, _s2);
+    const double _s4 = p_ball_radius + (0.0001220703125 * smaller(_s0, _s3));
+    const double _s5 = speed + (p_gravity * horizon);
+    const double _s6 = extent + (horizon * _s5);
+    const double _s7 = 2.220446049250313e-16 * _s6;
+    const double _s8 = 2.0 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s6));
+    const double _s9 = ((3.3306690738754696e-16 * p_bridge_half_width) + _s7) + _s8;
+    const double _s10 = 2.001953125 * _s4;
+    const double _s11 = (((1.1102230246251565e-16 * p_ring_radius) + (1.1102230246251565e-16 * p_board_distance)) + _s7) + _s8;
+    const double _s12 = (((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth)) + (3.3306690738754696e-16 * _s6)) + _s8;
+    const double _s13 = ((((5.55653613398821e-16 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((1.3335686721571705e-15 * horizon) * _s4) * _s5);
+    const double _s14 = 4.00390625 * _s5;
+    const double _s15 = ((((6.667843360785852e-15 * _s4) * _s5) + ((12.01171875 * _s4) * (velocity_error + (3.3306690738754696e-16 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11);
+    const double _s16 = 2.001953125 * _s5;
+    const double _s17 = ((((2.667137344314341e-15 * _s4) * _s5) + ((6.005859375 * _s4) * (velocity_error + (2.220446049250313e-16 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11);
+    return {_s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)};
+}
+
+/* Newton's next value of a root near t, and gap and rate there.
+   Newton's method. 101 operations: 18 additions, 20 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections. */
+struct kernel_bridge_refine_out {
+    double time, gap, rate;
+};
+
+static __device__ __forceinline__ kernel_bridge_refine_out kernel_bridge_refine(double t, double leaving, double x, double y, double z, double vx, double vy, double vz, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth, double p_gravity)
+{
+    const double _s0 = x + (vx * t);
+    const double _s1 = p_ring_radius + _s0;
+    const double _s2 = -(p_board_distance + _s0);
+    const double _s3 = larger(_s1, 0.0) - larger(_s2, 0.0);
+    const double _s4 = y + (vy * t);
+    const double _s5 = _s4 - p_bridge_half_width;
+    const double _s6 = -(p_bridge_half_width + _s4);
+    const double _s7 = larger(_s5, 0.0) - larger(_s6, 0.0);
+    const double _s8 = vz - ((0.5 * p_gravity) * t);
+    const double _s9 = z + (t * _s8);
+    const double _s10 = _s9 - p_wire_radius;
+    const double _s11 = p_wire_radius - p_bridge_depth;
+    const double _s12 = _s11 - _s9;
+    const double _s13 = larger(_s10, 0.0) - larger(_s12, 0.0);
+    const double _s14 = 2.0 * (((vx * _s3) + (vy * _s7)) + ((vz - (p_gravity * t)) * _s13));
+    const double _s15 = p_ring_radius + x;
+    const double _s16 = -(p_board_distance + x);
+    const double _s17 = larger(_s15, 0.0) - larger(_s16, 0.0);
+    const double _s18 = _s3 * _s3;
+    const double _s19 = z - p_wire_radius;
+    const double _s20 = _s11 - z;
+    const double _s21 = larger(_s19, 0.0) - larger(_s20, 0.0);
+    const double _s22 = _s13 * _s13;
+    const double _s23 = y - p_bridge_half_width;
+    const double _s24 = -(p_bridge_half_width + y);
+    const double _s25 = larger(_s23, 0.0) - larger(_s24, 0.0);
+    const double _s26 = _s7 * _s7;
+    const double _s27 = (choose((0.0 < (_s17 * _s3)), (t * (vx * (_s17 + _s3))), (_s18 - (_s17 * _s17))) + choose((0.0 < (_s21 * _s13)), (t * (_s8 * (_s21 + _s13))), (_s22 - (_s21 * _s21)))) + choose((0.0 < (_s25 * _s7)), (t * (vy * (_s25 + _s7))), (_s26 - (_s25 * _s25)));
+    const double _s28 = choose((0.0 < leaving), _s27, (((_s18 + _s22) + _s26) - (p_ball_radius * p_ball_radius)));
+    return {t - (_s28 / _s14), _s28, _s14};
+}
+
+/* Gap, rate, second derivative, a step without a root, its end, and the clearance.
+   Newton from the left under a curvature bound. 190 operations: 32 additions, 26 subtractions, 49 multiplications, 2 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections. */
+struct kernel_bridge_advance_out {
+    double gap, rate, bend, step, next, clearance;
+};
+
+static __device__ __forceinline__ kernel_bridge_advance_out kernel_bridge_advance(double t, double end, double leaving, double margin, double rate_margin, double ceiling, double x, double y, double z, double vx, double vy, double vz, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth, double p_gravity)
+{
+    const double _s0 = p_ring_radius + x;
+    const double _s1 = -(p_board_distance + x);
+    const double _s2 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s3 = x + (vx * t);
+    const double _s4 = p_ring_radius + _s3;
+    const double _s5 = -(p_board_distance + _s3);
+    const double _s6 = larger(_s4, 0.0) - larger(_s5, 0.0);
+    const double _s7 = _s6 * _s6;
+    const double _s8 = z - p_wire_radius;
+    const double _s9 = p_wire_radius - p_bridge_depth;
+    const double _s10 = _s9 - z;
+    const double _s11 = larger(_s8, 0.0) - larger(_s10, 0.0);
+    const double _s12 = vz - ((0.5 * p_gravity) * t);
+    const double _s13 = z + (t * _s12);
+    const double _s14 = _s13 - p_wire_radius;
+    const double _s15 = _s9 - _s13;
+    const double _s16 = larger(_s14, 0.0) - larger(_s15, 0.0);
+    const double _s17 = _s16 * _s16;
+    const double _s18 = y - p_bridge_half_width;
+    const double _s19 = -(p_bridge_half_width + y);
+    const double _s20 = larger(_s18, 0.0) - larger(_s19, 0.0);
+    const double _s21 = y + (vy * t);
+    const double _s22 = _s21 - p_bridge_half_width;
+    const double _s23 = -(p_bridge_half_width + _s21);
+    const double _s24 = larger(_s22, 0.0) - larger(_s23, 0.0);
+    const double _s25 = _s24 * _s24;
+    const double _s26 = (choose((0.0 < (_s2 * _s6)), (t * (vx * (_s2 + _s6))), (_s7 - (_s2 * _s2))) + choose((0.0 < (_s11 * _s16)), (t * (_s12 * (_s11 + _s16))), (_s17 - (_s11 * _s11)))) + choose((0.0 < (_s20 * _s24)), (t * (vy * (_s20 + _s24))), (_s25 - (_s20 * _s20)));
+    const double _s27 = choose((0.0 < leaving), _s26, (((_s7 + _s17) + _s25) - (p_ball_radius * p_ball_radius)));
+    const double _s28 = vz - (p_gravity * t);
+    const double _s29 = 2.0 * (((vx * _s6) + (vy * _s24)) + (_s28 * _s16));
+    const double _s30 = fabs(_s16);
+    const double _s31 = 2.0 * ((choose((0.0 < fabs(_s6)), (vx * vx), 0.0) + choose((0.0 < _s30), ((_s28 * _s28) - (p_gravity * _s16)), 0.0)) + choose((0.0 < fabs(_s24)), (vy * vy), 0.0));
+    const double _s32 = fabs((-p_gravity));
+    const double _s33 = p_ball_radius + (0.5 * p_bridge_depth);
+    const double _s34 = p_ball_radius + p_bridge_half_width;
+    const double _s35 = (p_ball_radius + (0.5 * p_board_distance)) - (0.5 * p_ring_radius);
+    const double _s36 = smaller(_s34, _s35);
+    const double _s37 = p_ball_radius + (0.0001220703125 * smaller(_s33, _s36));
+    const double _s38 = _s29 - rate_margin;
+    const double _s39 = _s27 - margin;
+    const double _s40 = larger(_s39, 0.0);
+    const double _s41 = -_s31;
+    const bool _s42 = _s38 < 0.0;
+    const double _s43 = 2.0 * _s40;
+    const double _s44 = choose((0.0 < choose((0.0 <= _s38), _s40, 0.0)), (INFINITE), (choose(_s42, _s43, (4.0 * _s38)) / choose(_s42, (-_s38), larger(0.0, _s41))));
+    const double _s45 = end - t;
+    const double _s46 = smaller(_s44, _s45);
+    const double _s47 = ((((0.5 * _s32) * _s46) + fabs(_s28)) * _s46) + _s30;
+    const double _s48 = (9.094947017729282e-13 * ceiling) + (2.0 * (_s32 * smaller(_s37, _s47)));
+    const double _s49 = ((2.0 * _s48) * _s40) + (_s38 * _s38);
+    const double _s50 = sqrt(_s49);
+    const double _s51 = choose((0.0 <= _s49), (choose(_s42, _s43, (_s38 + _s50)) / choose(_s42, (_s50 - _s38), larger(0.0, _s48))), (INFINITE));
+    const double _s52 = smaller(_s51, _s46);
+    const double _s53 = -(rate_margin + _s29);
+    return {_s27, _s29, _s31, _s52, t + _s52, choose((0.0 < _s53), ((_s53 * _s53) - ((8.0 * ceiling) * (margin + _s43))), _s53)};
+}
+
+/* Whether a flight may reach the box of a surface at all.
+   disjoint boxes. 62 operations: 11 additions, 12 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
+struct kernel_bridge_near_out {
+    bool near;
+};
+
+static __device__ __forceinline__ kernel_bridge_near_out kernel_bridge_near(double middle_x, double middle_y, double middle_z, double reach_x, double reach_y, double reach_z, double later_middle_x, double later_middle_y, double later_middle_z, double later_reach_x, double later_reach_y, double later_reach_z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth)
+{
+    const double _s0 = 1.0000000009313226 * (p_ball_radius * p_ball_radius);
+    const double _s1 = 0.5 * p_ring_radius;
+    const double _s2 = 0.5 * p_board_distance;
+    const double _s3 = -(_s1 + _s2);
+    const double _s4 = 1.0000000009313226 * (_s2 - _s1);
+    const double _s5 = fabs((_s3 - middle_x)) - (reach_x + _s4);
+    const double _s6 = larger(_s5, 0.0);
+    const double _s7 = 1.0000000009313226 * p_bridge_half_width;
+    const double _s8 = fabs((-middle_y)) - (reach_y + _s7);
+    const double _s9 = larger(_s8, 0.0);
+    const double _s10 = 0.5 * p_bridge_depth;
+    const double _s11 = p_wire_radius - _s10;
+    const double _s12 = 1.0000000009313226 * _s10;
+    const double _s13 = fabs((_s11 - middle_z)) - (reach_z + _s12);
+    const double _s14 = larger(_s13, 0.0);
+    const double _s15 = fabs((_s3 - later_middle_x)) - (later_reach_x + _s4);
+    const double _s16 = larger(_s15, 0.0);
+    const double _s17 = fabs((-later_middle_y)) - (later_reach_y + _s7);
+    const double _s18 = larger(_s17, 0.0);
+    const double _s19 = fabs((_s11 - later_middle_z)) - (later_reach_z + _s12);
+    const double _s20 = larger(_s19, 0.0);
+    const bool _s21 = !((_s0 < (((_s6 * _s6) + (_s9 * _s9)) + (_s14 * _s14))) && (_s0 < (((_s16 * _s16) + (_s18 * _s18)) + (_s20 * _s20))));
+    return {_s21};
+}
+
+/* Distance, its rate, and a bound on how fast it bends down, by the squared speed.
+   Table 2. 59 operations: 7 additions, 11 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections. */
+struct kernel_bridge_beside_out {
+    double gap, nearing, gap_curvature;
+};
+
+static __device__ __forceinline__ kernel_bridge_beside_out kernel_bridge_beside(double p_ball_radius, double p_board_distance, double p_bridge_depth, double p_bridge_half_width, double p_ring_radius, double p_wire_radius, double x, double y, double z, double vx, double vy, double vz)
+{
+    const double _s0 = p_ring_radius + x;
+    const double _s1 = -(p_board_distance + x);
+    const double _s2 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s3 = z - p_wire_radius;
+    const double _s4 = (p_wire_radius - p_bridge_depth) - z;
+    const double _s5 = larger(_s3, 0.0) - larger(_s4, 0.0);
+    const double _s6 = y - p_bridge_half_width;
+    const double _s7 = -(p_bridge_half_width + y);
+    const double _s8 = larger(_s6, 0.0) - larger(_s7, 0.0);
+    const double _s9 = sqrt((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)));
+    const double _s10 = ((2.0 * (choose((_s0 < 0.0), 0.0, vx) - choose((_s1 < 0.0), 0.0, (-vx)))) * _s2) + ((2.0 * (choose((_s3 < 0.0), 0.0, vz) - choose((_s4 < 0.0), 0.0, (-vz)))) * _s5);
+    const double _s11 = _s10 + ((2.0 * (choose((_s6 < 0.0), 0.0, vy) - choose((_s7 < 0.0), 0.0, (-vy)))) * _s8);
+    return {_s9 - p_ball_radius, (0.5 * _s11) / _s9, 0.0};
+}
+
+/* Distance of a ball that rolls on another surface, and its first two derivatives.
+   derivatives of Table 2's distance. 115 operations: 15 additions, 17 subtractions, 33 multiplications, 1 division, 1 square root, 12 negations, 12 comparisons, 24 selections. */
+struct kernel_bridge_closing_out {
+    double gap, nearing, rolling_gap_acceleration, normal_cosine;
+};
+
+static __device__ __forceinline__ kernel_bridge_closing_out kernel_bridge_closing(double p_ball_radius, double p_board_distance, double p_bridge_depth, double p_bridge_half_width, double p_ring_radius, double p_wire_radius, double x, double y, double z, double nx, double ny, double nz, double rolled_x, double rolled_y, double rolled_z, double rolling_acceleration_x, double rolling_acceleration_y, double rolling_acceleration_z)
+{
+    const double _s0 = p_ring_radius + x;
+    const double _s1 = -(p_board_distance + x);
+    const double _s2 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s3 = z - p_wire_radius;
+    const double _s4 = (p_wire_radius - p_bridge_depth) - z;
+    const double _s5 = larger(_s3, 0.0) - larger(_s4, 0.0);
+    const double _s6 = y - p_bridge_half_width;
+    const double _s7 = -(p_bridge_half_width + y);
+    const double _s8 = larger(_s6, 0.0) - larger(_s7, 0.0);
+    const double _s9 = sqrt((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)));
+    const bool _s10 = _s0 < 0.0;
+    const bool _s11 = _s1 < 0.0;
+    const double _s12 = choose(_s10, 0.0, rolled_x) - choose(_s11, 0.0, (-rolled_x));
+    const bool _s13 = _s3 < 0.0;
+    const bool _s14 = _s4 < 0.0;
+    const double _s15 = choose(_s13, 0.0, rolled_z) - choose(_s14, 0.0, (-rolled_z));
+    const bool _s16 = _s6 < 0.0;
+    const bool _s17 = _s7 < 0.0;
+    const double _s18 = choose(_s16, 0.0, rolled_y) - choose(_s17, 0.0, (-rolled_y));
+    const double _s19 = (((2.0 * _s12) * _s2) + ((2.0 * _s15) * _s5)) + ((2.0 * _s18) * _s8);
+    const double _s20 = 1.0 / _s9;
+    const double _s21 = (0.5 * _s19) * _s20;
+    const double _s22 = 2.0 * (((choose(_s10, 0.0, rolling_acceleration_x) - choose(_s11, 0.0, (-rolling_acceleration_x))) * _s2) + (_s12 * _s12));
+    const double _s23 = 2.0 * (((choose(_s13, 0.0, rolling_acceleration_z) - choose(_s14, 0.0, (-rolling_acceleration_z))) * _s5) + (_s15 * _s15));
+    const double _s24 = 2.0 * (((choose(_s16, 0.0, rolling_acceleration_y) - choose(_s17, 0.0, (-rolling_acceleration_y))) * _s8) + (_s18 * _s18));
+    const double _s25 = 0.5 * (((-(_s21 * (_s20 * _s20))) * _s19) + (((_s22 + _s23) + _s24) * _s20));
+    const double _s26 = ((2.0 * (choose(_s10, 0.0, nx) - choose(_s11, 0.0, (-nx)))) * _s2) + ((2.0 * (choose(_s13, 0.0, nz) - choose(_s14, 0.0, (-nz)))) * _s5);
+    const double _s27 = _s26 + ((2.0 * (choose(_s16, 0.0, ny) - choose(_s17, 0.0, (-ny)))) * _s8);
+    return {_s9 - p_ball_radius, _s21, _s25, (0.5 * _s27) * _s20};
+}
+
+/* Distance from the surface.
+   Table 2. 31 operations: 5 additions, 8 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections. */
+struct kernel_bridge_distance_out {
+    double gap;
+};
+
+static __device__ __forceinline__ kernel_bridge_distance_out kernel_bridge_distance(double p_ball_radius, double p_board_distance, double p_bridge_depth, double p_bridge_half_width, double p_ring_radius, double p_wire_radius, double x, double y, double z)
+{
+    const double _s0 = p_ring_radius + x;
+    const double _s1 = -(p_board_distance + x);
+    const double _s2 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s3 = z - p_wire_radius;
+    const double _s4 = (p_wire_radius - p_bridge_depth) - z;
+    const double _s5 = larger(_s3, 0.0) - larger(_s4, 0.0);
+    const double _s6 = y - p_bridge_half_width;
+    const double _s7 = -(p_bridge_half_width + y);
+    const double _s8 = larger(_s6, 0.0) - larger(_s7, 0.0);
+    return {sqrt((((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8))) - p_ball_radius};
+}
+
+/* Curvature of the surface that the centre of a rolling ball stays on.
+   Table 2. 65 operations: 8 additions, 5 subtractions, 6 multiplications, 1 division, 8 negations, 1 absolute value, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections. */
+struct kernel_bridge_rolling_surface_out {
+    double bent_x, bent_y, bent_z, per_reach;
+};
+
+static __device__ __forceinline__ kernel_bridge_rolling_surface_out kernel_bridge_rolling_surface(double p_ball_radius, double p_board_distance, double p_bridge_depth, double p_bridge_half_width, double p_ring_radius, double p_wire_radius, double x, double y, double z, double vx, double vy, double vz)
+{
+    const double _s0 = 1.4210854715202004e-14 * p_ball_radius;
+    const double _s1 = (_s0 + (1.4210854715202004e-14 * p_ring_radius)) + (1.4210854715202004e-14 * p_board_distance);
+    const double _s2 = p_ring_radius + x;
+    const double _s3 = -_s1;
+    const double _s4 = -(p_board_distance + x);
+    const double _s5 = choose((((_s1 < _s2) || ((_s3 < _s2) && (0.0 < vx))) || ((_s1 < _s4) || ((_s3 < _s4) && (0.0 < (-vx))))), 1.0, 0.0);
+    const double _s6 = _s0 + (2.842170943040401e-14 * p_bridge_half_width);
+    const double _s7 = y - p_bridge_half_width;
+    const double _s8 = -_s6;
+    const double _s9 = -(p_bridge_half_width + y);
+    const double _s10 = choose((((_s6 < _s7) || ((_s8 < _s7) && (0.0 < vy))) || ((_s6 < _s9) || ((_s8 < _s9) && (0.0 < (-vy))))), 1.0, 0.0);
+    const double _s11 = (_s0 + (1.4210854715202004e-14 * p_wire_radius)) + (1.4210854715202004e-14 * fabs((p_bridge_depth - p_wire_radius)));
+    const double _s12 = z - p_wire_radius;
+    const double _s13 = -_s11;
+    const double _s14 = (p_wire_radius - p_bridge_depth) - z;
+    const double _s15 = choose((((_s11 < _s12) || ((_s13 < _s12) && (0.0 < vz))) || ((_s11 < _s14) || ((_s13 < _s14) && (0.0 < (-vz))))), 1.0, 0.0);
+    return {_s5, _s10, _s15, 1.0 / p_ball_radius};
+}
+
+/* Rate of the normal.
+   derivative of Table 2's normal. 31 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+struct kernel_bridge_turning_out {
+    double turning_x, turning_y, turning_z;
+};
+
+static __device__ __forceinline__ kernel_bridge_turning_out kernel_bridge_turning(double p_ball_radius, double p_board_distance, double p_bridge_depth, double p_bridge_half_width, double p_ring_radius, double p_wire_radius, double x, double y, double z, double rolled_x, double rolled_y, double rolled_z)
+{
+    const double _s0 = 1.0 / p_ball_radius;
+    const double _s1 = _s0 * (choose(((p_ring_radius + x) < 0.0), 0.0, rolled_x) - choose(((-(p_board_distance + x)) < 0.0), 0.0, (-rolled_x)));
+    const double _s2 = _s0 * (choose(((y - p_bridge_half_width) < 0.0), 0.0, rolled_y) - choose(((-(p_bridge_half_width + y)) < 0.0), 0.0, (-rolled_y)));
+    const double _s3 = _s0 * (choose(((z - p_wire_radius) < 0.0), 0.0, rolled_z) - choose((((p_wire_radius - p_bridge_depth) - z) < 0.0), 0.0, (-rolled_z)));
+    return {_s1, _s2, _s3};
+}
+
+/* Second to fourth derivative of the distance along a flight.
+   derivatives of Table 2's distance. 127 operations: 26 additions, 11 subtractions, 53 multiplications, 1 division, 1 square root, 9 negations, 12 comparisons, 14 selections. */
+struct kernel_bridge_separation_out {
+    double lift, gap_jerk, gap_snap;
+};
+
+static __device__ __forceinline__ kernel_bridge_separation_out kernel_bridge_separation(double p_board_distance, double p_bridge_depth, double p_bridge_half_width, double p_gravity, double p_ring_radius, double p_wire_radius, double x, double y, double z, double vx, double vy, double vz)
+{
+    const double _s0 = p_ring_radius + x;
+    const double _s1 = -(p_board_distance + x);
+    const double _s2 = choose((_s0 < 0.0), 0.0, vx) - choose((_s1 < 0.0), 0.0, (-vx));
+    const double _s3 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s4 = z - p_wire_radius;
+    const bool _s5 = _s4 < 0.0;
+    const double _s6 = (p_wire_radius - p_bridge_depth) - z;
+    const bool _s7 = _s6 < 0.0;
+    const double _s8 = choose(_s5, 0.0, vz) - choose(_s7, 0.0, (-vz));
+    const double _s9 = larger(_s4, 0.0) - larger(_s6, 0.0);
+    const double _s10 = y - p_bridge_half_width;
+    const double _s11 = -(p_bridge_half_width + y);
+    const double _s12 = choose((_s10 < 0.0), 0.0, vy) - choose((_s11 < 0.0), 0.0, (-vy));
+    const double _s13 = larger(_s10, 0.0) - larger(_s11, 0.0);
+    const double _s14 = (((2.0 * _s2) * _s3) + ((2.0 * _s8) * _s9)) + ((2.0 * _s12) * _s13);
+    const double _s15 = 1.0 / sqrt((((_s3 * _s3) + (_s9 * _s9)) + (_s13 * _s13)));
+    const double _s16 = (0.5 * _s14) * _s15;
+    const double _s17 = _s15 * _s15;
+    const double _s18 = -(_s16 * _s17);
+    const double _s19 = choose(_s5, 0.0, (-p_gravity)) - choose(_s7, 0.0, p_gravity);
+    const double _s20 = ((2.0 * ((_s19 * _s9) + (_s8 * _s8))) + (2.0 * (_s2 * _s2))) + (2.0 * (_s12 * _s12));
+    const double _s21 = 0.5 * ((_s18 * _s14) + (_s20 * _s15));
+    const double _s22 = _s18 * _s20;
+    const double _s23 = 2.0 * _s18;
+    const double _s24 = -((_s21 * _s17) + ((_s23 * _s16) * _s15));
+    const double _s25 = 2.0 * (((2.0 * _s19) * _s8) + (_s19 * _s8));
+    const double _s26 = 0.5 * ((_s22 + (_s14 * _s24)) + (_s22 + (_s25 * _s15)));
+    const double _s27 = _s18 * _s25;
+    const double _s28 = _s20 * _s24;
+    const double _s29 = _s27 + _s28;
+    const double _s30 = _s29 + (_s27 + (_s15 * (2.0 * (3.0 * (_s19 * _s19)))));
+    const double _s31 = ((_s26 * _s17) + ((_s23 * _s21) * _s15)) + (2.0 * ((((_s18 * _s18) * _s16) + ((_s18 * _s21) * _s15)) + ((_s16 * _s24) * _s15)));
+    const double _s32 = 0.5 * (_s30 + (_s29 + ((_s14 * (-_s31)) + _s28)));
+    return {_s21, _s26, _s32};
+}
+
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
+   Table 2. 6 operations: 3 additions, 3 multiplications. */
+struct kernel_bridge_seam0_out {
+    double gap, nearing, near;
+};
+
+static __device__ __forceinline__ kernel_bridge_seam0_out kernel_bridge_seam0(double p_ball_radius, double p_board_distance, double p_ring_radius, double x, double vx)
+{
+    return {p_board_distance + x, vx, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * p_ring_radius)) + (1.4210854715202004e-14 * p_board_distance)};
+}
+
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
+   Table 2. 6 operations: 3 additions, 3 multiplications. */
+struct kernel_bridge_seam1_out {
+    double gap, nearing, near;
+};
+
+static __device__ __forceinline__ kernel_bridge_seam1_out kernel_bridge_seam1(double p_ball_radius, double p_board_distance, double p_ring_radius, double x, double vx)
+{
+    return {p_ring_radius + x, vx, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * p_ring_radius)) + (1.4210854715202004e-14 * p_board_distance)};
+}
+
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
+   Table 2. 4 operations: 2 additions, 2 multiplications. */
+struct kernel_bridge_seam2_out {
+    double gap, nearing, near;
+};
+
+static __device__ __forceinline__ kernel_bridge_seam2_out kernel_bridge_seam2(double p_ball_radius, double p_bridge_half_width, double y, double vy)
+{
+    return {p_bridge_half_width + y, vy, (1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_bridge_half_width)};
+}
+
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
+   Table 2. 4 operations: 1 addition, 1 subtraction, 2 multiplications. */
+struct kernel_bridge_seam3_out {
+    double gap, nearing, near;
+};
+
+static __device__ __forceinline__ kernel_bridge_seam3_out kernel_bridge_seam3(double p_ball_radius, double p_bridge_half_width, double y, double vy)
+{
+    return {y - p_bridge_half_width, vy, (1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_bridge_half_width)};
+}
+
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
+   Table 2. 9 operations: 3 additions, 2 subtractions, 3 multiplications, 1 absolute value. */
+struct kernel_bridge_seam4_out {
+    double gap, nearing, near;
+};
+
+static __device__ __forceinline__ kernel_bridge_seam4_out kernel_bridge_seam4(double p_ball_radius, double p_bridge_depth, double p_wire_radius, double z, double vz)
+{
+    return {(p_bridge_depth + z) - p_wire_radius, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * p_wire_radius)) + (1.4210854715202004e-14 * fabs((p_bridge_depth - p_wire_radius)))};
+}
+
+/* Distance of the ball from a seam of the surface, its rate, and half the seam's width.
+   Table 2. 8 operations: 2 additions, 2 subtractions, 3 multiplications, 1 absolute value. */
+struct kernel_bridge_seam5_out {
+    double gap, nearing, near;
+};
+
+static __device__ __forceinline__ kernel_bridge_seam5_out kernel_bridge_seam5(double p_ball_radius, double p_bridge_depth, double p_wire_radius, double z, double vz)
+{
+    return {z - p_wire_radius, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * p_wire_radius)) + (1.4210854715202004e-14 * fabs((p_bridge_depth - p_wire_radius)))};
+}
+
+/* Bound below the distance at this height and distance from the axis, and its rate.
+   Table 2. 58 operations: 5 additions, 7 subtractions, 17 multiplications, 2 divisions, 3 square roots, 4 negations, 10 comparisons, 10 selections. */
+struct kernel_bridge_around_out {
+    double gap, nearing;
+};
+
+static __device__ __forceinline__ kernel_bridge_around_out kernel_bridge_around(double p_ball_radius, double p_board_distance, double p_bridge_depth, double p_bridge_half_width, double p_ring_radius, double p_wire_radius, double x, double y, double z, double vx, double vy, double vz)
+{
+    const double _s0 = z - p_wire_radius;
+    const double _s1 = (p_wire_radius - p_bridge_depth) - z;
+    const double _s2 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s3 = -p_board_distance;
+    const double _s4 = larger(0.0, _s3);
+    const double _s5 = larger(_s4, p_ring_radius);
+    const double _s6 = -p_bridge_half_width;
+    const double _s7 = larger(0.0, _s6);
+    const double _s8 = larger(_s7, _s6);
+    const double _s9 = sqrt(((x * x) + (y * y)));
+    const double _s10 = sqrt(((_s5 * _s5) + (_s8 * _s8))) - _s9;
+    const double _s11 = larger(0.0, _s10);
+    const double _s12 = sqrt(((_s2 * _s2) + (_s11 * _s11)));
+    const double _s13 = -((0.5 * (((2.0 * x) * vx) + ((2.0 * y) * vy))) * (1.0 / _s9));
+    const double _s14 = ((2.0 * (choose((_s0 < 0.0), 0.0, vz) - choose((_s1 < 0.0), 0.0, (-vz)))) * _s2) + ((2.0 * _s11) * choose((0.0 < _s10), _s13, 0.0));
+    return {_s12 - p_ball_radius, (0.5 * _s14) / _s12};
+}
+
+/* First window that ends later than a time, from then on.
+   Table 1. 12 operations: 4 comparisons, 2 disjunctions, 6 selections. */
+struct kernel_bridge_enter_out {
+    double t, end;
+    bool searching;
+};
+
+static __device__ __forceinline__ kernel_bridge_enter_out kernel_bridge_enter(double t, double end, double after, double low0, double low1, double high0, double high1)
+{
+    const double _s0 = larger(after, low0);
+    const bool _s1 = _s0 < high0;
+    const double _s2 = larger(after, low1);
+    const bool _s3 = _s2 < high1;
+    return {choose(_s1, _s0, choose(_s3, _s2, t)), choose(_s1, high0, choose(_s3, high1, end)), (false || _s3) || _s1};
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. No operations. */
+struct kernel_end_normal_out {
+    double nx, ny, nz;
+};
+
+static __device__ __forceinline__ kernel_end_normal_out kernel_end_normal()
+{
+    return {0.0, 0.0, 1.0};
+}
+
+/* Time of the only arrival, the gap's first two derivatives there, and its apex.
+   Eq. 3 in Table 2, solved. 27 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 4 selections. */
+struct kernel_end_arrival_out {
+    double time, rate, bend, apex, height;
+};
+
+static __device__ __forceinline__ kernel_end_arrival_out kernel_end_arrival(double leaving, double z, double vz, double p_gravity, double p_end_depth)
+{
+    const bool _s0 = 0.0 < leaving;
+    const double _s1 = choose(_s0, 0.0, (z - (-p_end_depth)));
+    const double _s2 = (vz * vz) + ((2.0 * p_gravity) * _s1);
+    const double _s3 = choose(_s0, fabs(vz), sqrt(_s2));
+    const bool _s4 = vz < 0.0;
+    const double _s5 = -(1.0 / p_gravity);
+    return {choose(_s4, (2.0 * _s1), (vz + _s3)) / choose(_s4, (_s3 - vz), p_gravity), -_s3, -p_gravity, -(vz * _s5), -((0.5 * _s5) * _s2)};
+}
+
+/* Rounding-error bound of the gap up to the horizon.
+   running error analysis. 13 operations: 6 additions, 7 multiplications. */
+struct kernel_end_margin_out {
+    double margin;
+};
+
+static __device__ __forceinline__ kernel_end_margin_out kernel_end_margin(double horizon, double extent, double speed, double position_error, double velocity_error, double p_gravity, double p_end_depth)
+{
+    const double _s0 = extent + (horizon * (speed + (p_gravity * horizon)));
+    return {((6.667843360785852e-16 * p_end_depth) + (2.222614453595284e-16 * _s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s0)))};
+}
+
+/* Bounds of the ends on a plane; the first whose bounds all hold is reached.
+   Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root. */
+struct kernel_end_bounds_out {
+    double g0;
+};
+
+static __device__ __forceinline__ kernel_end_bounds_out kernel_end_bounds(double x, double y, double p_ring_radius)
+{
+    return {sqrt(((x * x) + (y * y))) - p_ring_radius};
+}
+
+/* Distance, its rate, and a bound on how fast it bends down, by the squared speed.
+   Table 2. 2 operations: 1 subtraction, 1 negation. */
+struct kernel_end_beside_out {
+    double gap, nearing, gap_curvature;
+};
+
+static __device__ __forceinline__ kernel_end_beside_out kernel_end_beside(double p_end_depth, double z, double vz)
+{
+    return {z - (-p_end_depth), vz, 0.0};
+}
+
+/* Bound below the distance at this height and distance from the axis, and its rate.
+   Table 2. 2 operations: 1 subtraction, 1 negation. */
+struct kernel_end_around_out {
+    double gap, nearing;
+};
+
+static __device__ __forceinline__ kernel_end_around_out kernel_end_around(double p_end_depth, double z, double vz)
+{
+    return {z - (-p_end_depth), vz};
+}
+
+/* End that a crossing reaches.
+   Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
+struct kernel_end_reached_out {
+    double reached;
+};
+
+static __device__ __forceinline__ kernel_end_reached_out kernel_end_reached(double through, double g0)
+{
+    return {choose(((g0 <= 0.0) && (through == 1.0)), 0.0, 1.0)};
+}
+
+/* Whether the choice of the end lies within its error.
+   Table 1. 7 operations: 1 negation, 3 comparisons, 2 conjunctions, 1 complement. */
+struct kernel_end_edge_out {
+    bool edge;
+};
+
+static __device__ __forceinline__ kernel_end_edge_out kernel_end_edge(double slack, double through, double g0)
+{
+    return {((g0 <= slack) && (!(g0 < (-slack)))) && (through == 1.0)};
+}
+
+/* Both variants of the event loop are given
+   _shots             how many there are; the log counts them from `_first` on
+   _states            x y z vx vy vz wx wy wz of each
+   _values, _strides  where each parameter's values are, and the step from one shot's to the next one's
+   _leaving           the surface that each shot touches at the start and leaves, -1 for none; or null
+   _results           the arrays of results, null for what is not wanted:
+                      outcome, contacts, counts, first, time, state, rolls, slip_left, grip_lost, time_error, state_error, uncertain;
+                      and of the event log, which has 3 * _max_contacts + 1 rows
+                      for each shot, and of their number: events, event_counts */
+
+
+#if VARIANT != 1
+/* The path alone. */
+extern "C" __global__ void court_plain(
+    long long _shots, long long _first, const double *_states, const double *const *_values,
+    const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
+    void *const *_results)
+{
+    const long long _shot = blockIdx.x * (long long)blockDim.x + threadIdx.x;
+    if (_shot >= _shots)
+        return;
+    const shot_parameters _given = {_values, _strides, _shot};
+    const double most_contacts = (double)_max_contacts;
+    const double p_ball_radius = parameter(_given, 0);
+    const double p_ring_radius = parameter(_given, 1);
+    const double p_wire_radius = parameter(_given, 2);
+    const double p_board_distance = parameter(_given, 3);
+    const double p_board_half_width = parameter(_given, 4);
+    const double p_board_bottom = parameter(_given, 5);
+    const double p_board_top = parameter(_given, 6);
+    const double p_board_thickness = parameter(_given, 7);
+    const double p_bridge_half_width = parameter(_given, 8);
+    const double p_bridge_depth = parameter(_given, 9);
+    const double p_gravity = parameter(_given, 10);
+    const double p_end_depth = parameter(_given, 11);
+    const double p_ring_restitution = parameter(_given, 12);
+    const double p_backboard_restitution = parameter(_given, 13);
+    const double p_bridge_restitution = parameter(_given, 14);
+    const double p_ring_friction = parameter(_given, 15);
+    const double p_backboard_friction = parameter(_given, 16);
+    const double p_bridge_friction = parameter(_given, 17);
+    const double p_inertia = parameter(_given, 18);
+    const double p_tangential_restitution = parameter(_given, 19);
+    const double p_restitution_speed = parameter(_given, 20);
+
+    double x = 0.0, y = 0.0, z = 0.0, vx = 0.0, vy = 0.0, vz = 0.0, wx = 0.0, wy = 0.0, wz = 0.0,
+        clock = 0.0, last = 0.0, first = -1.0, contacts = 0.0, count_0 = 0.0, count_1 = 0.0,
+        count_2 = 0.0, held = -1.0, mode = 0.0, circled = 0.0, rolls = 0.0, slip_left = 0.0,
+        through = 0.0, outcome = -1.0, allowed = 0.0, valid = 0.0, time_error = 0.0, extent = 0.0,
+        speed = 0.0, excess = 0.0, when = 0.0, which = 0.0, began = 0.0, leaving = 0.0, time = 0.0,
+        rate = 0.0, bend = 0.0, apex = 0.0, until = 0.0, clear = 0.0, share = 0.0, arrival = 0.0,
+        since = 0.0, rho_start = 0.0, start_rate = 0.0, rho_rate = 0.0, near_x = 0.0, near_y = 0.0,
+        near_z = 0.0, near_vz = 0.0, ceiling = 0.0, flat = 0.0, tilt = 0.0, t = 0.0, energy2 = 0.0,
+        moment2 = 0.0, low0 = 0.0, high0 = 0.0, low1 = 0.0, high1 = 0.0, low2 = 0.0, high2 = 0.0,
+        latest = 0.0, position_level = 0.0, velocity_level = 0.0, rate_slack = 0.0, end = 0.0,
+        margin = 0.0, gap = 0.0, step = 0.0, next = 0.0, clearance = 0.0, refined = 0.0, pad = 0.0,
+        middle_x = 0.0, reach_x = 0.0, later_middle_x = 0.0, later_reach_x = 0.0, middle_y = 0.0,
+        reach_y = 0.0, later_middle_y = 0.0, later_reach_y = 0.0, middle_z = 0.0, reach_z = 0.0,
+        later_middle_z = 0.0, later_reach_z = 0.0, nx = 0.0, ny = 0.0, nz = 0.0, bent_x = 0.0,
+        bent_y = 0.0, bent_z = 0.0, lift = 0.0, gap_jerk = 0.0, gap_snap = 0.0, per_reach = 0.0,
+        turn_rate = 0.0, rolled_x = 0.0, rolled_y = 0.0, rolled_z = 0.0, vx_0 = 0.0, vy_0 = 0.0,
+        vz_0 = 0.0, nx_0 = 0.0, ny_0 = 0.0, nz_0 = 0.0, turn_rate_0 = 0.0, lift_0 = 0.0,
+        tx_0 = 0.0, ty_0 = 0.0, tz_0 = 0.0, vx_1 = 0.0, vy_1 = 0.0, vz_1 = 0.0, nx_1 = 0.0,
+        ny_1 = 0.0, nz_1 = 0.0, turn_rate_1 = 0.0, lift_1 = 0.0, tx_1 = 0.0, ty_1 = 0.0,
+        tz_1 = 0.0, vx_2 = 0.0, vy_2 = 0.0, vz_2 = 0.0, nx_2 = 0.0, ny_2 = 0.0, nz_2 = 0.0,
+        turn_rate_2 = 0.0, lift_2 = 0.0, tx_2 = 0.0, ty_2 = 0.0, tz_2 = 0.0, vx_3 = 0.0,
+        vy_3 = 0.0, vz_3 = 0.0, nx_3 = 0.0, ny_3 = 0.0, nz_3 = 0.0, turn_rate_3 = 0.0,
+        lift_3 = 0.0, tx_3 = 0.0, ty_3 = 0.0, tz_3 = 0.0, vx_4 = 0.0, vy_4 = 0.0, vz_4 = 0.0,
+        nx_4 = 0.0, ny_4 = 0.0, nz_4 = 0.0, turn_rate_4 = 0.0, lift_4 = 0.0, tx_4 = 0.0,
+        ty_4 = 0.0, tz_4 = 0.0, vx_5 = 0.0, vy_5 = 0.0, vz_5 = 0.0, nx_5 = 0.0, ny_5 = 0.0,
+        nz_5 = 0.0, turn_rate_5 = 0.0, lift_5 = 0.0, tx_5 = 0.0, ty_5 = 0.0, tz_5 = 0.0,
+        vx_6 = 0.0, vy_6 = 0.0, vz_6 = 0.0, nx_6 = 0.0, ny_6 = 0.0, nz_6 = 0.0, turn_rate_6 = 0.0,
+        lift_6 = 0.0, tx_6 = 0.0, ty_6 = 0.0, tz_6 = 0.0, vx_7 = 0.0, vy_7 = 0.0, vz_7 = 0.0,
+        nx_7 = 0.0, ny_7 = 0.0, nz_7 = 0.0, turn_rate_7 = 0.0, lift_7 = 0.0, vx_8 = 0.0,
+        vy_8 = 0.0, vz_8 = 0.0, nx_8 = 0.0, ny_8 = 0.0, nz_8 = 0.0, turn_rate_8 = 0.0,
+        stride = 0.0, strongest = 0.0, fastest = 0.0, force = 0.0, force_rate = 0.0,
+        force_bend = 0.0, friction_force_rate = 0.0, nearing = 0.0, gap_curvature = 0.0,
+        near = 0.0, cosine_0 = 0.0, sine_0 = 0.0, climb_0 = 0.0, along_0 = 0.0, cos_0 = 0.0,
+        sin_0 = 0.0, tilted_0 = 0.0, near_0 = 0.0, omega_0 = 0.0, around_0 = 0.0, cosine_1 = 0.0,
+        sine_1 = 0.0, climb_1 = 0.0, along_1 = 0.0, tilted_1 = 0.0, omega_1 = 0.0, around_1 = 0.0,
+        cosine_2 = 0.0, sine_2 = 0.0, climb_2 = 0.0, along_2 = 0.0, tilted_2 = 0.0, omega_2 = 0.0,
+        around_2 = 0.0, cosine_3 = 0.0, sine_3 = 0.0, climb_3 = 0.0, along_3 = 0.0, tilted_3 = 0.0,
+        omega_3 = 0.0, around_3 = 0.0, cosine_4 = 0.0, sine_4 = 0.0, climb_4 = 0.0, along_4 = 0.0,
+        tilted_4 = 0.0, omega_4 = 0.0, around_4 = 0.0, cosine_5 = 0.0, sine_5 = 0.0, climb_5 = 0.0,
+        along_5 = 0.0, tilted_5 = 0.0, omega_5 = 0.0, around_5 = 0.0, cosine_6 = 0.0, sine_6 = 0.0,
+        climb_6 = 0.0, along_6 = 0.0, tilted_6 = 0.0, omega_6 = 0.0, around_6 = 0.0,
+        cosine_7 = 0.0, sine_7 = 0.0, climb_7 = 0.0, along_7 = 0.0, tilted_7 = 0.0, omega_7 = 0.0,
+        around_7 = 0.0, cosine_8 = 0.0, sine_8 = 0.0, climb_8 = 0.0, along_8 = 0.0, tilted_8 = 0.0,
+        omega_8 = 0.0, around_8 = 0.0, cosine_9 = 0.0, sine_9 = 0.0, climb_9 = 0.0, along_9 = 0.0,
+        turn_rate_9 = 0.0, tilted_9 = 0.0, omega_9 = 0.0, around_9 = 0.0, cosine_10 = 0.0,
+        sine_10 = 0.0, climb_10 = 0.0, along_10 = 0.0, turn_rate_10 = 0.0, tilted_10 = 0.0,
+        omega_10 = 0.0, around_10 = 0.0, cosine_11 = 0.0, sine_11 = 0.0, climb_11 = 0.0,
+        along_11 = 0.0, turn_rate_11 = 0.0, tilted_11 = 0.0, omega_11 = 0.0, cosine_12 = 0.0,
+        sine_12 = 0.0, climb_12 = 0.0, along_12 = 0.0, turn_rate_12 = 0.0,
+        section_acceleration = 0.0, azimuth_clearance = 0.0, forth = 0.0, back = 0.0, climb = 0.0,
+        free_time = 0.0, reached = 0.0, body = 0.0, g0 = 0.0, its_0_ring_impact = 0.0,
+        its_1_ring_impact = 0.0, slip = 0.0, bounce = 0.0, turning_x = 0.0, turning_y = 0.0,
+        turning_z = 0.0, press = 0.0, weight = 0.0, rolling_friction = 0.0,
+        rolling_acceleration_x = 0.0, rolling_acceleration_y = 0.0, rolling_acceleration_z = 0.0,
+        nearest = 0.0, second_contact_gap = 0.0, rolling_gap_acceleration = 0.0,
+        normal_cosine = 0.0;
+    bool permitted = false, in_range = false, close = false, limited = false, in_contact = false,
+        rests = false, rolling = false, arrives = false, possible = false, open = false,
+        certain = false, searching = false, representable = false, fits = false, stepping = false,
+        single_precision = false, hit = false, sure = false, needs_refinement = false,
+        exhausted = false, refining = false, reachable = false, begins = false, leaves = false,
+        here = false, circling = false, beside = false, over = false, endless = false,
+        moves = false, ends = false, touches = false, meeting = false, slow = false,
+        struck_0 = false, nearly = false, settles = false, lodges = false, slides = false,
+        unpressed = false, unsure = false;
+    float onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0, wide_high1 = (float)0.0,
+        wide_low2 = (float)0.0, wide_high2 = (float)0.0, lapsed = (float)0.0,
+        short_share = (float)0.0, short_t = (float)0.0, short_end = (float)0.0,
+        short_x = (float)0.0, short_y = (float)0.0, short_z = (float)0.0, short_vx = (float)0.0,
+        short_vy = (float)0.0, short_vz = (float)0.0, short_energy2 = (float)0.0,
+        short_moment2 = (float)0.0, short_rho_start = (float)0.0, short_ceiling = (float)0.0,
+        short_flat = (float)0.0, short_tilt = (float)0.0, short_jerk = (float)0.0,
+        short_quotient_margin = (float)0.0, short_start_rate = (float)0.0,
+        short_rho_rate = (float)0.0, short_rate_margin = (float)0.0, short_low1 = (float)0.0,
+        short_high1 = (float)0.0, short_low2 = (float)0.0, short_high2 = (float)0.0;
+    x = _states[9 * _shot + 0];
+    y = _states[9 * _shot + 1];
+    z = _states[9 * _shot + 2];
+    vx = _states[9 * _shot + 3];
+    vy = _states[9 * _shot + 4];
+    vz = _states[9 * _shot + 5];
+    wx = _states[9 * _shot + 6];
+    wy = _states[9 * _shot + 7];
+    wz = _states[9 * _shot + 8];
+    last = _leaving ? (double)_leaving[_shot] : -1.0;
+
+    court_event *_events = (court_event *)_results[12];
+    int _used = 0;
+    if (_events)
+        _events += _shot * (3 * (long long)_max_contacts + 1);
+
+    const kernel_allowed_out _o0 = kernel_allowed(_given);
+    allowed = _o0.allowed;
+    const kernel_parameters_in_range_out _o1 = kernel_parameters_in_range(_given, allowed);
+    permitted = _o1.permitted;
+    const kernel_state_in_range_out _o2 = kernel_state_in_range(x, y, z, vx, vy, vz, wx, wy, wz);
+    in_range = _o2.in_range;
+    const kernel_aside_out _o3 = kernel_aside(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_end_depth);
+    close = _o3.close;
+    valid = _o3.valid;
+    if (close) {
+        const kernel_valid_out _o4 = kernel_valid(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_end_depth);
+        valid = _o4.valid;
+    }
+    const kernel_admitted_out _o5 = kernel_admitted(INFINITE, valid, permitted, in_range);
+    outcome = _o5.outcome;
+    const kernel_passing_start_out _o6 = kernel_passing_start(last, outcome, 0.0, x, y, z, p_ring_radius, p_end_depth);
+    through = _o6.through;
+
+    while (outcome < 0.0) {
+        /* To the next event. */
+        const kernel_error_bounds_out _o7 = kernel_error_bounds(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+        time_error = _o7.time_error;
+        const kernel_scale_out _o8 = kernel_scale(x, y, z, vx, vy, vz, p_gravity);
+        extent = _o8.extent;
+        speed = _o8.speed;
+        excess = _o8.excess;
+        const kernel_opening_out _o9 = kernel_opening(excess, 0.0, 0.0);
+        when = _o9.when;
+        which = _o9.which;
+        const kernel_limited_out _o10 = kernel_limited(time_limit);
+        limited = _o10.limited;
+        const kernel_in_contact_out _o11 = kernel_in_contact(when, mode);
+        in_contact = _o11.in_contact;
+        when = _o11.when;
+        rests = _o11.rests;
+        rolling = _o11.rolling;
+        began = _o11.began;
+        const kernel_left_out _o12 = kernel_left(3.0, last);
+        leaving = _o12.leaving;
+        const kernel_end_arrival_out _o13 = kernel_end_arrival(leaving, z, vz, p_gravity, p_end_depth);
+        time = _o13.time;
+        rate = _o13.rate;
+        bend = _o13.bend;
+        apex = _o13.apex;
+        const kernel_meeting_plane_out _o14 = kernel_meeting_plane(rate, bend, apex, time);
+        arrives = _o14.arrives;
+        const kernel_within_time_out _o15 = kernel_within_time(time, when, 0.0, 0.0, arrives);
+        possible = _o15.possible;
+        if (possible) {
+            const kernel_earliest_out _o16 = kernel_earliest(3.0, time, when, which, arrives);
+            when = _o16.when;
+            which = _o16.which;
+        }
+        const kernel_horizon_out _o17 = kernel_horizon(when, speed, p_gravity);
+        until = _o17.horizon;
+        const kernel_ring_clear_out _o18 = kernel_ring_clear(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+        clear = _o18.clear;
+        const kernel_opens_in_flight_out _o19 = kernel_opens_in_flight(clear, in_contact);
+        open = _o19.open;
+        if (open) {
+            const kernel_beginning_out _o20 = kernel_beginning();
+            share = _o20.share;
+            arrival = _o20.arrival;
+            certain = _o20.certain;
+            const kernel_left_out _o21 = kernel_left(0.0, last);
+            leaving = _o21.leaving;
+            const kernel_ring_opened_out _o22 = kernel_ring_opened(until, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            onset = _o22.t;
+            wide_end = _o22.end;
+            searching = _o22.searching;
+            wide_low1 = _o22.low1;
+            wide_high1 = _o22.high1;
+            wide_low2 = _o22.low2;
+            wide_high2 = _o22.high2;
+            lapsed = _o22.latest;
+            representable = _o22.representable;
+            const kernel_opened_out _o23 = kernel_opened(lapsed, onset);
+            since = _o23.time;
+            const kernel_ring_started_out _o24 = kernel_ring_started(x, y, z, vx, vy, vz, p_ring_radius);
+            rho_start = _o24.rho_start;
+            start_rate = _o24.start_rate;
+            rho_rate = _o24.rho_rate;
+            const kernel_flight_out _o25 = kernel_flight(since, x, y, z, vx, vy, vz, p_gravity);
+            near_x = _o25.x;
+            near_y = _o25.y;
+            near_z = _o25.z;
+            near_vz = _o25.vz;
+            const kernel_ring_resolution_out _o26 = kernel_ring_resolution(onset, wide_end, leaving, lapsed, near_x, near_y, near_z, vx, vy, near_vz, extent, speed, start_rate, rho_rate, wide_low1, wide_high1, wide_low2, wide_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            short_share = _o26.share;
+            short_t = _o26.t;
+            short_end = _o26.end;
+            short_x = _o26.x;
+            short_y = _o26.y;
+            short_z = _o26.z;
+            short_vx = _o26.vx;
+            short_vy = _o26.vy;
+            short_vz = _o26.vz;
+            short_energy2 = _o26.energy2;
+            short_moment2 = _o26.moment2;
+            short_rho_start = _o26.rho_start;
+            short_ceiling = _o26.ceiling;
+            short_flat = _o26.flat;
+            short_tilt = _o26.tilt;
+            short_jerk = _o26.jerk;
+            short_quotient_margin = _o26.quotient_margin;
+            short_start_rate = _o26.start_rate;
+            short_rho_rate = _o26.rho_rate;
+            short_rate_margin = _o26.rate_margin;
+            short_low1 = _o26.low1;
+            short_high1 = _o26.high1;
+            short_low2 = _o26.low2;
+            short_high2 = _o26.high2;
+            fits = _o26.fits;
+            const kernel_coarse_out _o27 = kernel_coarse(short_rate_margin, short_flat, short_ceiling, short_share, searching, representable, fits);
+            stepping = _o27.stepping;
+            searching = _o27.searching;
+            single_precision = _o27.single_precision;
+            ceiling = _o27.ceiling;
+            flat = _o27.flat;
+            tilt = _o27.tilt;
+            if (stepping) {
+                const kernel_ring_step_out _o28 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o28.t;
+                short_end = _o28.end;
+                certain = _o28.certain;
+                stepping = _o28.stepping;
+            }
+            for (size_t _turn = 0; _turn < 24; _turn++) {
+                if (!stepping)
+                    break;
+                const kernel_ring_step_out _o29 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o29.t;
+                short_end = _o29.end;
+                certain = _o29.certain;
+                stepping = _o29.stepping;
+            }
+            const kernel_stepped_out _o30 = kernel_stepped(arrival, short_t, searching, since, single_precision, certain);
+            arrival = _o30.arrival;
+            t = _o30.t;
+            searching = _o30.searching;
+            if (searching) {
+                const kernel_ring_prepare_out _o31 = kernel_ring_prepare(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                energy2 = _o31.energy2;
+                moment2 = _o31.moment2;
+                rho_start = _o31.rho_start;
+                low0 = _o31.low0;
+                high0 = _o31.high0;
+                low1 = _o31.low1;
+                high1 = _o31.high1;
+                low2 = _o31.low2;
+                high2 = _o31.high2;
+                ceiling = _o31.ceiling;
+                latest = _o31.latest;
+                const kernel_allowance_out _o32 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
+                position_level = _o32.position_level;
+                velocity_level = _o32.velocity_level;
+                const kernel_ring_margins_out _o33 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o33.margin;
+                tilt = _o33.leaving_margin;
+                rate_slack = _o33.rate_margin;
+                const kernel_ring_enter_out _o34 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
+                t = _o34.t;
+                end = _o34.end;
+                searching = _o34.searching;
+                for (size_t _turn = 0; _turn < 201; _turn++) {
+                    if (!searching)
+                        break;
+                    const kernel_nearby_out _o35 = kernel_nearby(t, flat, tilt, 0.0, last);
+                    leaving = _o35.leaving;
+                    margin = _o35.margin;
+                    const kernel_ring_advance_out _o36 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    gap = _o36.gap;
+                    rate = _o36.rate;
+                    bend = _o36.bend;
+                    step = _o36.step;
+                    next = _o36.next;
+                    clearance = _o36.clearance;
+                    const kernel_struck_out _o37 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
+                    hit = _o37.hit;
+                    sure = _o37.sure;
+                    needs_refinement = _o37.needs_refinement;
+                    if (needs_refinement) {
+                        const kernel_finer_out _o38 = kernel_finer(share);
+                        share = _o38.share;
+                        const kernel_allowance_out _o39 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
+                        position_level = _o39.position_level;
+                        velocity_level = _o39.velocity_level;
+                        const kernel_ring_margins_out _o40 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                        flat = _o40.margin;
+                        tilt = _o40.leaving_margin;
+                        rate_slack = _o40.rate_margin;
+                    }
+                    const kernel_advanced_out _o41 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                    arrival = _o41.arrival;
+                    certain = _o41.certain;
+                    exhausted = _o41.exhausted;
+                    searching = _o41.searching;
+                    t = _o41.t;
+                    if (exhausted) {
+                        const kernel_ring_enter_out _o42 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
+                        t = _o42.t;
+                        end = _o42.end;
+                        searching = _o42.searching;
+                    }
+                }
+            }
+            const kernel_found_out _o43 = kernel_found(arrival);
+            arrives = _o43.arrives;
+            refining = _o43.refining;
+            const kernel_nearby_out _o44 = kernel_nearby(arrival, flat, tilt, 0.0, last);
+            leaving = _o44.leaving;
+            if (refining) {
+                const kernel_ring_refine_out _o45 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o45.time;
+                gap = _o45.gap;
+                rate = _o45.rate;
+                const kernel_polished_out _o46 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o46.arrival;
+                refining = _o46.refining;
+            }
+            if (refining) {
+                const kernel_ring_refine_out _o47 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o47.time;
+                gap = _o47.gap;
+                rate = _o47.rate;
+                const kernel_polished_out _o48 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o48.arrival;
+                refining = _o48.refining;
+            }
+            for (size_t _turn = 0; _turn < 8; _turn++) {
+                if (!refining)
+                    break;
+                const kernel_ring_refine_out _o49 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o49.time;
+                gap = _o49.gap;
+                rate = _o49.rate;
+                const kernel_polished_out _o50 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o50.arrival;
+                refining = _o50.refining;
+            }
+            const kernel_landed_out _o51 = kernel_landed(arrival);
+            time = _o51.time;
+            const kernel_earliest_out _o52 = kernel_earliest(0.0, time, when, which, arrives);
+            when = _o52.when;
+            which = _o52.which;
+        }
+        const kernel_horizon_out _o53 = kernel_horizon(when, speed, p_gravity);
+        until = _o53.horizon;
+        pad = _o53.pad;
+        const kernel_halved_out _o54 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, 0.0, pad, p_gravity);
+        middle_x = _o54.middle_x;
+        reach_x = _o54.reach_x;
+        later_middle_x = _o54.later_middle_x;
+        later_reach_x = _o54.later_reach_x;
+        middle_y = _o54.middle_y;
+        reach_y = _o54.reach_y;
+        later_middle_y = _o54.later_middle_y;
+        later_reach_y = _o54.later_reach_y;
+        middle_z = _o54.middle_z;
+        reach_z = _o54.reach_z;
+        later_middle_z = _o54.later_middle_z;
+        later_reach_z = _o54.later_reach_z;
+        const kernel_backboard_near_out _o55 = kernel_backboard_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+        reachable = _o55.near;
+        const kernel_reachable_in_flight_out _o56 = kernel_reachable_in_flight(reachable, in_contact);
+        reachable = _o56.reachable;
+        if (reachable) {
+            const kernel_horizon_out _o57 = kernel_horizon(when, speed, p_gravity);
+            until = _o57.horizon;
+            const kernel_backboard_prepare_out _o58 = kernel_backboard_prepare(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+            low0 = _o58.low0;
+            high0 = _o58.high0;
+            low1 = _o58.low1;
+            high1 = _o58.high1;
+            ceiling = _o58.ceiling;
+            latest = _o58.latest;
+            const kernel_beginning_out _o59 = kernel_beginning();
+            share = _o59.share;
+            arrival = _o59.arrival;
+            certain = _o59.certain;
+            const kernel_allowance_out _o60 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
+            position_level = _o60.position_level;
+            velocity_level = _o60.velocity_level;
+            const kernel_backboard_margins_out _o61 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+            flat = _o61.margin;
+            tilt = _o61.leaving_margin;
+            rate_slack = _o61.rate_margin;
+            const kernel_backboard_enter_out _o62 = kernel_backboard_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
+            t = _o62.t;
+            end = _o62.end;
+            searching = _o62.searching;
+            if (searching) {
+                const kernel_nearby_out _o63 = kernel_nearby(t, flat, tilt, 1.0, last);
+                leaving = _o63.leaving;
+                margin = _o63.margin;
+                const kernel_backboard_advance_out _o64 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                gap = _o64.gap;
+                rate = _o64.rate;
+                bend = _o64.bend;
+                step = _o64.step;
+                next = _o64.next;
+                clearance = _o64.clearance;
+                const kernel_struck_or_still_out _o65 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o65.hit;
+                sure = _o65.sure;
+                needs_refinement = _o65.needs_refinement;
+                if (needs_refinement) {
+                    const kernel_finer_out _o66 = kernel_finer(share);
+                    share = _o66.share;
+                    const kernel_allowance_out _o67 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
+                    position_level = _o67.position_level;
+                    velocity_level = _o67.velocity_level;
+                    const kernel_backboard_margins_out _o68 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    flat = _o68.margin;
+                    tilt = _o68.leaving_margin;
+                    rate_slack = _o68.rate_margin;
+                }
+                const kernel_advanced_out _o69 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o69.arrival;
+                certain = _o69.certain;
+                exhausted = _o69.exhausted;
+                searching = _o69.searching;
+                t = _o69.t;
+                if (exhausted) {
+                    const kernel_backboard_enter_out _o70 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o70.t;
+                    end = _o70.end;
+                    searching = _o70.searching;
+                }
+            }
+            for (size_t _turn = 0; _turn < 201; _turn++) {
+                if (!searching)
+                    break;
+                const kernel_nearby_out _o71 = kernel_nearby(t, flat, tilt, 1.0, last);
+                leaving = _o71.leaving;
+                margin = _o71.margin;
+                const kernel_backboard_advance_out _o72 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                gap = _o72.gap;
+                rate = _o72.rate;
+                bend = _o72.bend;
+                step = _o72.step;
+                next = _o72.next;
+                clearance = _o72.clearance;
+                const kernel_struck_or_still_out _o73 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o73.hit;
+                sure = _o73.sure;
+                needs_refinement = _o73.needs_refinement;
+                if (needs_refinement) {
+                    const kernel_finer_out _o74 = kernel_finer(share);
+                    share = _o74.share;
+                    const kernel_allowance_out _o75 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
+                    position_level = _o75.position_level;
+                    velocity_level = _o75.velocity_level;
+                    const kernel_backboard_margins_out _o76 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    flat = _o76.margin;
+                    tilt = _o76.leaving_margin;
+                    rate_slack = _o76.rate_margin;
+                }
+                const kernel_advanced_out _o77 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o77.arrival;
+                certain = _o77.certain;
+                exhausted = _o77.exhausted;
+                searching = _o77.searching;
+                t = _o77.t;
+                if (exhausted) {
+                    const kernel_backboard_enter_out _o78 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o78.t;
+                    end = _o78.end;
+                    searching = _o78.searching;
+                }
+            }
+            const kernel_found_out _o79 = kernel_found(arrival);
+            arrives = _o79.arrives;
+            refining = _o79.refining;
+            const kernel_nearby_out _o80 = kernel_nearby(arrival, flat, tilt, 1.0, last);
+            leaving = _o80.leaving;
+            if (refining) {
+                const kernel_backboard_refine_out _o81 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o81.time;
+                gap = _o81.gap;
+                rate = _o81.rate;
+                const kernel_polished_out _o82 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o82.arrival;
+                refining = _o82.refining;
+            }
+            if (refining) {
+                const kernel_backboard_refine_out _o83 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o83.time;
+                gap = _o83.gap;
+                rate = _o83.rate;
+                const kernel_polished_out _o84 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o84.arrival;
+                refining = _o84.refining;
+            }
+            for (size_t _turn = 0; _turn < 8; _turn++) {
+                if (!refining)
+                    break;
+                const kernel_backboard_refine_out _o85 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o85.time;
+                gap = _o85.gap;
+                rate = _o85.rate;
+                const kernel_polished_out _o86 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o86.arrival;
+                refining = _o86.refining;
+            }
+            const kernel_landed_out _o87 = kernel_landed(arrival);
+            time = _o87.time;
+            const kernel_earliest_out _o88 = kernel_earliest(1.0, time, when, which, arrives);
+            when = _o88.when;
+            which = _o88.which;
+        }
+        const kernel_horizon_out _o89 = kernel_horizon(when, speed, p_gravity);
+        until = _o89.horizon;
+        pad = _o89.pad;
+        const kernel_halved_out _o90 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, 0.0, pad, p_gravity);
+        middle_x = _o90.middle_x;
+        reach_x = _o90.reach_x;
+        later_middle_x = _o90.later_middle_x;
+        later_reach_x = _o90.later_reach_x;
+        middle_y = _o90.middle_y;
+        reach_y = _o90.reach_y;
+        later_middle_y = _o90.later_middle_y;
+        later_reach_y = _o90.later_reach_y;
+        middle_z = _o90.middle_z;
+        reach_z = _o90.reach_z;
+        later_middle_z = _o90.later_middle_z;
+        later_reach_z = _o90.later_reach_z;
+        const kernel_bridge_near_out _o91 = kernel_bridge_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+        reachable = _o91.near;
+        const kernel_reachable_in_flight_out _o92 = kernel_reachable_in_flight(reachable, in_contact);
+        reachable = _o92.reachable;
+        if (reachable) {
+            const kernel_horizon_out _o93 = kernel_horizon(when, speed, p_gravity);
+            until = _o93.horizon;
+            const kernel_bridge_prepare_out _o94 = kernel_bridge_prepare(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+            low0 = _o94.low0;
+            high0 = _o94.high0;
+            low1 = _o94.low1;
+            high1 = _o94.high1;
+            ceiling = _o94.ceiling;
+            latest = _o94.latest;
+            const kernel_beginning_out _o95 = kernel_beginning();
+            share = _o95.share;
+            arrival = _o95.arrival;
+            certain = _o95.certain;
+            const kernel_allowance_out _o96 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
+            position_level = _o96.position_level;
+            velocity_level = _o96.velocity_level;
+            const kernel_bridge_margins_out _o97 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+            flat = _o97.margin;
+            tilt = _o97.leaving_margin;
+            rate_slack = _o97.rate_margin;
+            const kernel_bridge_enter_out _o98 = kernel_bridge_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
+            t = _o98.t;
+            end = _o98.end;
+            searching = _o98.searching;
+            if (searching) {
+                const kernel_nearby_out _o99 = kernel_nearby(t, flat, tilt, 2.0, last);
+                leaving = _o99.leaving;
+                margin = _o99.margin;
+                const kernel_bridge_advance_out _o100 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                gap = _o100.gap;
+                rate = _o100.rate;
+                bend = _o100.bend;
+                step = _o100.step;
+                next = _o100.next;
+                clearance = _o100.clearance;
+                const kernel_struck_or_still_out _o101 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o101.hit;
+                sure = _o101.sure;
+                needs_refinement = _o101.needs_refinement;
+                if (needs_refinement) {
+                    const kernel_finer_out _o102 = kernel_finer(share);
+                    share = _o102.share;
+                    const kernel_allowance_out _o103 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
+                    position_level = _o103.position_level;
+                    velocity_level = _o103.velocity_level;
+                    const kernel_bridge_margins_out _o104 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    flat = _o104.margin;
+                    tilt = _o104.leaving_margin;
+                    rate_slack = _o104.rate_margin;
+                }
+                const kernel_advanced_out _o105 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o105.arrival;
+                certain = _o105.certain;
+                exhausted = _o105.exhausted;
+                searching = _o105.searching;
+                t = _o105.t;
+                if (exhausted) {
+                    const kernel_bridge_enter_out _o106 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o106.t;
+                    end = _o106.end;
+                    searching = _o106.searching;
+                }
+            }
+            for (size_t _turn = 0; _turn < 201; _turn++) {
+                if (!searching)
+                    break;
+                const kernel_nearby_out _o107 = kernel_nearby(t, flat, tilt, 2.0, last);
+                leaving = _o107.leaving;
+                margin = _o107.margin;
+                const kernel_bridge_advance_out _o108 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                gap = _o108.gap;
+                rate = _o108.rate;
+                bend = _o108.bend;
+                step = _o108.step;
+                next = _o108.next;
+                clearance = _o108.clearance;
+                const kernel_struck_or_still_out _o109 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o109.hit;
+                sure = _o109.sure;
+                needs_refinement = _o109.needs_refinement;
+                if (needs_refinement) {
+                    const kernel_finer_out _o110 = kernel_finer(share);
+                    share = _o110.share;
+                    const kernel_allowance_out _o111 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
+                    position_level = _o111.position_level;
+                    velocity_level = _o111.velocity_level;
+                    const kernel_bridge_margins_out _o112 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    flat = _o112.margin;
+                    tilt = _o112.leaving_margin;
+                    rate_slack = _o112.rate_margin;
+                }
+                const kernel_advanced_out _o113 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o113.arrival;
+                certain = _o113.certain;
+                exhausted = _o113.exhausted;
+                searching = _o113.searching;
+                t = _o113.t;
+                if (exhausted) {
+                    const kernel_bridge_enter_out _o114 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o114.t;
+                    end = _o114.end;
+                    searching = _o114.searching;
+                }
+            }
+            const kernel_found_out _o115 = kernel_found(arrival);
+            arrives = _o115.arrives;
+            refining = _o115.refining;
+            const kernel_nearby_out _o116 = kernel_nearby(arrival, flat, tilt, 2.0, last);
+            leaving = _o116.leaving;
+            if (refining) {
+                const kernel_bridge_refine_out _o117 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o117.time;
+                gap = _o117.gap;
+                rate = _o117.rate;
+                const kernel_polished_out _o118 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o118.arrival;
+                refining = _o118.refining;
+            }
+            if (refining) {
+                const kernel_bridge_refine_out _o119 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o119.time;
+                gap = _o119.gap;
+                rate = _o119.rate;
+                const kernel_polished_out _o120 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o120.arrival;
+                refining = _o120.refining;
+            }
+            for (size_t _turn = 0; _turn < 8; _turn++) {
+                if (!refining)
+                    break;
+                const kernel_bridge_refine_out _o121 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o121.time;
+                gap = _o121.gap;
+                rate = _o121.rate;
+                const kernel_polished_out _o122 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o122.arrival;
+                refining = _o122.refining;
+            }
+            const kernel_landed_out _o123 = kernel_landed(arrival);
+            time = _o123.time;
+            const kernel_earliest_out _o124 = kernel_earliest(2.0, time, when, which, arrives);
+            when = _o124.when;
+            which = _o124.which;
+        }
+        if (limited) {
+            const kernel_expiry_out _o125 = kernel_expiry(when, which, 0.0, INFINITE, time_error, clock, time_limit);
+            time = _o125.time;
+            arrives = _o125.arrives;
+            const kernel_earliest_out _o126 = kernel_earliest(4.0, time, when, which, arrives);
+            when = _o126.when;
+            which = _o126.which;
+        }
+        if (in_contact) {
+            const kernel_resumed_out _o127 = kernel_resumed(0.0, 0.0, clock, mode);
+            which = _o127.which;
+            began = _o127.began;
+            begins = _o127.begins;
+            rolling = _o127.rolling;
+            leaves = _o127.leaves;
+            nx = _o127.nx;
+            ny = _o127.ny;
+            nz = _o127.nz;
+            gap = _o127.gap;
+            bent_x = _o127.bent_x;
+            bent_y = _o127.bent_y;
+            bent_z = _o127.bent_z;
+            lift = _o127.lift;
+            gap_jerk = _o127.gap_jerk;
+            gap_snap = _o127.gap_snap;
+            per_reach = _o127.per_reach;
+            if (begins) {
+                const kernel_holding_out _o128 = kernel_holding(0.0, held);
+                here = _o128.here;
+                if (here) {
+                    const kernel_ring_normal_out _o129 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    nx = _o129.nx;
+                    ny = _o129.ny;
+                    nz = _o129.nz;
+                }
+                const kernel_holding_out _o130 = kernel_holding(1.0, held);
+                here = _o130.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o131 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o131.nx;
+                    ny = _o131.ny;
+                    nz = _o131.nz;
+                }
+                const kernel_holding_out _o132 = kernel_holding(2.0, held);
+                here = _o132.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o133 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o133.nx;
+                    ny = _o133.ny;
+                    nz = _o133.nz;
+                }
+                const kernel_roll_turn_rate_out _o134 = kernel_roll_turn_rate(p_ball_radius, nx, ny, nz, wx, wy, wz);
+                turn_rate = _o134.turn_rate;
+                const kernel_gripped_out _o135 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+                rolled_x = _o135.rolled_x;
+                rolled_y = _o135.rolled_y;
+                rolled_z = _o135.rolled_z;
+                const kernel_holding_out _o136 = kernel_holding(0.0, held);
+                here = _o136.here;
+                if (here) {
+                    const kernel_ring_distance_out _o137 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o137.gap;
+                }
+                const kernel_holding_out _o138 = kernel_holding(1.0, held);
+                here = _o138.here;
+                if (here) {
+                    const kernel_backboard_distance_out _o139 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                    gap = _o139.gap;
+                }
+                const kernel_holding_out _o140 = kernel_holding(2.0, held);
+                here = _o140.here;
+                if (here) {
+                    const kernel_bridge_distance_out _o141 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o141.gap;
+                }
+                const kernel_roll_placed_out _o142 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate);
+                x = _o142.x;
+                y = _o142.y;
+                z = _o142.z;
+                vx = _o142.vx;
+                vy = _o142.vy;
+                vz = _o142.vz;
+                wx = _o142.wx;
+                wy = _o142.wy;
+                wz = _o142.wz;
+                const kernel_beginning_contact_out _o143 = kernel_beginning_contact();
+                which = _o143.which;
+                circled = _o143.circled;
+            }
+            const kernel_circles_out _o144 = kernel_circles(0.0, held, rolling);
+            circling = _o144.circling;
+            rolling = _o144.rolling;
+            for (size_t _turn = 0; _turn < 16; _turn++) {
+                if (!rolling)
+                    break;
+                const kernel_holding_out _o145 = kernel_holding(1.0, held);
+                here = _o145.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o146 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o146.nx;
+                    ny = _o146.ny;
+                    nz = _o146.nz;
+                    const kernel_backboard_rolling_surface_out _o147 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    bent_x = _o147.bent_x;
+                    bent_y = _o147.bent_y;
+                    bent_z = _o147.bent_z;
+                    per_reach = _o147.per_reach;
+                }
+                const kernel_holding_out _o148 = kernel_holding(2.0, held);
+                here = _o148.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o149 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o149.nx;
+                    ny = _o149.ny;
+                    nz = _o149.nz;
+                    const kernel_bridge_rolling_surface_out _o150 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    bent_x = _o150.bent_x;
+                    bent_y = _o150.bent_y;
+                    bent_z = _o150.bent_z;
+                    per_reach = _o150.per_reach;
+                }
+                const kernel_roll_start_out _o151 = kernel_roll_start(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+                vx_0 = _o151.vx_0;
+                vy_0 = _o151.vy_0;
+                vz_0 = _o151.vz_0;
+                nx_0 = _o151.nx_0;
+                ny_0 = _o151.ny_0;
+                nz_0 = _o151.nz_0;
+                turn_rate_0 = _o151.turn_rate_0;
+                const kernel_roll_0_out _o152 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
+                lift_0 = _o152.lift_0;
+                tx_0 = _o152.tx_0;
+                ty_0 = _o152.ty_0;
+                tz_0 = _o152.tz_0;
+                vx_1 = _o152.vx_1;
+                vy_1 = _o152.vy_1;
+                vz_1 = _o152.vz_1;
+                nx_1 = _o152.nx_1;
+                ny_1 = _o152.ny_1;
+                nz_1 = _o152.nz_1;
+                turn_rate_1 = _o152.turn_rate_1;
+                const kernel_roll_1_out _o153 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
+                lift_1 = _o153.lift_1;
+                tx_1 = _o153.tx_1;
+                ty_1 = _o153.ty_1;
+                tz_1 = _o153.tz_1;
+                vx_2 = _o153.vx_2;
+                vy_2 = _o153.vy_2;
+                vz_2 = _o153.vz_2;
+                nx_2 = _o153.nx_2;
+                ny_2 = _o153.ny_2;
+                nz_2 = _o153.nz_2;
+                turn_rate_2 = _o153.turn_rate_2;
+                const kernel_roll_2_out _o154 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                lift_2 = _o154.lift_2;
+                tx_2 = _o154.tx_2;
+                ty_2 = _o154.ty_2;
+                tz_2 = _o154.tz_2;
+                vx_3 = _o154.vx_3;
+                vy_3 = _o154.vy_3;
+                vz_3 = _o154.vz_3;
+                nx_3 = _o154.nx_3;
+                ny_3 = _o154.ny_3;
+                nz_3 = _o154.nz_3;
+                turn_rate_3 = _o154.turn_rate_3;
+                const kernel_roll_3_out _o155 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
+                lift_3 = _o155.lift_3;
+                tx_3 = _o155.tx_3;
+                ty_3 = _o155.ty_3;
+                tz_3 = _o155.tz_3;
+                vx_4 = _o155.vx_4;
+                vy_4 = _o155.vy_4;
+                vz_4 = _o155.vz_4;
+                nx_4 = _o155.nx_4;
+                ny_4 = _o155.ny_4;
+                nz_4 = _o155.nz_4;
+                turn_rate_4 = _o155.turn_rate_4;
+                const kernel_roll_4_out _o156 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
+                lift_4 = _o156.lift_4;
+                tx_4 = _o156.tx_4;
+                ty_4 = _o156.ty_4;
+                tz_4 = _o156.tz_4;
+                vx_5 = _o156.vx_5;
+                vy_5 = _o156.vy_5;
+                vz_5 = _o156.vz_5;
+                nx_5 = _o156.nx_5;
+                ny_5 = _o156.ny_5;
+                nz_5 = _o156.nz_5;
+                turn_rate_5 = _o156.turn_rate_5;
+                const kernel_roll_5_out _o157 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
+                lift_5 = _o157.lift_5;
+                tx_5 = _o157.tx_5;
+                ty_5 = _o157.ty_5;
+                tz_5 = _o157.tz_5;
+                vx_6 = _o157.vx_6;
+                vy_6 = _o157.vy_6;
+                vz_6 = _o157.vz_6;
+                nx_6 = _o157.nx_6;
+                ny_6 = _o157.ny_6;
+                nz_6 = _o157.nz_6;
+                turn_rate_6 = _o157.turn_rate_6;
+                const kernel_roll_6_out _o158 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
+                lift_6 = _o158.lift_6;
+                tx_6 = _o158.tx_6;
+                ty_6 = _o158.ty_6;
+                tz_6 = _o158.tz_6;
+                vx_7 = _o158.vx_7;
+                vy_7 = _o158.vy_7;
+                vz_7 = _o158.vz_7;
+                nx_7 = _o158.nx_7;
+                ny_7 = _o158.ny_7;
+                nz_7 = _o158.nz_7;
+                turn_rate_7 = _o158.turn_rate_7;
+                const kernel_roll_7_out _o159 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
+                lift_7 = _o159.lift_7;
+                vx_8 = _o159.vx_8;
+                vy_8 = _o159.vy_8;
+                vz_8 = _o159.vz_8;
+                nx_8 = _o159.nx_8;
+                ny_8 = _o159.ny_8;
+                nz_8 = _o159.nz_8;
+                turn_rate_8 = _o159.turn_rate_8;
+                const kernel_roll_pace_out _o160 = kernel_roll_pace(p_gravity, p_inertia, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7);
+                stride = _o160.stride;
+                strongest = _o160.strongest;
+                fastest = _o160.fastest;
+                force = _o160.force;
+                force_rate = _o160.force_rate;
+                force_bend = _o160.force_bend;
+                friction_force_rate = _o160.friction_force_rate;
+                const kernel_leaving_force_out _o161 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, INFINITE, 0.0, 0.0, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                stride = _o161.stride;
+                which = _o161.which;
+                rests = _o161.rests;
+                const kernel_beside_out _o162 = kernel_beside(0.0, held);
+                beside = _o162.beside;
+                if (beside) {
+                    const kernel_ring_beside_out _o163 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o163.gap;
+                    nearing = _o163.nearing;
+                    gap_curvature = _o163.gap_curvature;
+                    const kernel_beside_body_out _o164 = kernel_beside_body(p_ball_radius, x, y, z, gap, 0.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
+                    stride = _o164.stride;
+                    which = _o164.which;
+                }
+                const kernel_beside_out _o165 = kernel_beside(1.0, held);
+                beside = _o165.beside;
+                if (beside) {
+                    const kernel_backboard_beside_out _o166 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    gap = _o166.gap;
+                    nearing = _o166.nearing;
+                    gap_curvature = _o166.gap_curvature;
+                    const kernel_beside_body_out _o167 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
+                    stride = _o167.stride;
+                    which = _o167.which;
+                }
+                const kernel_beside_out _o168 = kernel_beside(2.0, held);
+                beside = _o168.beside;
+                if (beside) {
+                    const kernel_bridge_beside_out _o169 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o169.gap;
+                    nearing = _o169.nearing;
+                    gap_curvature = _o169.gap_curvature;
+                    const kernel_beside_body_out _o170 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
+                    stride = _o170.stride;
+                    which = _o170.which;
+                }
+                const kernel_end_beside_out _o171 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o171.gap;
+                nearing = _o171.nearing;
+                gap_curvature = _o171.gap_curvature;
+                const kernel_beside_gate_out _o172 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o172.stride;
+                which = _o172.which;
+                const kernel_holding_out _o173 = kernel_holding(1.0, held);
+                here = _o173.here;
+                if (here) {
+                    const kernel_backboard_seam0_out _o174 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o174.gap;
+                    nearing = _o174.nearing;
+                    near = _o174.near;
+                    const kernel_beside_seam_out _o175 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o175.stride;
+                    const kernel_backboard_seam1_out _o176 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o176.gap;
+                    nearing = _o176.nearing;
+                    near = _o176.near;
+                    const kernel_beside_seam_out _o177 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o177.stride;
+                    const kernel_backboard_seam2_out _o178 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o178.gap;
+                    nearing = _o178.nearing;
+                    near = _o178.near;
+                    const kernel_beside_seam_out _o179 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o179.stride;
+                    const kernel_backboard_seam3_out _o180 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o180.gap;
+                    nearing = _o180.nearing;
+                    near = _o180.near;
+                    const kernel_beside_seam_out _o181 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o181.stride;
+                    const kernel_backboard_seam4_out _o182 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o182.gap;
+                    nearing = _o182.nearing;
+                    near = _o182.near;
+                    const kernel_beside_seam_out _o183 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o183.stride;
+                    const kernel_backboard_seam5_out _o184 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o184.gap;
+                    nearing = _o184.nearing;
+                    near = _o184.near;
+                    const kernel_beside_seam_out _o185 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o185.stride;
+                }
+                const kernel_holding_out _o186 = kernel_holding(2.0, held);
+                here = _o186.here;
+                if (here) {
+                    const kernel_bridge_seam0_out _o187 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o187.gap;
+                    nearing = _o187.nearing;
+                    near = _o187.near;
+                    const kernel_beside_seam_out _o188 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o188.stride;
+                    const kernel_bridge_seam1_out _o189 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o189.gap;
+                    nearing = _o189.nearing;
+                    near = _o189.near;
+                    const kernel_beside_seam_out _o190 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o190.stride;
+                    const kernel_bridge_seam2_out _o191 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o191.gap;
+                    nearing = _o191.nearing;
+                    near = _o191.near;
+                    const kernel_beside_seam_out _o192 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o192.stride;
+                    const kernel_bridge_seam3_out _o193 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o193.gap;
+                    nearing = _o193.nearing;
+                    near = _o193.near;
+                    const kernel_beside_seam_out _o194 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o194.stride;
+                    const kernel_bridge_seam4_out _o195 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o195.gap;
+                    nearing = _o195.nearing;
+                    near = _o195.near;
+                    const kernel_beside_seam_out _o196 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o196.stride;
+                    const kernel_bridge_seam5_out _o197 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o197.gap;
+                    nearing = _o197.nearing;
+                    near = _o197.near;
+                    const kernel_beside_seam_out _o198 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o198.stride;
+                }
+                const kernel_beside_time_out _o199 = kernel_beside_time(which, clock, time_limit, stride);
+                stride = _o199.stride;
+                which = _o199.which;
+                const kernel_passing_from_out _o200 = kernel_passing_from(z);
+                over = _o200.over;
+                const kernel_roll_moved_out _o201 = kernel_roll_moved(x, y, z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
+                x = _o201.x;
+                vx = _o201.vx;
+                y = _o201.y;
+                vy = _o201.vy;
+                z = _o201.z;
+                vz = _o201.vz;
+                turn_rate = _o201.turn_rate;
+                const kernel_holding_out _o202 = kernel_holding(1.0, held);
+                here = _o202.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o203 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o203.nx;
+                    ny = _o203.ny;
+                    nz = _o203.nz;
+                    const kernel_backboard_distance_out _o204 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                    gap = _o204.gap;
+                }
+                const kernel_holding_out _o205 = kernel_holding(2.0, held);
+                here = _o205.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o206 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o206.nx;
+                    ny = _o206.ny;
+                    nz = _o206.nz;
+                    const kernel_bridge_distance_out _o207 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o207.gap;
+                }
+                const kernel_roll_placed_out _o208 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, vx, vy, vz, gap, turn_rate);
+                x = _o208.x;
+                y = _o208.y;
+                z = _o208.z;
+                vx = _o208.vx;
+                vy = _o208.vy;
+                vz = _o208.vz;
+                wx = _o208.wx;
+                wy = _o208.wy;
+                wz = _o208.wz;
+                const kernel_passing_in_contact_out _o209 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
+                through = _o209.through;
+                const kernel_rolled_on_out _o210 = kernel_rolled_on(which, clock, stride, rests);
+                clock = _o210.clock;
+                rolling = _o210.rolling;
+            }
+            for (size_t _turn = 0; _turn < 16; _turn++) {
+                if (!circling)
+                    break;
+                const kernel_ring_rolling_surface_out _o211 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
+                per_reach = _o211.per_reach;
+                const kernel_ring_round_start_out _o212 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz, wx, wy, wz, per_reach);
+                cosine_0 = _o212.cosine_0;
+                sine_0 = _o212.sine_0;
+                climb_0 = _o212.climb_0;
+                along_0 = _o212.along_0;
+                turn_rate_0 = _o212.turn_rate_0;
+                cos_0 = _o212.cos_0;
+                sin_0 = _o212.sin_0;
+                tilted_0 = _o212.tilted_0;
+                near_0 = _o212.near_0;
+                const kernel_ring_round_0_out _o213 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
+                omega_0 = _o213.omega_0;
+                around_0 = _o213.around_0;
+                cosine_1 = _o213.cosine_1;
+                sine_1 = _o213.sine_1;
+                climb_1 = _o213.climb_1;
+                along_1 = _o213.along_1;
+                turn_rate_1 = _o213.turn_rate_1;
+                tilted_1 = _o213.tilted_1;
+                const kernel_ring_round_1_out _o214 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
+                omega_1 = _o214.omega_1;
+                around_1 = _o214.around_1;
+                cosine_2 = _o214.cosine_2;
+                sine_2 = _o214.sine_2;
+                climb_2 = _o214.climb_2;
+                along_2 = _o214.along_2;
+                turn_rate_2 = _o214.turn_rate_2;
+                tilted_2 = _o214.tilted_2;
+                const kernel_ring_round_2_out _o215 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
+                omega_2 = _o215.omega_2;
+                around_2 = _o215.around_2;
+                cosine_3 = _o215.cosine_3;
+                sine_3 = _o215.sine_3;
+                climb_3 = _o215.climb_3;
+                along_3 = _o215.along_3;
+                turn_rate_3 = _o215.turn_rate_3;
+                tilted_3 = _o215.tilted_3;
+                const kernel_ring_round_3_out _o216 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
+                omega_3 = _o216.omega_3;
+                around_3 = _o216.around_3;
+                cosine_4 = _o216.cosine_4;
+                sine_4 = _o216.sine_4;
+                climb_4 = _o216.climb_4;
+                along_4 = _o216.along_4;
+                turn_rate_4 = _o216.turn_rate_4;
+                tilted_4 = _o216.tilted_4;
+                const kernel_ring_round_4_out _o217 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
+                omega_4 = _o217.omega_4;
+                around_4 = _o217.around_4;
+                cosine_5 = _o217.cosine_5;
+                sine_5 = _o217.sine_5;
+                climb_5 = _o217.climb_5;
+                along_5 = _o217.along_5;
+                turn_rate_5 = _o217.turn_rate_5;
+                tilted_5 = _o217.tilted_5;
+                const kernel_ring_round_5_out _o218 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
+                omega_5 = _o218.omega_5;
+                around_5 = _o218.around_5;
+                cosine_6 = _o218.cosine_6;
+                sine_6 = _o218.sine_6;
+                climb_6 = _o218.climb_6;
+                along_6 = _o218.along_6;
+                turn_rate_6 = _o218.turn_rate_6;
+                tilted_6 = _o218.tilted_6;
+                const kernel_ring_round_6_out _o219 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
+                omega_6 = _o219.omega_6;
+                around_6 = _o219.around_6;
+                cosine_7 = _o219.cosine_7;
+                sine_7 = _o219.sine_7;
+                climb_7 = _o219.climb_7;
+                along_7 = _o219.along_7;
+                turn_rate_7 = _o219.turn_rate_7;
+                tilted_7 = _o219.tilted_7;
+                const kernel_ring_round_7_out _o220 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
+                omega_7 = _o220.omega_7;
+                around_7 = _o220.around_7;
+                cosine_8 = _o220.cosine_8;
+                sine_8 = _o220.sine_8;
+                climb_8 = _o220.climb_8;
+                along_8 = _o220.along_8;
+                turn_rate_8 = _o220.turn_rate_8;
+                tilted_8 = _o220.tilted_8;
+                const kernel_ring_round_8_out _o221 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
+                omega_8 = _o221.omega_8;
+                around_8 = _o221.around_8;
+                cosine_9 = _o221.cosine_9;
+                sine_9 = _o221.sine_9;
+                climb_9 = _o221.climb_9;
+                along_9 = _o221.along_9;
+                turn_rate_9 = _o221.turn_rate_9;
+                tilted_9 = _o221.tilted_9;
+                const kernel_ring_round_9_out _o222 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
+                omega_9 = _o222.omega_9;
+                around_9 = _o222.around_9;
+                cosine_10 = _o222.cosine_10;
+                sine_10 = _o222.sine_10;
+                climb_10 = _o222.climb_10;
+                along_10 = _o222.along_10;
+                turn_rate_10 = _o222.turn_rate_10;
+                tilted_10 = _o222.tilted_10;
+                const kernel_ring_round_10_out _o223 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
+                omega_10 = _o223.omega_10;
+                around_10 = _o223.around_10;
+                cosine_11 = _o223.cosine_11;
+                sine_11 = _o223.sine_11;
+                climb_11 = _o223.climb_11;
+                along_11 = _o223.along_11;
+                turn_rate_11 = _o223.turn_rate_11;
+                tilted_11 = _o223.tilted_11;
+                const kernel_ring_round_11_out _o224 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
+                omega_11 = _o224.omega_11;
+                cosine_12 = _o224.cosine_12;
+                sine_12 = _o224.sine_12;
+                climb_12 = _o224.climb_12;
+                along_12 = _o224.along_12;
+                turn_rate_12 = _o224.turn_rate_12;
+                const kernel_ring_round_pace_out _o225 = kernel_ring_round_pace(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                stride = _o225.stride;
+                strongest = _o225.strongest;
+                fastest = _o225.fastest;
+                section_acceleration = _o225.section_acceleration;
+                force = _o225.force;
+                force_rate = _o225.force_rate;
+                force_bend = _o225.force_bend;
+                friction_force_rate = _o225.friction_force_rate;
+                vx_1 = _o225.vx_1;
+                vy_1 = _o225.vy_1;
+                vz_1 = _o225.vz_1;
+                const kernel_leaving_force_out _o226 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, INFINITE, 0.0, 0.0, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                stride = _o226.stride;
+                which = _o226.which;
+                rests = _o226.rests;
+                const kernel_backboard_beside_out _o227 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o227.gap;
+                nearing = _o227.nearing;
+                gap_curvature = _o227.gap_curvature;
+                const kernel_beside_body_out _o228 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o228.stride;
+                which = _o228.which;
+                const kernel_bridge_beside_out _o229 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o229.gap;
+                nearing = _o229.nearing;
+                gap_curvature = _o229.gap_curvature;
+                const kernel_beside_body_out _o230 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o230.stride;
+                which = _o230.which;
+                const kernel_end_beside_out _o231 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o231.gap;
+                nearing = _o231.nearing;
+                gap_curvature = _o231.gap_curvature;
+                const kernel_beside_gate_out _o232 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, 0.0, INFINITE, 0.0, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o232.stride;
+                which = _o232.which;
+                const kernel_beside_time_out _o233 = kernel_beside_time(which, clock, time_limit, stride);
+                stride = _o233.stride;
+                which = _o233.which;
+                const kernel_passing_from_out _o234 = kernel_passing_from(z);
+                over = _o234.over;
+                const kernel_isolated_out _o235 = kernel_isolated();
+                azimuth_clearance = _o235.nearest;
+                const kernel_half_steps_out _o236 = kernel_half_steps(stride);
+                forth = _o236.forth;
+                back = _o236.back;
+                const kernel_backboard_around_out _o237 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o237.gap;
+                nearing = _o237.nearing;
+                const kernel_cleared_out _o238 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o238.azimuth_clearance;
+                const kernel_bridge_around_out _o239 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o239.gap;
+                nearing = _o239.nearing;
+                const kernel_cleared_out _o240 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o240.azimuth_clearance;
+                const kernel_end_around_out _o241 = kernel_end_around(p_end_depth, z, vz);
+                gap = _o241.gap;
+                nearing = _o241.nearing;
+                const kernel_cleared_out _o242 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o242.azimuth_clearance;
+                const kernel_ring_round_moved_out _o243 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                x = _o243.x;
+                y = _o243.y;
+                z = _o243.z;
+                vx = _o243.vx;
+                vy = _o243.vy;
+                vz = _o243.vz;
+                wx = _o243.wx;
+                wy = _o243.wy;
+                wz = _o243.wz;
+                climb = _o243.climb;
+                const kernel_passing_in_contact_out _o244 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
+                through = _o244.through;
+                const kernel_backboard_around_out _o245 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o245.gap;
+                nearing = _o245.nearing;
+                const kernel_cleared_out _o246 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o246.azimuth_clearance;
+                const kernel_bridge_around_out _o247 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o247.gap;
+                nearing = _o247.nearing;
+                const kernel_cleared_out _o248 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o248.azimuth_clearance;
+                const kernel_end_around_out _o249 = kernel_end_around(p_end_depth, z, vz);
+                gap = _o249.gap;
+                nearing = _o249.nearing;
+                const kernel_cleared_out _o250 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o250.azimuth_clearance;
+                const kernel_ring_swung_out _o251 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, INFINITE, 0.0, 0.0, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
+                circled = _o251.circled;
+                endless = _o251.endless;
+                const kernel_for_ever_out _o252 = kernel_for_ever(which, endless);
+                which = _o252.which;
+                const kernel_rolled_on_out _o253 = kernel_rolled_on(which, clock, stride, rests);
+                clock = _o253.clock;
+                circling = _o253.rolling;
+            }
+            const kernel_rejoined_out _o254 = kernel_rejoined(rolling, circling);
+            rolling = _o254.rolling;
+            if (leaves) {
+                const kernel_holding_out _o255 = kernel_holding(0.0, held);
+                here = _o255.here;
+                if (here) {
+                    const kernel_ring_rolling_surface_out _o256 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
+                    per_reach = _o256.per_reach;
+                    const kernel_ring_separation_out _o257 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
+                    lift = _o257.lift;
+                    gap_jerk = _o257.gap_jerk;
+                    gap_snap = _o257.gap_snap;
+                }
+                const kernel_holding_out _o258 = kernel_holding(1.0, held);
+                here = _o258.here;
+                if (here) {
+                    const kernel_backboard_rolling_surface_out _o259 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    per_reach = _o259.per_reach;
+                    const kernel_backboard_separation_out _o260 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
+                    lift = _o260.lift;
+                    gap_jerk = _o260.gap_jerk;
+                    gap_snap = _o260.gap_snap;
+                }
+                const kernel_holding_out _o261 = kernel_holding(2.0, held);
+                here = _o261.here;
+                if (here) {
+                    const kernel_bridge_rolling_surface_out _o262 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    per_reach = _o262.per_reach;
+                    const kernel_bridge_separation_out _o263 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    lift = _o263.lift;
+                    gap_jerk = _o263.gap_jerk;
+                    gap_snap = _o263.gap_snap;
+                }
+                const kernel_no_contact_out _o264 = kernel_no_contact();
+                free_time = _o264.free_time;
+                const kernel_beside_out _o265 = kernel_beside(0.0, held);
+                beside = _o265.beside;
+                if (beside) {
+                    const kernel_ring_beside_out _o266 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o266.gap;
+                    nearing = _o266.nearing;
+                    gap_curvature = _o266.gap_curvature;
+                    const kernel_neighbour_free_time_out _o267 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
+                    free_time = _o267.free_time;
+                }
+                const kernel_beside_out _o268 = kernel_beside(1.0, held);
+                beside = _o268.beside;
+                if (beside) {
+                    const kernel_backboard_beside_out _o269 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    gap = _o269.gap;
+                    nearing = _o269.nearing;
+                    gap_curvature = _o269.gap_curvature;
+                    const kernel_neighbour_free_time_out _o270 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
+                    free_time = _o270.free_time;
+                }
+                const kernel_beside_out _o271 = kernel_beside(2.0, held);
+                beside = _o271.beside;
+                if (beside) {
+                    const kernel_bridge_beside_out _o272 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o272.gap;
+                    nearing = _o272.nearing;
+                    gap_curvature = _o272.gap_curvature;
+                    const kernel_neighbour_free_time_out _o273 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
+                    free_time = _o273.free_time;
+                }
+                const kernel_end_beside_out _o274 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o274.gap;
+                nearing = _o274.nearing;
+                gap_curvature = _o274.gap_curvature;
+                const kernel_end_plane_free_time_out _o275 = kernel_end_plane_free_time(p_gravity, vx, vy, vz, gap, INFINITE, free_time, nearing, gap_curvature);
+                free_time = _o275.free_time;
+                const kernel_holding_out _o276 = kernel_holding(1.0, held);
+                here = _o276.here;
+                if (here) {
+                    const kernel_backboard_seam0_out _o277 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o277.gap;
+                    nearing = _o277.nearing;
+                    near = _o277.near;
+                    const kernel_seam_free_time_out _o278 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o278.free_time;
+                    const kernel_backboard_seam1_out _o279 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o279.gap;
+                    nearing = _o279.nearing;
+                    near = _o279.near;
+                    const kernel_seam_free_time_out _o280 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o280.free_time;
+                    const kernel_backboard_seam2_out _o281 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o281.gap;
+                    nearing = _o281.nearing;
+                    near = _o281.near;
+                    const kernel_seam_free_time_out _o282 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o282.free_time;
+                    const kernel_backboard_seam3_out _o283 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o283.gap;
+                    nearing = _o283.nearing;
+                    near = _o283.near;
+                    const kernel_seam_free_time_out _o284 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o284.free_time;
+                    const kernel_backboard_seam4_out _o285 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o285.gap;
+                    nearing = _o285.nearing;
+                    near = _o285.near;
+                    const kernel_seam_free_time_out _o286 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o286.free_time;
+                    const kernel_backboard_seam5_out _o287 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o287.gap;
+                    nearing = _o287.nearing;
+                    near = _o287.near;
+                    const kernel_seam_free_time_out _o288 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o288.free_time;
+                }
+                const kernel_holding_out _o289 = kernel_holding(2.0, held);
+                here = _o289.here;
+                if (here) {
+                    const kernel_bridge_seam0_out _o290 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o290.gap;
+                    nearing = _o290.nearing;
+                    near = _o290.near;
+                    const kernel_seam_free_time_out _o291 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o291.free_time;
+                    const kernel_bridge_seam1_out _o292 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o292.gap;
+                    nearing = _o292.nearing;
+                    near = _o292.near;
+                    const kernel_seam_free_time_out _o293 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o293.free_time;
+                    const kernel_bridge_seam2_out _o294 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o294.gap;
+                    nearing = _o294.nearing;
+                    near = _o294.near;
+                    const kernel_seam_free_time_out _o295 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o295.free_time;
+                    const kernel_bridge_seam3_out _o296 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o296.gap;
+                    nearing = _o296.nearing;
+                    near = _o296.near;
+                    const kernel_seam_free_time_out _o297 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o297.free_time;
+                    const kernel_bridge_seam4_out _o298 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o298.gap;
+                    nearing = _o298.nearing;
+                    near = _o298.near;
+                    const kernel_seam_free_time_out _o299 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o299.free_time;
+                    const kernel_bridge_seam5_out _o300 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o300.gap;
+                    nearing = _o300.nearing;
+                    near = _o300.near;
+                    const kernel_seam_free_time_out _o301 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o301.free_time;
+                }
+                const kernel_separated_out _o302 = kernel_separated(p_gravity, vx, vy, vz, INFINITE, 0.0, 0.0, per_reach, free_time, lift, gap_jerk, gap_snap);
+                when = _o302.when;
+                const kernel_take_off_out _o303 = kernel_take_off();
+                which = _o303.which;
+            }
+        }
+        const kernel_departed_out _o304 = kernel_departed(3.0, which);
+        moves = _o304.moves;
+        ends = _o304.ends;
+        touches = _o304.touches;
+        reached = _o304.reached;
+        const kernel_body_of_out _o305 = kernel_body_of(which);
+        body = _o305.body;
+        if (moves) {
+            const kernel_passing_out _o306 = kernel_passing(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
+            through = _o306.through;
+            const kernel_flight_out _o307 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
+            x = _o307.x;
+            y = _o307.y;
+            z = _o307.z;
+            vx = _o307.vx;
+            vy = _o307.vy;
+            vz = _o307.vz;
+            const kernel_event_clock_out _o308 = kernel_event_clock(when, clock);
+            clock = _o308.clock;
+        }
+        if (limited) {
+            const kernel_expired_out _o309 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
+            clock = _o309.clock;
+            body = _o309.body;
+            reached = _o309.reached;
+            ends = _o309.ends;
+        }
+        if (in_contact) {
+            const kernel_stay_in_contact_out _o310 = kernel_stay_in_contact(last, which, INFINITE, body, clock, reached, ends, held, rolls, rolling, began, rests);
+            body = _o310.body;
+            reached = _o310.reached;
+            ends = _o310.ends;
+            last = _o310.last;
+            mode = _o310.mode;
+            held = _o310.held;
+            rolls = _o310.rolls;
+        }
+        const kernel_here_out _o311 = kernel_here(3.0, which);
+        here = _o311.here;
+        if (here) {
+            const kernel_end_bounds_out _o312 = kernel_end_bounds(x, y, p_ring_radius);
+            g0 = _o312.g0;
+            const kernel_end_reached_out _o313 = kernel_end_reached(through, g0);
+            reached = _o313.reached;
+        }
+        const kernel_accounted_out _o314 = kernel_accounted(contacts, most_contacts, reached, touches);
+        contacts = _o314.contacts;
+        outcome = _o314.outcome;
+
+        const double _before[] = {x, y, z, vx, vy, vz, wx, wy, wz};
+
+        /* What it does to the ball. */
+        const kernel_meeting_out _o315 = kernel_meeting(0.0, ends, touches);
+        meeting = _o315.meeting;
+        const kernel_unslowed_out _o316 = kernel_unslowed();
+        slow = _o316.slow;
+        if (meeting) {
+            const kernel_end_normal_out _o317 = kernel_end_normal();
+            nx = _o317.nx;
+            ny = _o317.ny;
+            nz = _o317.nz;
+            const kernel_here_out _o318 = kernel_here(0.0, which);
+            here = _o318.here;
+            if (here) {
+                const kernel_ring_normal_out _o319 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = _o319.nx;
+                ny = _o319.ny;
+                nz = _o319.nz;
+                const kernel_counted_out _o320 = kernel_counted(count_0);
+                count_0 = _o320.count;
+            }
+            const kernel_here_out _o321 = kernel_here(1.0, which);
+            here = _o321.here;
+            if (here) {
+                const kernel_backboard_normal_out _o322 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = _o322.nx;
+                ny = _o322.ny;
+                nz = _o322.nz;
+                const kernel_counted_out _o323 = kernel_counted(count_1);
+                count_1 = _o323.count;
+            }
+            const kernel_here_out _o324 = kernel_here(2.0, which);
+            here = _o324.here;
+            if (here) {
+                const kernel_bridge_normal_out _o325 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = _o325.nx;
+                ny = _o325.ny;
+                nz = _o325.nz;
+                const kernel_counted_out _o326 = kernel_counted(count_2);
+                count_2 = _o326.count;
+            }
+            const kernel_untaken_out _o327 = kernel_untaken();
+            struck_0 = _o327.of_this_kind;
+            const kernel_ring_impact_taken_out _o328 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
+            its_0_ring_impact = _o328.its_0;
+            its_1_ring_impact = _o328.its_1;
+            for (size_t _row = 0; _row < 3; _row++) {
+                const double own_1 = parameter(_given, table_0[_row][0]);
+                const double own_2 = parameter(_given, table_0[_row][1]);
+                const double own_index = table_1[_row][0];
+                const kernel_here_out _o329 = kernel_here(own_index, which);
+                here = _o329.here;
+                if (here) {
+                    const kernel_ring_impact_taken_out _o330 = kernel_ring_impact_taken(own_2, own_1);
+                    struck_0 = _o330.of_this_kind;
+                    its_0_ring_impact = _o330.its_0;
+                    its_1_ring_impact = _o330.its_1;
+                }
+            }
+            if (struck_0) {
+                const kernel_ring_impact_out _o331 = kernel_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                vx = _o331.vx;
+                vy = _o331.vy;
+                vz = _o331.vz;
+                wx = _o331.wx;
+                wy = _o331.wy;
+                wz = _o331.wz;
+            }
+            if (touches) {
+                const kernel_touched_out _o332 = kernel_touched(which, body, first);
+                first = _o332.first;
+                last = _o332.last;
+                const kernel_slowed_out _o333 = kernel_slowed(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, 0.0);
+                slow = _o333.slow;
+            }
+        }
+        if (slow) {
+            const kernel_ring_normal_out _o334 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+            nx = _o334.nx;
+            ny = _o334.ny;
+            nz = _o334.nz;
+            const kernel_here_out _o335 = kernel_here(1.0, which);
+            here = _o335.here;
+            if (here) {
+                const kernel_backboard_normal_out _o336 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = _o336.nx;
+                ny = _o336.ny;
+                nz = _o336.nz;
+            }
+            const kernel_here_out _o337 = kernel_here(2.0, which);
+            here = _o337.here;
+            if (here) {
+                const kernel_bridge_normal_out _o338 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = _o338.nx;
+                ny = _o338.ny;
+                nz = _o338.nz;
+            }
+            const kernel_nearly_out _o339 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
+            nearly = _o339.nearly;
+            const kernel_gripped_out _o340 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+            rolled_x = _o340.rolled_x;
+            rolled_y = _o340.rolled_y;
+            rolled_z = _o340.rolled_z;
+            slip = _o340.slip;
+            bounce = _o340.bounce;
+            const kernel_here_out _o341 = kernel_here(0.0, which);
+            here = _o341.here;
+            if (here) {
+                const kernel_ring_turning_out _o342 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
+                turning_x = _o342.turning_x;
+                turning_y = _o342.turning_y;
+                turning_z = _o342.turning_z;
+                const kernel_pressed_on_out _o343 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o343.press;
+                weight = _o343.weight;
+                rolling_friction = _o343.rolling_friction;
+                rolling_acceleration_x = _o343.rolling_acceleration_x;
+                rolling_acceleration_y = _o343.rolling_acceleration_y;
+                rolling_acceleration_z = _o343.rolling_acceleration_z;
+                const kernel_isolated_out _o344 = kernel_isolated();
+                nearest = _o344.nearest;
+                second_contact_gap = _o344.second_contact_gap;
+                const kernel_backboard_closing_out _o345 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o345.gap;
+                nearing = _o345.nearing;
+                rolling_gap_acceleration = _o345.rolling_gap_acceleration;
+                normal_cosine = _o345.normal_cosine;
+                const kernel_neared_body_out _o346 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o346.nearest;
+                second_contact_gap = _o346.second_contact_gap;
+                const kernel_bridge_closing_out _o347 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o347.gap;
+                nearing = _o347.nearing;
+                rolling_gap_acceleration = _o347.rolling_gap_acceleration;
+                normal_cosine = _o347.normal_cosine;
+                const kernel_neared_body_out _o348 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o348.nearest;
+                second_contact_gap = _o348.second_contact_gap;
+                const kernel_end_beside_out _o349 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o349.gap;
+                const kernel_neared_out _o350 = kernel_neared(gap, nearest);
+                nearest = _o350.nearest;
+                const kernel_ring_separation_out _o351 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
+                lift = _o351.lift;
+                const kernel_ring_impact_settling_out _o352 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, 0.0, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                settles = _o352.settles;
+                lodges = _o352.lodges;
+                slides = _o352.slides;
+                unpressed = _o352.unpressed;
+                unsure = _o352.unsure;
+                const kernel_settled_out _o353 = kernel_settled(0.0, outcome, 0.0, unsure, settles, nearly, lodges, slides, unpressed);
+                mode = _o353.mode;
+                held = _o353.held;
+                outcome = _o353.outcome;
+                slip_left = _o353.slip_left;
+            }
+            const kernel_here_out _o354 = kernel_here(1.0, which);
+            here = _o354.here;
+            if (here) {
+                const kernel_backboard_turning_out _o355 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o355.turning_x;
+                turning_y = _o355.turning_y;
+                turning_z = _o355.turning_z;
+                const kernel_pressed_on_out _o356 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o356.press;
+                weight = _o356.weight;
+                rolling_friction = _o356.rolling_friction;
+                rolling_acceleration_x = _o356.rolling_acceleration_x;
+                rolling_acceleration_y = _o356.rolling_acceleration_y;
+                rolling_acceleration_z = _o356.rolling_acceleration_z;
+                const kernel_isolated_out _o357 = kernel_isolated();
+                nearest = _o357.nearest;
+                second_contact_gap = _o357.second_contact_gap;
+                const kernel_ring_closing_out _o358 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o358.gap;
+                nearing = _o358.nearing;
+                rolling_gap_acceleration = _o358.rolling_gap_acceleration;
+                normal_cosine = _o358.normal_cosine;
+                const kernel_neared_body_out _o359 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o359.nearest;
+                second_contact_gap = _o359.second_contact_gap;
+                const kernel_bridge_closing_out _o360 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o360.gap;
+                nearing = _o360.nearing;
+                rolling_gap_acceleration = _o360.rolling_gap_acceleration;
+                normal_cosine = _o360.normal_cosine;
+                const kernel_neared_body_out _o361 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o361.nearest;
+                second_contact_gap = _o361.second_contact_gap;
+                const kernel_end_beside_out _o362 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o362.gap;
+                const kernel_neared_out _o363 = kernel_neared(gap, nearest);
+                nearest = _o363.nearest;
+                const kernel_backboard_separation_out _o364 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
+                lift = _o364.lift;
+                const kernel_ring_impact_settling_out _o365 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, 0.0, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                settles = _o365.settles;
+                lodges = _o365.lodges;
+                slides = _o365.slides;
+                unpressed = _o365.unpressed;
+                unsure = _o365.unsure;
+                const kernel_settled_out _o366 = kernel_settled(1.0, outcome, 0.0, unsure, settles, nearly, lodges, slides, unpressed);
+                mode = _o366.mode;
+                held = _o366.held;
+                outcome = _o366.outcome;
+                slip_left = _o366.slip_left;
+            }
+            const kernel_here_out _o367 = kernel_here(2.0, which);
+            here = _o367.here;
+            if (here) {
+                const kernel_bridge_turning_out _o368 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o368.turning_x;
+                turning_y = _o368.turning_y;
+                turning_z = _o368.turning_z;
+                const kernel_pressed_on_out _o369 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o369.press;
+                weight = _o369.weight;
+                rolling_friction = _o369.rolling_friction;
+                rolling_acceleration_x = _o369.rolling_acceleration_x;
+                rolling_acceleration_y = _o369.rolling_acceleration_y;
+                rolling_acceleration_z = _o369.rolling_acceleration_z;
+                const kernel_isolated_out _o370 = kernel_isolated();
+                nearest = _o370.nearest;
+                second_contact_gap = _o370.second_contact_gap;
+                const kernel_ring_closing_out _o371 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o371.gap;
+                nearing = _o371.nearing;
+                rolling_gap_acceleration = _o371.rolling_gap_acceleration;
+                normal_cosine = _o371.normal_cosine;
+                const kernel_neared_body_out _o372 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o372.nearest;
+                second_contact_gap = _o372.second_contact_gap;
+                const kernel_backboard_closing_out _o373 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o373.gap;
+                nearing = _o373.nearing;
+                rolling_gap_acceleration = _o373.rolling_gap_acceleration;
+                normal_cosine = _o373.normal_cosine;
+                const kernel_neared_body_out _o374 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o374.nearest;
+                second_contact_gap = _o374.second_contact_gap;
+                const kernel_end_beside_out _o375 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o375.gap;
+                const kernel_neared_out _o376 = kernel_neared(gap, nearest);
+                nearest = _o376.nearest;
+                const kernel_bridge_separation_out _o377 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                lift = _o377.lift;
+                const kernel_ring_impact_settling_out _o378 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, 0.0, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                settles = _o378.settles;
+                lodges = _o378.lodges;
+                slides = _o378.slides;
+                unpressed = _o378.unpressed;
+                unsure = _o378.unsure;
+                const kernel_settled_out _o379 = kernel_settled(2.0, outcome, 0.0, unsure, settles, nearly, lodges, slides, unpressed);
+                mode = _o379.mode;
+                held = _o379.held;
+                outcome = _o379.outcome;
+                slip_left = _o379.slip_left;
+            }
+        }
+
+        if (_events && body >= 0.0) {
+            court_event *const _event = _events + _used++;
+            const long long _place = (long long)body, _staying = _place - 4;
+            _event->shot = _first + _shot;
+            _event->surface = _staying < 0 ? _place : _staying / 2;
+            _event->kind = _staying < -1 ? COURT_EVENT_IMPACT : _staying < 0 ? COURT_EVENT_END : _staying % 2 ? COURT_EVENT_LEAVE : COURT_EVENT_ROLL;
+            _event->time = clock;
+            for (int _k = 0; _k < 9; _k++)
+                _event->before[_k] = _before[_k];
+            _event->after[0] = x;
+            _event->after[1] = y;
+            _event->after[2] = z;
+            _event->after[3] = vx;
+            _event->after[4] = vy;
+            _event->after[5] = vz;
+            _event->after[6] = wx;
+            _event->after[7] = wy;
+            _event->after[8] = wz;
+        }
+    }
+
+    if (_events)
+        ((int *)_results[13])[_shot] = _used;
+    const bool _invalid = (int)outcome == COURT_OUTCOME_INVALID;
+    (void)_invalid;
+    if (_results[0]) {
+        ((unsigned char *)_results[0])[_shot] = (unsigned char)(int)outcome;
+    }
+    if (_results[1]) {
+        ((int *)_results[1])[_shot] = (int)contacts;
+    }
+    if (_results[2]) {
+        ((int *)_results[2])[3 * _shot + 0] = (int)count_0;
+        ((int *)_results[2])[3 * _shot + 1] = (int)count_1;
+        ((int *)_results[2])[3 * _shot + 2] = (int)count_2;
+    }
+    if (_results[3]) {
+        ((signed char *)_results[3])[_shot] = (signed char)(int)first;
+    }
+    if (_results[4]) {
+        ((double *)_results[4])[_shot] = _invalid ? NOT_A_NUMBER : clock;
+    }
+    if (_results[5]) {
+        ((double *)_results[5])[9 * _shot + 0] = _invalid ? NOT_A_NUMBER : x;
+        ((double *)_results[5])[9 * _shot + 1] = _invalid ? NOT_A_NUMBER : y;
+        ((double *)_results[5])[9 * _shot + 2] = _invalid ? NOT_A_NUMBER : z;
+        ((double *)_results[5])[9 * _shot + 3] = _invalid ? NOT_A_NUMBER : vx;
+        ((double *)_results[5])[9 * _shot + 4] = _invalid ? NOT_A_NUMBER : vy;
+        ((double *)_results[5])[9 * _shot + 5] = _invalid ? NOT_A_NUMBER : vz;
+        ((double *)_results[5])[9 * _shot + 6] = _invalid ? NOT_A_NUMBER : wx;
+        ((double *)_results[5])[9 * _shot + 7] = _invalid ? NOT_A_NUMBER : wy;
+        ((double *)_results[5])[9 * _shot + 8] = _invalid ? NOT_A_NUMBER : wz;
+    }
+    if (_results[6]) {
+        ((int *)_results[6])[_shot] = (int)rolls;
+    }
+    if (_results[7]) {
+        ((unsigned char *)_results[7])[_shot] = (unsigned char)(int)slip_left;
+    }
+}
+#endif
+
+#if VARIANT != 0
+/* With bounds on errors. */
+extern "C" __global__ void court_bounded(
+    long long _shots, long long _first, const double *_states, const double *const *_values,
+    const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
+    void *const *_results)
+{
+    const long long _shot = blockIdx.x * (long long)blockDim.x + threadIdx.x;
+    if (_shot >= _shots)
+        return;
+    const shot_parameters _given = {_values, _strides, _shot};
+    const double most_contacts = (double)_max_contacts;
+    const double claims = _results[9] || _results[10] ? 1.0 : 0.0;
+    const double p_ball_radius = parameter(_given, 0);
+    const double p_ring_radius = parameter(_given, 1);
+    const double p_wire_radius = parameter(_given, 2);
+    const double p_board_distance = parameter(_given, 3);
+    const double p_board_half_width = parameter(_given, 4);
+    const double p_board_bottom = parameter(_given, 5);
+    const double p_board_top = parameter(_given, 6);
+    const double p_board_thickness = parameter(_given, 7);
+    const double p_bridge_half_width = parameter(_given, 8);
+    const double p_bridge_depth = parameter(_given, 9);
+    const double p_gravity = parameter(_given, 10);
+    const double p_end_depth = parameter(_given, 11);
+    const double p_ring_restitution = parameter(_given, 12);
+    const double p_backboard_restitution = parameter(_given, 13);
+    const double p_bridge_restitution = parameter(_given, 14);
+    const double p_ring_friction = parameter(_given, 15);
+    const double p_backboard_friction = parameter(_given, 16);
+    const double p_bridge_friction = parameter(_given, 17);
+    const double p_inertia = parameter(_given, 18);
+    const double p_tangential_restitution = parameter(_given, 19);
+    const double p_restitution_speed = parameter(_given, 20);
+
+    double x = 0.0, y = 0.0, z = 0.0, vx = 0.0, vy = 0.0, vz = 0.0, wx = 0.0, wy = 0.0, wz = 0.0,
+        dx = 0.0, dy = 0.0, dz = 0.0, dvx = 0.0, dvy = 0.0, dvz = 0.0, dwx = 0.0, dwy = 0.0,
+        dwz = 0.0, clock = 0.0, clock_error = 0.0, last = 0.0, first = -1.0, contacts = 0.0,
+        count_0 = 0.0, count_1 = 0.0, count_2 = 0.0, held = -1.0, mode = 0.0, circled = 0.0,
+        assured = 0.0, rolls = 0.0, slip_left = 0.0, grip_lost = INFINITE,
+        last_grip_deficit = INFINITE, last_grip_deficit_rate = 0.0, last_grip_clock = 0.0,
+        through = 0.0, uncertain = 0.0, position_claim = 0.0, velocity_claim = 0.0,
+        spin_claim = 0.0, time_claim = 0.0, outcome = -1.0, allowed = 0.0, valid = 0.0,
+        doubt = 0.0, position_error = 0.0, velocity_error = 0.0, time_error = 0.0, extent = 0.0,
+        speed = 0.0, excess = 0.0, when = 0.0, which = 0.0, earliest_delay = 0.0, began = 0.0,
+        leaving = 0.0, time = 0.0, rate = 0.0, bend = 0.0, apex = 0.0, height = 0.0, ceiling = 0.0,
+        nearest = 0.0, margin = 0.0, clearance = 0.0, delay = 0.0, until = 0.0, pad = 0.0,
+        clear = 0.0, share = 0.0, arrival = 0.0, since = 0.0, latest = 0.0, rho_start = 0.0,
+        start_rate = 0.0, rho_rate = 0.0, near_x = 0.0, near_y = 0.0, near_z = 0.0, near_vz = 0.0,
+        flat = 0.0, tilt = 0.0, allowing = 0.0, budget_exceeded = 0.0, t = 0.0, energy2 = 0.0,
+        moment2 = 0.0, low0 = 0.0, high0 = 0.0, low1 = 0.0, high1 = 0.0, low2 = 0.0, high2 = 0.0,
+        position_level = 0.0, velocity_level = 0.0, rate_slack = 0.0, end = 0.0, gap = 0.0,
+        step = 0.0, next = 0.0, refined = 0.0, rate_margin = 0.0, middle_x = 0.0, reach_x = 0.0,
+        later_middle_x = 0.0, later_reach_x = 0.0, middle_y = 0.0, reach_y = 0.0,
+        later_middle_y = 0.0, later_reach_y = 0.0, middle_z = 0.0, reach_z = 0.0,
+        later_middle_z = 0.0, later_reach_z = 0.0, nx = 0.0, ny = 0.0, nz = 0.0, bent_x = 0.0,
+        bent_y = 0.0, bent_z = 0.0, lift = 0.0, gap_jerk = 0.0, gap_snap = 0.0, per_reach = 0.0,
+        turn_rate = 0.0, rolled_x = 0.0, rolled_y = 0.0, rolled_z = 0.0, vx_0 = 0.0, vy_0 = 0.0,
+        vz_0 = 0.0, nx_0 = 0.0, ny_0 = 0.0, nz_0 = 0.0, turn_rate_0 = 0.0, lift_0 = 0.0,
+        tx_0 = 0.0, ty_0 = 0.0, tz_0 = 0.0, vx_1 = 0.0, vy_1 = 0.0, vz_1 = 0.0, nx_1 = 0.0,
+        ny_1 = 0.0, nz_1 = 0.0, turn_rate_1 = 0.0, lift_1 = 0.0, tx_1 = 0.0, ty_1 = 0.0,
+        tz_1 = 0.0, vx_2 = 0.0, vy_2 = 0.0, vz_2 = 0.0, nx_2 = 0.0, ny_2 = 0.0, nz_2 = 0.0,
+        turn_rate_2 = 0.0, lift_2 = 0.0, tx_2 = 0.0, ty_2 = 0.0, tz_2 = 0.0, vx_3 = 0.0,
+        vy_3 = 0.0, vz_3 = 0.0, nx_3 = 0.0, ny_3 = 0.0, nz_3 = 0.0, turn_rate_3 = 0.0,
+        lift_3 = 0.0, tx_3 = 0.0, ty_3 = 0.0, tz_3 = 0.0, vx_4 = 0.0, vy_4 = 0.0, vz_4 = 0.0,
+        nx_4 = 0.0, ny_4 = 0.0, nz_4 = 0.0, turn_rate_4 = 0.0, lift_4 = 0.0, tx_4 = 0.0,
+        ty_4 = 0.0, tz_4 = 0.0, vx_5 = 0.0, vy_5 = 0.0, vz_5 = 0.0, nx_5 = 0.0, ny_5 = 0.0,
+        nz_5 = 0.0, turn_rate_5 = 0.0, lift_5 = 0.0, tx_5 = 0.0, ty_5 = 0.0, tz_5 = 0.0,
+        vx_6 = 0.0, vy_6 = 0.0, vz_6 = 0.0, nx_6 = 0.0, ny_6 = 0.0, nz_6 = 0.0, turn_rate_6 = 0.0,
+        lift_6 = 0.0, tx_6 = 0.0, ty_6 = 0.0, tz_6 = 0.0, vx_7 = 0.0, vy_7 = 0.0, vz_7 = 0.0,
+        nx_7 = 0.0, ny_7 = 0.0, nz_7 = 0.0, turn_rate_7 = 0.0, lift_7 = 0.0, vx_8 = 0.0,
+        vy_8 = 0.0, vz_8 = 0.0, nx_8 = 0.0, ny_8 = 0.0, nz_8 = 0.0, turn_rate_8 = 0.0,
+        stride = 0.0, missed = 0.0, strongest = 0.0, fastest = 0.0, force = 0.0, force_rate = 0.0,
+        force_bend = 0.0, friction_force_rate = 0.0, rolling_friction = 0.0,
+        rolling_friction_rate = 0.0, grip_deficit = 0.0, grip_deficit_rate = 0.0, nearing = 0.0,
+        gap_curvature = 0.0, near = 0.0, neighbour_scale = 0.0, far_x = 0.0, far_y = 0.0,
+        far_z = 0.0, far_vx = 0.0, far_vy = 0.0, far_vz = 0.0, far_wx = 0.0, far_wy = 0.0,
+        far_wz = 0.0, far_nx = 0.0, far_ny = 0.0, far_nz = 0.0, far_gap = 0.0, cosine_0 = 0.0,
+        sine_0 = 0.0, climb_0 = 0.0, along_0 = 0.0, cos_0 = 0.0, sin_0 = 0.0, tilted_0 = 0.0,
+        near_0 = 0.0, omega_0 = 0.0, around_0 = 0.0, cosine_1 = 0.0, sine_1 = 0.0, climb_1 = 0.0,
+        along_1 = 0.0, tilted_1 = 0.0, omega_1 = 0.0, around_1 = 0.0, cosine_2 = 0.0, sine_2 = 0.0,
+        climb_2 = 0.0, along_2 = 0.0, tilted_2 = 0.0, omega_2 = 0.0, around_2 = 0.0,
+        cosine_3 = 0.0, sine_3 = 0.0, climb_3 = 0.0, along_3 = 0.0, tilted_3 = 0.0, omega_3 = 0.0,
+        around_3 = 0.0, cosine_4 = 0.0, sine_4 = 0.0, climb_4 = 0.0, along_4 = 0.0, tilted_4 = 0.0,
+        omega_4 = 0.0, around_4 = 0.0, cosine_5 = 0.0, sine_5 = 0.0, climb_5 = 0.0, along_5 = 0.0,
+        tilted_5 = 0.0, omega_5 = 0.0, around_5 = 0.0, cosine_6 = 0.0, sine_6 = 0.0, climb_6 = 0.0,
+        along_6 = 0.0, tilted_6 = 0.0, omega_6 = 0.0, around_6 = 0.0, cosine_7 = 0.0, sine_7 = 0.0,
+        climb_7 = 0.0, along_7 = 0.0, tilted_7 = 0.0, omega_7 = 0.0, around_7 = 0.0,
+        cosine_8 = 0.0, sine_8 = 0.0, climb_8 = 0.0, along_8 = 0.0, tilted_8 = 0.0, omega_8 = 0.0,
+        around_8 = 0.0, cosine_9 = 0.0, sine_9 = 0.0, climb_9 = 0.0, along_9 = 0.0,
+        turn_rate_9 = 0.0, tilted_9 = 0.0, omega_9 = 0.0, around_9 = 0.0, cosine_10 = 0.0,
+        sine_10 = 0.0, climb_10 = 0.0, along_10 = 0.0, turn_rate_10 = 0.0, tilted_10 = 0.0,
+        omega_10 = 0.0, around_10 = 0.0, cosine_11 = 0.0, sine_11 = 0.0, climb_11 = 0.0,
+        along_11 = 0.0, turn_rate_11 = 0.0, tilted_11 = 0.0, omega_11 = 0.0, cosine_12 = 0.0,
+        sine_12 = 0.0, climb_12 = 0.0, along_12 = 0.0, turn_rate_12 = 0.0,
+        section_acceleration = 0.0, azimuth_clearance = 0.0, forth = 0.0, back = 0.0, climb = 0.0,
+        free_time = 0.0, reached = 0.0, body = 0.0, slack = 0.0, g0 = 0.0, curving = 0.0,
+        left_nx = 0.0, left_ny = 0.0, left_nz = 0.0, from_x = 0.0, from_y = 0.0, from_z = 0.0,
+        lifting = 0.0, belated = 0.0, shift = 0.0, dnx = 0.0, dny = 0.0, dnz = 0.0, turn = 0.0,
+        its_0_ring_impact = 0.0, its_1_ring_impact = 0.0, slip = 0.0, bounce = 0.0,
+        turning_x = 0.0, turning_y = 0.0, turning_z = 0.0, press = 0.0, weight = 0.0,
+        rolling_acceleration_x = 0.0, rolling_acceleration_y = 0.0, rolling_acceleration_z = 0.0,
+        second_contact_gap = 0.0, rolling_gap_acceleration = 0.0, normal_cosine = 0.0;
+    bool permitted = false, in_range = false, close = false, limited = false, in_contact = false,
+        rests = false, rolling = false, arrives = false, possible = false, open = false,
+        certain = false, searching = false, representable = false, fits = false, stepping = false,
+        single_precision = false, hit = false, sure = false, needs_refinement = false,
+        exhausted = false, refining = false, reachable = false, begins = false, leaves = false,
+        here = false, circling = false, loses = false, beside = false, over = false,
+        endless = false, moves = false, ends = false, touches = false, edge = false,
+        unsure = false, hopped = false, meeting = false, slow = false, again = false,
+        struck_0 = false, nearly = false, settles = false, lodges = false, slides = false,
+        unpressed = false, timed = false, closed = false;
+    float onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0, wide_high1 = (float)0.0,
+        wide_low2 = (float)0.0, wide_high2 = (float)0.0, lapsed = (float)0.0,
+        short_share = (float)0.0, short_t = (float)0.0, short_end = (float)0.0,
+        short_x = (float)0.0, short_y = (float)0.0, short_z = (float)0.0, short_vx = (float)0.0,
+        short_vy = (float)0.0, short_vz = (float)0.0, short_energy2 = (float)0.0,
+        short_moment2 = (float)0.0, short_rho_start = (float)0.0, short_ceiling = (float)0.0,
+        short_flat = (float)0.0, short_tilt = (float)0.0, short_jerk = (float)0.0,
+        short_quotient_margin = (float)0.0, short_start_rate = (float)0.0,
+        short_rho_rate = (float)0.0, short_rate_margin = (float)0.0, short_low1 = (float)0.0,
+        short_high1 = (float)0.0, short_low2 = (float)0.0, short_high2 = (float)0.0;
+    x = _states[9 * _shot + 0];
+    y = _states[9 * _shot + 1];
+    z = _states[9 * _shot + 2];
+    vx = _states[9 * _shot + 3];
+    vy = _states[9 * _shot + 4];
+    vz = _states[9 * _shot + 5];
+    wx = _states[9 * _shot + 6];
+    wy = _states[9 * _shot + 7];
+    wz = _states[9 * _shot + 8];
+    last = _leaving ? (double)_leaving[_shot] : -1.0;
+
+    court_event *_events = (court_event *)_results[12];
+    int _used = 0;
+    if (_events)
+        _events += _shot * (3 * (long long)_max_contacts + 1);
+
+    const kernel_allowed_out _o380 = kernel_allowed(_given);
+    allowed = _o380.allowed;
+    const kernel_parameters_in_range_out _o381 = kernel_parameters_in_range(_given, allowed);
+    permitted = _o381.permitted;
+    const kernel_state_in_range_out _o382 = kernel_state_in_range(x, y, z, vx, vy, vz, wx, wy, wz);
+    in_range = _o382.in_range;
+    const kernel_aside_out _o383 = kernel_aside(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_end_depth);
+    close = _o383.close;
+    valid = _o383.valid;
+    doubt = _o383.doubt;
+    if (close) {
+        const kernel_valid_out _o384 = kernel_valid(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_end_depth);
+        valid = _o384.valid;
+        doubt = _o384.doubt;
+    }
+    const kernel_admitted_out _o385 = kernel_admitted(doubt, valid, permitted, in_range);
+    outcome = _o385.outcome;
+    uncertain = _o385.uncertain;
+    const kernel_passing_start_out _o386 = kernel_passing_start(last, outcome, uncertain, x, y, z, p_ring_radius, p_end_depth);
+    through = _o386.through;
+    uncertain = _o386.uncertain;
+
+    while (outcome < 0.0) {
+        /* To the next event. */
+        const kernel_error_bounds_out _o387 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+        position_error = _o387.position_error;
+        velocity_error = _o387.velocity_error;
+        time_error = _o387.time_error;
+        const kernel_scale_out _o388 = kernel_scale(x, y, z, vx, vy, vz, p_gravity);
+        extent = _o388.extent;
+        speed = _o388.speed;
+        excess = _o388.excess;
+        const kernel_opening_out _o389 = kernel_opening(excess, position_error, velocity_error);
+        when = _o389.when;
+        which = _o389.which;
+        earliest_delay = _o389.earliest_delay;
+        doubt = _o389.doubt;
+        const kernel_limited_out _o390 = kernel_limited(time_limit);
+        limited = _o390.limited;
+        const kernel_in_contact_out _o391 = kernel_in_contact(when, mode);
+        in_contact = _o391.in_contact;
+        when = _o391.when;
+        rests = _o391.rests;
+        rolling = _o391.rolling;
+        began = _o391.began;
+        const kernel_left_out _o392 = kernel_left(3.0, last);
+        leaving = _o392.leaving;
+        const kernel_end_arrival_out _o393 = kernel_end_arrival(leaving, z, vz, p_gravity, p_end_depth);
+        time = _o393.time;
+        rate = _o393.rate;
+        bend = _o393.bend;
+        apex = _o393.apex;
+        height = _o393.height;
+        const kernel_meeting_plane_out _o394 = kernel_meeting_plane(rate, bend, apex, time);
+        arrives = _o394.arrives;
+        ceiling = _o394.ceiling;
+        nearest = _o394.nearest;
+        const kernel_end_margin_out _o395 = kernel_end_margin(nearest, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
+        margin = _o395.margin;
+        const kernel_crossing_out _o396 = kernel_crossing(margin, 0.0, rate, ceiling);
+        clearance = _o396.clearance;
+        delay = _o396.delay;
+        const kernel_within_time_out _o397 = kernel_within_time(time, when, delay, earliest_delay, arrives);
+        possible = _o397.possible;
+        const kernel_grazed_out _o398 = kernel_grazed(margin, apex, height, doubt);
+        doubt = _o398.doubt;
+        if (possible) {
+            const kernel_crossed_out _o399 = kernel_crossed(clearance, time, doubt, arrives);
+            doubt = _o399.doubt;
+            const kernel_tied_out _o400 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+            doubt = _o400.doubt;
+            earliest_delay = _o400.earliest_delay;
+            const kernel_earliest_out _o401 = kernel_earliest(3.0, time, when, which, arrives);
+            when = _o401.when;
+            which = _o401.which;
+        }
+        const kernel_horizon_out _o402 = kernel_horizon(when, speed, p_gravity);
+        until = _o402.horizon;
+        pad = _o402.pad;
+        const kernel_ring_clear_out _o403 = kernel_ring_clear(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+        clear = _o403.clear;
+        const kernel_opens_in_flight_out _o404 = kernel_opens_in_flight(clear, in_contact);
+        open = _o404.open;
+        if (open) {
+            const kernel_beginning_out _o405 = kernel_beginning();
+            share = _o405.share;
+            arrival = _o405.arrival;
+            certain = _o405.certain;
+            const kernel_left_out _o406 = kernel_left(0.0, last);
+            leaving = _o406.leaving;
+            const kernel_ring_opened_out _o407 = kernel_ring_opened(until, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            onset = _o407.t;
+            wide_end = _o407.end;
+            searching = _o407.searching;
+            wide_low1 = _o407.low1;
+            wide_high1 = _o407.high1;
+            wide_low2 = _o407.low2;
+            wide_high2 = _o407.high2;
+            lapsed = _o407.latest;
+            representable = _o407.representable;
+            const kernel_opened_out _o408 = kernel_opened(lapsed, onset);
+            since = _o408.time;
+            latest = _o408.latest;
+            const kernel_ring_started_out _o409 = kernel_ring_started(x, y, z, vx, vy, vz, p_ring_radius);
+            rho_start = _o409.rho_start;
+            start_rate = _o409.start_rate;
+            rho_rate = _o409.rho_rate;
+            const kernel_flight_out _o410 = kernel_flight(since, x, y, z, vx, vy, vz, p_gravity);
+            near_x = _o410.x;
+            near_y = _o410.y;
+            near_z = _o410.z;
+            near_vz = _o410.vz;
+            const kernel_ring_resolution_out _o411 = kernel_ring_resolution(onset, wide_end, leaving, lapsed, near_x, near_y, near_z, vx, vy, near_vz, extent, speed, start_rate, rho_rate, wide_low1, wide_high1, wide_low2, wide_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            short_share = _o411.share;
+            short_t = _o411.t;
+            short_end = _o411.end;
+            short_x = _o411.x;
+            short_y = _o411.y;
+            short_z = _o411.z;
+            short_vx = _o411.vx;
+            short_vy = _o411.vy;
+            short_vz = _o411.vz;
+            short_energy2 = _o411.energy2;
+            short_moment2 = _o411.moment2;
+            short_rho_start = _o411.rho_start;
+            short_ceiling = _o411.ceiling;
+            short_flat = _o411.flat;
+            short_tilt = _o411.tilt;
+            short_jerk = _o411.jerk;
+            short_quotient_margin = _o411.quotient_margin;
+            short_start_rate = _o411.start_rate;
+            short_rho_rate = _o411.rho_rate;
+            short_rate_margin = _o411.rate_margin;
+            short_low1 = _o411.low1;
+            short_high1 = _o411.high1;
+            short_low2 = _o411.low2;
+            short_high2 = _o411.high2;
+            fits = _o411.fits;
+            const kernel_coarse_out _o412 = kernel_coarse(short_rate_margin, short_flat, short_ceiling, short_share, searching, representable, fits);
+            stepping = _o412.stepping;
+            searching = _o412.searching;
+            single_precision = _o412.single_precision;
+            ceiling = _o412.ceiling;
+            flat = _o412.flat;
+            tilt = _o412.tilt;
+            allowing = _o412.allowing;
+            const kernel_allowance_out _o413 = kernel_allowance(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
+            excess = _o413.excess;
+            const kernel_ring_budget_exceeded_out _o414 = kernel_ring_budget_exceeded(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            budget_exceeded = _o414.budget_exceeded;
+            const kernel_out_of_budget_out _o415 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, doubt, excess);
+            doubt = _o415.doubt;
+            if (stepping) {
+                const kernel_ring_step_out _o416 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o416.t;
+                short_end = _o416.end;
+                certain = _o416.certain;
+                stepping = _o416.stepping;
+            }
+            for (size_t _turn = 0; _turn < 24; _turn++) {
+                if (!stepping)
+                    break;
+                const kernel_ring_step_out _o417 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o417.t;
+                short_end = _o417.end;
+                certain = _o417.certain;
+                stepping = _o417.stepping;
+            }
+            const kernel_stepped_out _o418 = kernel_stepped(arrival, short_t, searching, since, single_precision, certain);
+            arrival = _o418.arrival;
+            t = _o418.t;
+            searching = _o418.searching;
+            if (searching) {
+                const kernel_ring_prepare_out _o419 = kernel_ring_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                energy2 = _o419.energy2;
+                moment2 = _o419.moment2;
+                rho_start = _o419.rho_start;
+                low0 = _o419.low0;
+                high0 = _o419.high0;
+                low1 = _o419.low1;
+                high1 = _o419.high1;
+                low2 = _o419.low2;
+                high2 = _o419.high2;
+                ceiling = _o419.ceiling;
+                latest = _o419.latest;
+                const kernel_allowance_out _o420 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                position_level = _o420.position_level;
+                velocity_level = _o420.velocity_level;
+                const kernel_ring_margins_out _o421 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o421.margin;
+                tilt = _o421.leaving_margin;
+                rate_slack = _o421.rate_margin;
+                const kernel_ring_enter_out _o422 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
+                t = _o422.t;
+                end = _o422.end;
+                searching = _o422.searching;
+                for (size_t _turn = 0; _turn < 201; _turn++) {
+                    if (!searching)
+                        break;
+                    const kernel_nearby_out _o423 = kernel_nearby(t, flat, tilt, 0.0, last);
+                    leaving = _o423.leaving;
+                    margin = _o423.margin;
+                    const kernel_ring_advance_out _o424 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    gap = _o424.gap;
+                    rate = _o424.rate;
+                    bend = _o424.bend;
+                    step = _o424.step;
+                    next = _o424.next;
+                    clearance = _o424.clearance;
+                    const kernel_struck_out _o425 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
+                    hit = _o425.hit;
+                    sure = _o425.sure;
+                    needs_refinement = _o425.needs_refinement;
+                    if (needs_refinement) {
+                        const kernel_finer_out _o426 = kernel_finer(share);
+                        share = _o426.share;
+                        const kernel_allowance_out _o427 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                        position_level = _o427.position_level;
+                        velocity_level = _o427.velocity_level;
+                        excess = _o427.excess;
+                        const kernel_ring_margins_out _o428 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                        flat = _o428.margin;
+                        tilt = _o428.leaving_margin;
+                        rate_slack = _o428.rate_margin;
+                        const kernel_exceeded_out _o429 = kernel_exceeded(t, doubt, excess);
+                        doubt = _o429.doubt;
+                    }
+                    const kernel_advanced_out _o430 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                    arrival = _o430.arrival;
+                    certain = _o430.certain;
+                    exhausted = _o430.exhausted;
+                    searching = _o430.searching;
+                    t = _o430.t;
+                    if (exhausted) {
+                        const kernel_ring_enter_out _o431 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
+                        t = _o431.t;
+                        end = _o431.end;
+                        searching = _o431.searching;
+                    }
+                }
+                const kernel_questioned_out _o432 = kernel_questioned(t, doubt, searching);
+                doubt = _o432.doubt;
+            }
+            const kernel_found_out _o433 = kernel_found(arrival);
+            arrives = _o433.arrives;
+            refining = _o433.refining;
+            rate = _o433.rate;
+            const kernel_nearby_out _o434 = kernel_nearby(arrival, flat, tilt, 0.0, last);
+            leaving = _o434.leaving;
+            if (refining) {
+                const kernel_ring_refine_out _o435 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o435.time;
+                gap = _o435.gap;
+                rate = _o435.rate;
+                const kernel_polished_out _o436 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o436.arrival;
+                refining = _o436.refining;
+            }
+            if (refining) {
+                const kernel_ring_refine_out _o437 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o437.time;
+                gap = _o437.gap;
+                rate = _o437.rate;
+                const kernel_polished_out _o438 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o438.arrival;
+                refining = _o438.refining;
+            }
+            for (size_t _turn = 0; _turn < 8; _turn++) {
+                if (!refining)
+                    break;
+                const kernel_ring_refine_out _o439 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o439.time;
+                gap = _o439.gap;
+                rate = _o439.rate;
+                const kernel_polished_out _o440 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o440.arrival;
+                refining = _o440.refining;
+            }
+            const kernel_ring_margins_out _o441 = kernel_ring_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            flat = _o441.margin;
+            tilt = _o441.leaving_margin;
+            rate_margin = _o441.rate_margin;
+            const kernel_own_margin_out _o442 = kernel_own_margin(leaving, flat, tilt, arrival);
+            margin = _o442.margin;
+            const kernel_crossing_out _o443 = kernel_crossing(margin, rate_margin, rate, ceiling);
+            clearance = _o443.clearance;
+            delay = _o443.delay;
+            const kernel_landed_out _o444 = kernel_landed(arrival);
+            time = _o444.time;
+            const kernel_landed_surely_out _o445 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+            delay = _o445.delay;
+            doubt = _o445.doubt;
+            const kernel_tied_out _o446 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+            doubt = _o446.doubt;
+            earliest_delay = _o446.earliest_delay;
+            const kernel_earliest_out _o447 = kernel_earliest(0.0, time, when, which, arrives);
+            when = _o447.when;
+            which = _o447.which;
+        }
+        const kernel_horizon_out _o448 = kernel_horizon(when, speed, p_gravity);
+        until = _o448.horizon;
+        pad = _o448.pad;
+        const kernel_halved_out _o449 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
+        middle_x = _o449.middle_x;
+        reach_x = _o449.reach_x;
+        later_middle_x = _o449.later_middle_x;
+        later_reach_x = _o449.later_reach_x;
+        middle_y = _o449.middle_y;
+        reach_y = _o449.reach_y;
+        later_middle_y = _o449.later_middle_y;
+        later_reach_y = _o449.later_reach_y;
+        middle_z = _o449.middle_z;
+        reach_z = _o449.reach_z;
+        later_middle_z = _o449.later_middle_z;
+        later_reach_z = _o449.later_reach_z;
+        const kernel_backboard_near_out _o450 = kernel_backboard_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+        reachable = _o450.near;
+        const kernel_reachable_in_flight_out _o451 = kernel_reachable_in_flight(reachable, in_contact);
+        reachable = _o451.reachable;
+        if (reachable) {
+            const kernel_horizon_out _o452 = kernel_horizon(when, speed, p_gravity);
+            until = _o452.horizon;
+            pad = _o452.pad;
+            const kernel_backboard_prepare_out _o453 = kernel_backboard_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+            low0 = _o453.low0;
+            high0 = _o453.high0;
+            low1 = _o453.low1;
+            high1 = _o453.high1;
+            ceiling = _o453.ceiling;
+            latest = _o453.latest;
+            budget_exceeded = _o453.budget_exceeded;
+            const kernel_beginning_out _o454 = kernel_beginning();
+            share = _o454.share;
+            arrival = _o454.arrival;
+            certain = _o454.certain;
+            const kernel_allowance_out _o455 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+            position_level = _o455.position_level;
+            velocity_level = _o455.velocity_level;
+            excess = _o455.excess;
+            const kernel_backboard_margins_out _o456 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+            flat = _o456.margin;
+            tilt = _o456.leaving_margin;
+            rate_slack = _o456.rate_margin;
+            const kernel_backboard_enter_out _o457 = kernel_backboard_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
+            t = _o457.t;
+            end = _o457.end;
+            searching = _o457.searching;
+            const kernel_out_of_budget_in_windows_out _o458 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, doubt, excess, searching);
+            doubt = _o458.doubt;
+            if (searching) {
+                const kernel_nearby_out _o459 = kernel_nearby(t, flat, tilt, 1.0, last);
+                leaving = _o459.leaving;
+                margin = _o459.margin;
+                const kernel_backboard_advance_out _o460 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                gap = _o460.gap;
+                rate = _o460.rate;
+                bend = _o460.bend;
+                step = _o460.step;
+                next = _o460.next;
+                clearance = _o460.clearance;
+                const kernel_struck_or_still_out _o461 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o461.hit;
+                sure = _o461.sure;
+                needs_refinement = _o461.needs_refinement;
+                if (needs_refinement) {
+                    const kernel_finer_out _o462 = kernel_finer(share);
+                    share = _o462.share;
+                    const kernel_allowance_out _o463 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o463.position_level;
+                    velocity_level = _o463.velocity_level;
+                    excess = _o463.excess;
+                    const kernel_backboard_margins_out _o464 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    flat = _o464.margin;
+                    tilt = _o464.leaving_margin;
+                    rate_slack = _o464.rate_margin;
+                    const kernel_exceeded_out _o465 = kernel_exceeded(t, doubt, excess);
+                    doubt = _o465.doubt;
+                }
+                const kernel_advanced_out _o466 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o466.arrival;
+                certain = _o466.certain;
+                exhausted = _o466.exhausted;
+                searching = _o466.searching;
+                t = _o466.t;
+                if (exhausted) {
+                    const kernel_backboard_enter_out _o467 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o467.t;
+                    end = _o467.end;
+                    searching = _o467.searching;
+                }
+            }
+            for (size_t _turn = 0; _turn < 201; _turn++) {
+                if (!searching)
+                    break;
+                const kernel_nearby_out _o468 = kernel_nearby(t, flat, tilt, 1.0, last);
+                leaving = _o468.leaving;
+                margin = _o468.margin;
+                const kernel_backboard_advance_out _o469 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                gap = _o469.gap;
+                rate = _o469.rate;
+                bend = _o469.bend;
+                step = _o469.step;
+                next = _o469.next;
+                clearance = _o469.clearance;
+                const kernel_struck_or_still_out _o470 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o470.hit;
+                sure = _o470.sure;
+                needs_refinement = _o470.needs_refinement;
+                if (needs_refinement) {
+                    const kernel_finer_out _o471 = kernel_finer(share);
+                    share = _o471.share;
+                    const kernel_allowance_out _o472 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o472.position_level;
+                    velocity_level = _o472.velocity_level;
+                    excess = _o472.excess;
+                    const kernel_backboard_margins_out _o473 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    flat = _o473.margin;
+                    tilt = _o473.leaving_margin;
+                    rate_slack = _o473.rate_margin;
+                    const kernel_exceeded_out _o474 = kernel_exceeded(t, doubt, excess);
+                    doubt = _o474.doubt;
+                }
+                const kernel_advanced_out _o475 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o475.arrival;
+                certain = _o475.certain;
+                exhausted = _o475.exhausted;
+                searching = _o475.searching;
+                t = _o475.t;
+                if (exhausted) {
+                    const kernel_backboard_enter_out _o476 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o476.t;
+                    end = _o476.end;
+                    searching = _o476.searching;
+                }
+            }
+            const kernel_questioned_out _o477 = kernel_questioned(t, doubt, searching);
+            doubt = _o477.doubt;
+            const kernel_found_out _o478 = kernel_found(arrival);
+            arrives = _o478.arrives;
+            refining = _o478.refining;
+            rate = _o478.rate;
+            const kernel_nearby_out _o479 = kernel_nearby(arrival, flat, tilt, 1.0, last);
+            leaving = _o479.leaving;
+            if (refining) {
+                const kernel_backboard_refine_out _o480 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o480.time;
+                gap = _o480.gap;
+                rate = _o480.rate;
+                const kernel_polished_out _o481 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o481.arrival;
+                refining = _o481.refining;
+            }
+            if (refining) {
+                const kernel_backboard_refine_out _o482 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o482.time;
+                gap = _o482.gap;
+                rate = _o482.rate;
+                const kernel_polished_out _o483 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o483.arrival;
+                refining = _o483.refining;
+            }
+            for (size_t _turn = 0; _turn < 8; _turn++) {
+                if (!refining)
+                    break;
+                const kernel_backboard_refine_out _o484 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o484.time;
+                gap = _o484.gap;
+                rate = _o484.rate;
+                const kernel_polished_out _o485 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o485.arrival;
+                refining = _o485.refining;
+            }
+            const kernel_backboard_margins_out _o486 = kernel_backboard_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+            flat = _o486.margin;
+            tilt = _o486.leaving_margin;
+            rate_margin = _o486.rate_margin;
+            const kernel_own_margin_out _o487 = kernel_own_margin(leaving, flat, tilt, arrival);
+            margin = _o487.margin;
+            const kernel_crossing_out _o488 = kernel_crossing(margin, rate_margin, rate, ceiling);
+            clearance = _o488.clearance;
+            delay = _o488.delay;
+            const kernel_landed_out _o489 = kernel_landed(arrival);
+            time = _o489.time;
+            const kernel_landed_surely_out _o490 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+            delay = _o490.delay;
+            doubt = _o490.doubt;
+            const kernel_tied_out _o491 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+            doubt = _o491.doubt;
+            earliest_delay = _o491.earliest_delay;
+            const kernel_earliest_out _o492 = kernel_earliest(1.0, time, when, which, arrives);
+            when = _o492.when;
+            which = _o492.which;
+        }
+        const kernel_horizon_out _o493 = kernel_horizon(when, speed, p_gravity);
+        until = _o493.horizon;
+        pad = _o493.pad;
+        const kernel_halved_out _o494 = kernel_halved(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
+        middle_x = _o494.middle_x;
+        reach_x = _o494.reach_x;
+        later_middle_x = _o494.later_middle_x;
+        later_reach_x = _o494.later_reach_x;
+        middle_y = _o494.middle_y;
+        reach_y = _o494.reach_y;
+        later_middle_y = _o494.later_middle_y;
+        later_reach_y = _o494.later_reach_y;
+        middle_z = _o494.middle_z;
+        reach_z = _o494.reach_z;
+        later_middle_z = _o494.later_middle_z;
+        later_reach_z = _o494.later_reach_z;
+        const kernel_bridge_near_out _o495 = kernel_bridge_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+        reachable = _o495.near;
+        const kernel_reachable_in_flight_out _o496 = kernel_reachable_in_flight(reachable, in_contact);
+        reachable = _o496.reachable;
+        if (reachable) {
+            const kernel_horizon_out _o497 = kernel_horizon(when, speed, p_gravity);
+            until = _o497.horizon;
+            pad = _o497.pad;
+            const kernel_bridge_prepare_out _o498 = kernel_bridge_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+            low0 = _o498.low0;
+            high0 = _o498.high0;
+            low1 = _o498.low1;
+            high1 = _o498.high1;
+            ceiling = _o498.ceiling;
+            latest = _o498.latest;
+            budget_exceeded = _o498.budget_exceeded;
+            const kernel_beginning_out _o499 = kernel_beginning();
+            share = _o499.share;
+            arrival = _o499.arrival;
+            certain = _o499.certain;
+            const kernel_allowance_out _o500 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+            position_level = _o500.position_level;
+            velocity_level = _o500.velocity_level;
+            excess = _o500.excess;
+            const kernel_bridge_margins_out _o501 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+            flat = _o501.margin;
+            tilt = _o501.leaving_margin;
+            rate_slack = _o501.rate_margin;
+            const kernel_bridge_enter_out _o502 = kernel_bridge_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
+            t = _o502.t;
+            end = _o502.end;
+            searching = _o502.searching;
+            const kernel_out_of_budget_in_windows_out _o503 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, doubt, excess, searching);
+            doubt = _o503.doubt;
+            if (searching) {
+                const kernel_nearby_out _o504 = kernel_nearby(t, flat, tilt, 2.0, last);
+                leaving = _o504.leaving;
+                margin = _o504.margin;
+                const kernel_bridge_advance_out _o505 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                gap = _o505.gap;
+                rate = _o505.rate;
+                bend = _o505.bend;
+                step = _o505.step;
+                next = _o505.next;
+                clearance = _o505.clearance;
+                const kernel_struck_or_still_out _o506 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o506.hit;
+                sure = _o506.sure;
+                needs_refinement = _o506.needs_refinement;
+                if (needs_refinement) {
+                    const kernel_finer_out _o507 = kernel_finer(share);
+                    share = _o507.share;
+                    const kernel_allowance_out _o508 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o508.position_level;
+                    velocity_level = _o508.velocity_level;
+                    excess = _o508.excess;
+                    const kernel_bridge_margins_out _o509 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    flat = _o509.margin;
+                    tilt = _o509.leaving_margin;
+                    rate_slack = _o509.rate_margin;
+                    const kernel_exceeded_out _o510 = kernel_exceeded(t, doubt, excess);
+                    doubt = _o510.doubt;
+                }
+                const kernel_advanced_out _o511 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o511.arrival;
+                certain = _o511.certain;
+                exhausted = _o511.exhausted;
+                searching = _o511.searching;
+                t = _o511.t;
+                if (exhausted) {
+                    const kernel_bridge_enter_out _o512 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o512.t;
+                    end = _o512.end;
+                    searching = _o512.searching;
+                }
+            }
+            for (size_t _turn = 0; _turn < 201; _turn++) {
+                if (!searching)
+                    break;
+                const kernel_nearby_out _o513 = kernel_nearby(t, flat, tilt, 2.0, last);
+                leaving = _o513.leaving;
+                margin = _o513.margin;
+                const kernel_bridge_advance_out _o514 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                gap = _o514.gap;
+                rate = _o514.rate;
+                bend = _o514.bend;
+                step = _o514.step;
+                next = _o514.next;
+                clearance = _o514.clearance;
+                const kernel_struck_or_still_out _o515 = kernel_struck_or_still(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o515.hit;
+                sure = _o515.sure;
+                needs_refinement = _o515.needs_refinement;
+                if (needs_refinement) {
+                    const kernel_finer_out _o516 = kernel_finer(share);
+                    share = _o516.share;
+                    const kernel_allowance_out _o517 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o517.position_level;
+                    velocity_level = _o517.velocity_level;
+                    excess = _o517.excess;
+                    const kernel_bridge_margins_out _o518 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    flat = _o518.margin;
+                    tilt = _o518.leaving_margin;
+                    rate_slack = _o518.rate_margin;
+                    const kernel_exceeded_out _o519 = kernel_exceeded(t, doubt, excess);
+                    doubt = _o519.doubt;
+                }
+                const kernel_advanced_out _o520 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o520.arrival;
+                certain = _o520.certain;
+                exhausted = _o520.exhausted;
+                searching = _o520.searching;
+                t = _o520.t;
+                if (exhausted) {
+                    const kernel_bridge_enter_out _o521 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o521.t;
+                    end = _o521.end;
+                    searching = _o521.searching;
+                }
+            }
+            const kernel_questioned_out _o522 = kernel_questioned(t, doubt, searching);
+            doubt = _o522.doubt;
+            const kernel_found_out _o523 = kernel_found(arrival);
+            arrives = _o523.arrives;
+            refining = _o523.refining;
+            rate = _o523.rate;
+            const kernel_nearby_out _o524 = kernel_nearby(arrival, flat, tilt, 2.0, last);
+            leaving = _o524.leaving;
+            if (refining) {
+                const kernel_bridge_refine_out _o525 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o525.time;
+                gap = _o525.gap;
+                rate = _o525.rate;
+                const kernel_polished_out _o526 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o526.arrival;
+                refining = _o526.refining;
+            }
+            if (refining) {
+                const kernel_bridge_refine_out _o527 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o527.time;
+                gap = _o527.gap;
+                rate = _o527.rate;
+                const kernel_polished_out _o528 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o528.arrival;
+                refining = _o528.refining;
+            }
+            for (size_t _turn = 0; _turn < 8; _turn++) {
+                if (!refining)
+                    break;
+                const kernel_bridge_refine_out _o529 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o529.time;
+                gap = _o529.gap;
+                rate = _o529.rate;
+                const kernel_polished_out _o530 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o530.arrival;
+                refining = _o530.refining;
+            }
+            const kernel_bridge_margins_out _o531 = kernel_bridge_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+            flat = _o531.margin;
+            tilt = _o531.leaving_margin;
+            rate_margin = _o531.rate_margin;
+            const kernel_own_margin_out _o532 = kernel_own_margin(leaving, flat, tilt, arrival);
+            margin = _o532.margin;
+            const kernel_crossing_out _o533 = kernel_crossing(margin, rate_margin, rate, ceiling);
+            clearance = _o533.clearance;
+            delay = _o533.delay;
+            const kernel_landed_out _o534 = kernel_landed(arrival);
+            time = _o534.time;
+            const kernel_landed_surely_out _o535 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+            delay = _o535.delay;
+            doubt = _o535.doubt;
+            const kernel_tied_out _o536 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+            doubt = _o536.doubt;
+            earliest_delay = _o536.earliest_delay;
+            const kernel_earliest_out _o537 = kernel_earliest(2.0, time, when, which, arrives);
+            when = _o537.when;
+            which = _o537.which;
+        }
+        if (limited) {
+            const kernel_expiry_out _o538 = kernel_expiry(when, which, earliest_delay, doubt, time_error, clock, time_limit);
+            time = _o538.time;
+            delay = _o538.delay;
+            arrives = _o538.arrives;
+            doubt = _o538.doubt;
+            const kernel_tied_out _o539 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+            doubt = _o539.doubt;
+            earliest_delay = _o539.earliest_delay;
+            const kernel_earliest_out _o540 = kernel_earliest(4.0, time, when, which, arrives);
+            when = _o540.when;
+            which = _o540.which;
+        }
+        if (in_contact) {
+            const kernel_resumed_out _o541 = kernel_resumed(position_error, velocity_error, clock, mode);
+            which = _o541.which;
+            earliest_delay = _o541.earliest_delay;
+            began = _o541.began;
+            doubt = _o541.doubt;
+            begins = _o541.begins;
+            rolling = _o541.rolling;
+            leaves = _o541.leaves;
+            nx = _o541.nx;
+            ny = _o541.ny;
+            nz = _o541.nz;
+            gap = _o541.gap;
+            bent_x = _o541.bent_x;
+            bent_y = _o541.bent_y;
+            bent_z = _o541.bent_z;
+            lift = _o541.lift;
+            gap_jerk = _o541.gap_jerk;
+            gap_snap = _o541.gap_snap;
+            per_reach = _o541.per_reach;
+            if (begins) {
+                const kernel_holding_out _o542 = kernel_holding(0.0, held);
+                here = _o542.here;
+                if (here) {
+                    const kernel_ring_normal_out _o543 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    nx = _o543.nx;
+                    ny = _o543.ny;
+                    nz = _o543.nz;
+                }
+                const kernel_holding_out _o544 = kernel_holding(1.0, held);
+                here = _o544.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o545 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o545.nx;
+                    ny = _o545.ny;
+                    nz = _o545.nz;
+                }
+                const kernel_holding_out _o546 = kernel_holding(2.0, held);
+                here = _o546.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o547 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o547.nx;
+                    ny = _o547.ny;
+                    nz = _o547.nz;
+                }
+                const kernel_roll_turn_rate_out _o548 = kernel_roll_turn_rate(p_ball_radius, nx, ny, nz, wx, wy, wz);
+                turn_rate = _o548.turn_rate;
+                const kernel_gripped_out _o549 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+                rolled_x = _o549.rolled_x;
+                rolled_y = _o549.rolled_y;
+                rolled_z = _o549.rolled_z;
+                const kernel_holding_out _o550 = kernel_holding(0.0, held);
+                here = _o550.here;
+                if (here) {
+                    const kernel_ring_distance_out _o551 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o551.gap;
+                }
+                const kernel_holding_out _o552 = kernel_holding(1.0, held);
+                here = _o552.here;
+                if (here) {
+                    const kernel_backboard_distance_out _o553 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                    gap = _o553.gap;
+                }
+                const kernel_holding_out _o554 = kernel_holding(2.0, held);
+                here = _o554.here;
+                if (here) {
+                    const kernel_bridge_distance_out _o555 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o555.gap;
+                }
+                const kernel_roll_placed_out _o556 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate);
+                x = _o556.x;
+                y = _o556.y;
+                z = _o556.z;
+                vx = _o556.vx;
+                vy = _o556.vy;
+                vz = _o556.vz;
+                wx = _o556.wx;
+                wy = _o556.wy;
+                wz = _o556.wz;
+                const kernel_begun_errors_out _o557 = kernel_begun_errors(p_ball_radius, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                dx = _o557.dx;
+                dy = _o557.dy;
+                dz = _o557.dz;
+                dvx = _o557.dvx;
+                dvy = _o557.dvy;
+                dvz = _o557.dvz;
+                dwx = _o557.dwx;
+                dwy = _o557.dwy;
+                dwz = _o557.dwz;
+                const kernel_forget_grip_deficit_out _o558 = kernel_forget_grip_deficit();
+                last_grip_deficit = _o558.last_grip_deficit;
+                const kernel_beginning_contact_out _o559 = kernel_beginning_contact();
+                which = _o559.which;
+                circled = _o559.circled;
+            }
+            const kernel_circles_out _o560 = kernel_circles(0.0, held, rolling);
+            circling = _o560.circling;
+            rolling = _o560.rolling;
+            for (size_t _turn = 0; _turn < 16; _turn++) {
+                if (!rolling)
+                    break;
+                const kernel_error_bounds_out _o561 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_error = _o561.position_error;
+                velocity_error = _o561.velocity_error;
+                const kernel_holding_out _o562 = kernel_holding(1.0, held);
+                here = _o562.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o563 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o563.nx;
+                    ny = _o563.ny;
+                    nz = _o563.nz;
+                    const kernel_backboard_rolling_surface_out _o564 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    bent_x = _o564.bent_x;
+                    bent_y = _o564.bent_y;
+                    bent_z = _o564.bent_z;
+                    per_reach = _o564.per_reach;
+                }
+                const kernel_holding_out _o565 = kernel_holding(2.0, held);
+                here = _o565.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o566 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o566.nx;
+                    ny = _o566.ny;
+                    nz = _o566.nz;
+                    const kernel_bridge_rolling_surface_out _o567 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    bent_x = _o567.bent_x;
+                    bent_y = _o567.bent_y;
+                    bent_z = _o567.bent_z;
+                    per_reach = _o567.per_reach;
+                }
+                const kernel_roll_start_out _o568 = kernel_roll_start(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+                vx_0 = _o568.vx_0;
+                vy_0 = _o568.vy_0;
+                vz_0 = _o568.vz_0;
+                nx_0 = _o568.nx_0;
+                ny_0 = _o568.ny_0;
+                nz_0 = _o568.nz_0;
+                turn_rate_0 = _o568.turn_rate_0;
+                const kernel_roll_0_out _o569 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
+                lift_0 = _o569.lift_0;
+                tx_0 = _o569.tx_0;
+                ty_0 = _o569.ty_0;
+                tz_0 = _o569.tz_0;
+                vx_1 = _o569.vx_1;
+                vy_1 = _o569.vy_1;
+                vz_1 = _o569.vz_1;
+                nx_1 = _o569.nx_1;
+                ny_1 = _o569.ny_1;
+                nz_1 = _o569.nz_1;
+                turn_rate_1 = _o569.turn_rate_1;
+                const kernel_roll_1_out _o570 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
+                lift_1 = _o570.lift_1;
+                tx_1 = _o570.tx_1;
+                ty_1 = _o570.ty_1;
+                tz_1 = _o570.tz_1;
+                vx_2 = _o570.vx_2;
+                vy_2 = _o570.vy_2;
+                vz_2 = _o570.vz_2;
+                nx_2 = _o570.nx_2;
+                ny_2 = _o570.ny_2;
+                nz_2 = _o570.nz_2;
+                turn_rate_2 = _o570.turn_rate_2;
+                const kernel_roll_2_out _o571 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                lift_2 = _o571.lift_2;
+                tx_2 = _o571.tx_2;
+                ty_2 = _o571.ty_2;
+                tz_2 = _o571.tz_2;
+                vx_3 = _o571.vx_3;
+                vy_3 = _o571.vy_3;
+                vz_3 = _o571.vz_3;
+                nx_3 = _o571.nx_3;
+                ny_3 = _o571.ny_3;
+                nz_3 = _o571.nz_3;
+                turn_rate_3 = _o571.turn_rate_3;
+                const kernel_roll_3_out _o572 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
+                lift_3 = _o572.lift_3;
+                tx_3 = _o572.tx_3;
+                ty_3 = _o572.ty_3;
+                tz_3 = _o572.tz_3;
+                vx_4 = _o572.vx_4;
+                vy_4 = _o572.vy_4;
+                vz_4 = _o572.vz_4;
+                nx_4 = _o572.nx_4;
+                ny_4 = _o572.ny_4;
+                nz_4 = _o572.nz_4;
+                turn_rate_4 = _o572.turn_rate_4;
+                const kernel_roll_4_out _o573 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
+                lift_4 = _o573.lift_4;
+                tx_4 = _o573.tx_4;
+                ty_4 = _o573.ty_4;
+                tz_4 = _o573.tz_4;
+                vx_5 = _o573.vx_5;
+                vy_5 = _o573.vy_5;
+                vz_5 = _o573.vz_5;
+                nx_5 = _o573.nx_5;
+                ny_5 = _o573.ny_5;
+                nz_5 = _o573.nz_5;
+                turn_rate_5 = _o573.turn_rate_5;
+                const kernel_roll_5_out _o574 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
+                lift_5 = _o574.lift_5;
+                tx_5 = _o574.tx_5;
+                ty_5 = _o574.ty_5;
+                tz_5 = _o574.tz_5;
+                vx_6 = _o574.vx_6;
+                vy_6 = _o574.vy_6;
+                vz_6 = _o574.vz_6;
+                nx_6 = _o574.nx_6;
+                ny_6 = _o574.ny_6;
+                nz_6 = _o574.nz_6;
+                turn_rate_6 = _o574.turn_rate_6;
+                const kernel_roll_6_out _o575 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
+                lift_6 = _o575.lift_6;
+                tx_6 = _o575.tx_6;
+                ty_6 = _o575.ty_6;
+                tz_6 = _o575.tz_6;
+                vx_7 = _o575.vx_7;
+                vy_7 = _o575.vy_7;
+                vz_7 = _o575.vz_7;
+                nx_7 = _o575.nx_7;
+                ny_7 = _o575.ny_7;
+                nz_7 = _o575.nz_7;
+                turn_rate_7 = _o575.turn_rate_7;
+                const kernel_roll_7_out _o576 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
+                lift_7 = _o576.lift_7;
+                vx_8 = _o576.vx_8;
+                vy_8 = _o576.vy_8;
+                vz_8 = _o576.vz_8;
+                nx_8 = _o576.nx_8;
+                ny_8 = _o576.ny_8;
+                nz_8 = _o576.nz_8;
+                turn_rate_8 = _o576.turn_rate_8;
+                const kernel_roll_pace_out _o577 = kernel_roll_pace(p_gravity, p_inertia, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7);
+                stride = _o577.stride;
+                missed = _o577.missed;
+                strongest = _o577.strongest;
+                fastest = _o577.fastest;
+                force = _o577.force;
+                force_rate = _o577.force_rate;
+                force_bend = _o577.force_bend;
+                friction_force_rate = _o577.friction_force_rate;
+                const kernel_pulled_out _o578 = kernel_pulled(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                rolling_friction = _o578.rolling_friction;
+                rolling_friction_rate = _o578.rolling_friction_rate;
+                grip_deficit = _o578.grip_deficit;
+                grip_deficit_rate = _o578.grip_deficit_rate;
+                const kernel_holding_out _o579 = kernel_holding(1.0, held);
+                here = _o579.here;
+                if (here) {
+                    const kernel_ring_impact_grip_deficit_out _o580 = kernel_ring_impact_grip_deficit(p_backboard_friction, rolling_friction, rolling_friction_rate, force, force_rate);
+                    grip_deficit = _o580.grip_deficit;
+                    grip_deficit_rate = _o580.grip_deficit_rate;
+                }
+                const kernel_holding_out _o581 = kernel_holding(2.0, held);
+                here = _o581.here;
+                if (here) {
+                    const kernel_ring_impact_grip_deficit_out _o582 = kernel_ring_impact_grip_deficit(p_bridge_friction, rolling_friction, rolling_friction_rate, force, force_rate);
+                    grip_deficit = _o582.grip_deficit;
+                    grip_deficit_rate = _o582.grip_deficit_rate;
+                }
+                const kernel_losing_out _o583 = kernel_losing(grip_deficit, grip_lost);
+                loses = _o583.loses;
+                if (loses) {
+                    const kernel_lost_grip_out _o584 = kernel_lost_grip(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                    grip_lost = _o584.grip_lost;
+                }
+                const kernel_remember_grip_deficit_out _o585 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
+                last_grip_deficit = _o585.last_grip_deficit;
+                last_grip_deficit_rate = _o585.last_grip_deficit_rate;
+                last_grip_clock = _o585.last_grip_clock;
+                const kernel_leaving_force_out _o586 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, doubt, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                stride = _o586.stride;
+                which = _o586.which;
+                rests = _o586.rests;
+                doubt = _o586.doubt;
+                const kernel_beside_out _o587 = kernel_beside(0.0, held);
+                beside = _o587.beside;
+                if (beside) {
+                    const kernel_ring_beside_out _o588 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o588.gap;
+                    nearing = _o588.nearing;
+                    gap_curvature = _o588.gap_curvature;
+                    const kernel_beside_body_out _o589 = kernel_beside_body(p_ball_radius, x, y, z, gap, 0.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    stride = _o589.stride;
+                    which = _o589.which;
+                    doubt = _o589.doubt;
+                    earliest_delay = _o589.earliest_delay;
+                }
+                const kernel_beside_out _o590 = kernel_beside(1.0, held);
+                beside = _o590.beside;
+                if (beside) {
+                    const kernel_backboard_beside_out _o591 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    gap = _o591.gap;
+                    nearing = _o591.nearing;
+                    gap_curvature = _o591.gap_curvature;
+                    const kernel_beside_body_out _o592 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    stride = _o592.stride;
+                    which = _o592.which;
+                    doubt = _o592.doubt;
+                    earliest_delay = _o592.earliest_delay;
+                }
+                const kernel_beside_out _o593 = kernel_beside(2.0, held);
+                beside = _o593.beside;
+                if (beside) {
+                    const kernel_bridge_beside_out _o594 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o594.gap;
+                    nearing = _o594.nearing;
+                    gap_curvature = _o594.gap_curvature;
+                    const kernel_beside_body_out _o595 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    stride = _o595.stride;
+                    which = _o595.which;
+                    doubt = _o595.doubt;
+                    earliest_delay = _o595.earliest_delay;
+                }
+                const kernel_end_beside_out _o596 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o596.gap;
+                nearing = _o596.nearing;
+                gap_curvature = _o596.gap_curvature;
+                const kernel_beside_gate_out _o597 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o597.stride;
+                which = _o597.which;
+                doubt = _o597.doubt;
+                earliest_delay = _o597.earliest_delay;
+                const kernel_holding_out _o598 = kernel_holding(1.0, held);
+                here = _o598.here;
+                if (here) {
+                    const kernel_backboard_seam0_out _o599 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o599.gap;
+                    nearing = _o599.nearing;
+                    near = _o599.near;
+                    const kernel_beside_seam_out _o600 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o600.stride;
+                    const kernel_backboard_seam1_out _o601 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o601.gap;
+                    nearing = _o601.nearing;
+                    near = _o601.near;
+                    const kernel_beside_seam_out _o602 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o602.stride;
+                    const kernel_backboard_seam2_out _o603 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o603.gap;
+                    nearing = _o603.nearing;
+                    near = _o603.near;
+                    const kernel_beside_seam_out _o604 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o604.stride;
+                    const kernel_backboard_seam3_out _o605 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o605.gap;
+                    nearing = _o605.nearing;
+                    near = _o605.near;
+                    const kernel_beside_seam_out _o606 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o606.stride;
+                    const kernel_backboard_seam4_out _o607 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o607.gap;
+                    nearing = _o607.nearing;
+                    near = _o607.near;
+                    const kernel_beside_seam_out _o608 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o608.stride;
+                    const kernel_backboard_seam5_out _o609 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o609.gap;
+                    nearing = _o609.nearing;
+                    near = _o609.near;
+                    const kernel_beside_seam_out _o610 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o610.stride;
+                }
+                const kernel_holding_out _o611 = kernel_holding(2.0, held);
+                here = _o611.here;
+                if (here) {
+                    const kernel_bridge_seam0_out _o612 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o612.gap;
+                    nearing = _o612.nearing;
+                    near = _o612.near;
+                    const kernel_beside_seam_out _o613 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o613.stride;
+                    const kernel_bridge_seam1_out _o614 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o614.gap;
+                    nearing = _o614.nearing;
+                    near = _o614.near;
+                    const kernel_beside_seam_out _o615 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o615.stride;
+                    const kernel_bridge_seam2_out _o616 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o616.gap;
+                    nearing = _o616.nearing;
+                    near = _o616.near;
+                    const kernel_beside_seam_out _o617 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o617.stride;
+                    const kernel_bridge_seam3_out _o618 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o618.gap;
+                    nearing = _o618.nearing;
+                    near = _o618.near;
+                    const kernel_beside_seam_out _o619 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o619.stride;
+                    const kernel_bridge_seam4_out _o620 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o620.gap;
+                    nearing = _o620.nearing;
+                    near = _o620.near;
+                    const kernel_beside_seam_out _o621 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o621.stride;
+                    const kernel_bridge_seam5_out _o622 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o622.gap;
+                    nearing = _o622.nearing;
+                    near = _o622.near;
+                    const kernel_beside_seam_out _o623 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o623.stride;
+                }
+                const kernel_beside_time_out _o624 = kernel_beside_time(which, clock, time_limit, stride);
+                stride = _o624.stride;
+                which = _o624.which;
+                const kernel_neighbour_scale_out _o625 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                neighbour_scale = _o625.neighbour_scale;
+                const kernel_neighbour_out _o626 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
+                far_x = _o626.far_x;
+                far_y = _o626.far_y;
+                far_z = _o626.far_z;
+                far_vx = _o626.far_vx;
+                far_vy = _o626.far_vy;
+                far_vz = _o626.far_vz;
+                far_wx = _o626.far_wx;
+                far_wy = _o626.far_wy;
+                far_wz = _o626.far_wz;
+                far_nx = _o626.far_nx;
+                far_ny = _o626.far_ny;
+                far_nz = _o626.far_nz;
+                far_gap = _o626.far_gap;
+                const kernel_passing_from_out _o627 = kernel_passing_from(z);
+                over = _o627.over;
+                const kernel_roll_moved_out _o628 = kernel_roll_moved(x, y, z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
+                x = _o628.x;
+                vx = _o628.vx;
+                y = _o628.y;
+                vy = _o628.vy;
+                z = _o628.z;
+                vz = _o628.vz;
+                turn_rate = _o628.turn_rate;
+                const kernel_holding_out _o629 = kernel_holding(1.0, held);
+                here = _o629.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o630 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o630.nx;
+                    ny = _o630.ny;
+                    nz = _o630.nz;
+                    const kernel_backboard_distance_out _o631 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                    gap = _o631.gap;
+                }
+                const kernel_holding_out _o632 = kernel_holding(2.0, held);
+                here = _o632.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o633 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o633.nx;
+                    ny = _o633.ny;
+                    nz = _o633.nz;
+                    const kernel_bridge_distance_out _o634 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o634.gap;
+                }
+                const kernel_roll_placed_out _o635 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, vx, vy, vz, gap, turn_rate);
+                x = _o635.x;
+                y = _o635.y;
+                z = _o635.z;
+                vx = _o635.vx;
+                vy = _o635.vy;
+                vz = _o635.vz;
+                wx = _o635.wx;
+                wy = _o635.wy;
+                wz = _o635.wz;
+                const kernel_passing_in_contact_out _o636 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
+                through = _o636.through;
+                const kernel_holding_out _o637 = kernel_holding(1.0, held);
+                here = _o637.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o638 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    far_nx = _o638.nx;
+                    far_ny = _o638.ny;
+                    far_nz = _o638.nz;
+                }
+                const kernel_holding_out _o639 = kernel_holding(2.0, held);
+                here = _o639.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o640 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    far_nx = _o640.nx;
+                    far_ny = _o640.ny;
+                    far_nz = _o640.nz;
+                }
+                const kernel_roll_turn_rate_out _o641 = kernel_roll_turn_rate(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
+                turn_rate = _o641.turn_rate;
+                const kernel_holding_out _o642 = kernel_holding(1.0, held);
+                here = _o642.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o643 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    far_nx = _o643.nx;
+                    far_ny = _o643.ny;
+                    far_nz = _o643.nz;
+                    const kernel_backboard_distance_out _o644 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
+                    far_gap = _o644.gap;
+                }
+                const kernel_holding_out _o645 = kernel_holding(2.0, held);
+                here = _o645.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o646 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    far_nx = _o646.nx;
+                    far_ny = _o646.ny;
+                    far_nz = _o646.nz;
+                    const kernel_bridge_distance_out _o647 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                    far_gap = _o647.gap;
+                }
+                const kernel_roll_placed_out _o648 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
+                far_x = _o648.x;
+                far_y = _o648.y;
+                far_z = _o648.z;
+                far_vx = _o648.vx;
+                far_vy = _o648.vy;
+                far_vz = _o648.vz;
+                far_wx = _o648.wx;
+                far_wy = _o648.wy;
+                far_wz = _o648.wz;
+                const kernel_roll_start_out _o649 = kernel_roll_start(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
+                vx_0 = _o649.vx_0;
+                vy_0 = _o649.vy_0;
+                vz_0 = _o649.vz_0;
+                nx_0 = _o649.nx_0;
+                ny_0 = _o649.ny_0;
+                nz_0 = _o649.nz_0;
+                turn_rate_0 = _o649.turn_rate_0;
+                const kernel_roll_0_out _o650 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
+                lift_0 = _o650.lift_0;
+                tx_0 = _o650.tx_0;
+                ty_0 = _o650.ty_0;
+                tz_0 = _o650.tz_0;
+                vx_1 = _o650.vx_1;
+                vy_1 = _o650.vy_1;
+                vz_1 = _o650.vz_1;
+                nx_1 = _o650.nx_1;
+                ny_1 = _o650.ny_1;
+                nz_1 = _o650.nz_1;
+                turn_rate_1 = _o650.turn_rate_1;
+                const kernel_roll_1_out _o651 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
+                lift_1 = _o651.lift_1;
+                tx_1 = _o651.tx_1;
+                ty_1 = _o651.ty_1;
+                tz_1 = _o651.tz_1;
+                vx_2 = _o651.vx_2;
+                vy_2 = _o651.vy_2;
+                vz_2 = _o651.vz_2;
+                nx_2 = _o651.nx_2;
+                ny_2 = _o651.ny_2;
+                nz_2 = _o651.nz_2;
+                turn_rate_2 = _o651.turn_rate_2;
+                const kernel_roll_2_out _o652 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                lift_2 = _o652.lift_2;
+                tx_2 = _o652.tx_2;
+                ty_2 = _o652.ty_2;
+                tz_2 = _o652.tz_2;
+                vx_3 = _o652.vx_3;
+                vy_3 = _o652.vy_3;
+                vz_3 = _o652.vz_3;
+                nx_3 = _o652.nx_3;
+                ny_3 = _o652.ny_3;
+                nz_3 = _o652.nz_3;
+                turn_rate_3 = _o652.turn_rate_3;
+                const kernel_roll_3_out _o653 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
+                lift_3 = _o653.lift_3;
+                tx_3 = _o653.tx_3;
+                ty_3 = _o653.ty_3;
+                tz_3 = _o653.tz_3;
+                vx_4 = _o653.vx_4;
+                vy_4 = _o653.vy_4;
+                vz_4 = _o653.vz_4;
+                nx_4 = _o653.nx_4;
+                ny_4 = _o653.ny_4;
+                nz_4 = _o653.nz_4;
+                turn_rate_4 = _o653.turn_rate_4;
+                const kernel_roll_4_out _o654 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
+                lift_4 = _o654.lift_4;
+                tx_4 = _o654.tx_4;
+                ty_4 = _o654.ty_4;
+                tz_4 = _o654.tz_4;
+                vx_5 = _o654.vx_5;
+                vy_5 = _o654.vy_5;
+                vz_5 = _o654.vz_5;
+                nx_5 = _o654.nx_5;
+                ny_5 = _o654.ny_5;
+                nz_5 = _o654.nz_5;
+                turn_rate_5 = _o654.turn_rate_5;
+                const kernel_roll_5_out _o655 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
+                lift_5 = _o655.lift_5;
+                tx_5 = _o655.tx_5;
+                ty_5 = _o655.ty_5;
+                tz_5 = _o655.tz_5;
+                vx_6 = _o655.vx_6;
+                vy_6 = _o655.vy_6;
+                vz_6 = _o655.vz_6;
+                nx_6 = _o655.nx_6;
+                ny_6 = _o655.ny_6;
+                nz_6 = _o655.nz_6;
+                turn_rate_6 = _o655.turn_rate_6;
+                const kernel_roll_6_out _o656 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
+                lift_6 = _o656.lift_6;
+                tx_6 = _o656.tx_6;
+                ty_6 = _o656.ty_6;
+                tz_6 = _o656.tz_6;
+                vx_7 = _o656.vx_7;
+                vy_7 = _o656.vy_7;
+                vz_7 = _o656.vz_7;
+                nx_7 = _o656.nx_7;
+                ny_7 = _o656.ny_7;
+                nz_7 = _o656.nz_7;
+                turn_rate_7 = _o656.turn_rate_7;
+                const kernel_roll_7_out _o657 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
+                vx_8 = _o657.vx_8;
+                vy_8 = _o657.vy_8;
+                vz_8 = _o657.vz_8;
+                turn_rate_8 = _o657.turn_rate_8;
+                const kernel_roll_moved_out _o658 = kernel_roll_moved(far_x, far_y, far_z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
+                far_x = _o658.x;
+                far_vx = _o658.vx;
+                far_y = _o658.y;
+                far_vy = _o658.vy;
+                far_z = _o658.z;
+                far_vz = _o658.vz;
+                turn_rate = _o658.turn_rate;
+                const kernel_holding_out _o659 = kernel_holding(1.0, held);
+                here = _o659.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o660 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    far_nx = _o660.nx;
+                    far_ny = _o660.ny;
+                    far_nz = _o660.nz;
+                    const kernel_backboard_distance_out _o661 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
+                    far_gap = _o661.gap;
+                }
+                const kernel_holding_out _o662 = kernel_holding(2.0, held);
+                here = _o662.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o663 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    far_nx = _o663.nx;
+                    far_ny = _o663.ny;
+                    far_nz = _o663.nz;
+                    const kernel_bridge_distance_out _o664 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                    far_gap = _o664.gap;
+                }
+                const kernel_roll_placed_out _o665 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
+                far_x = _o665.x;
+                far_y = _o665.y;
+                far_z = _o665.z;
+                far_vx = _o665.vx;
+                far_vy = _o665.vy;
+                far_vz = _o665.vz;
+                far_wx = _o665.wx;
+                far_wy = _o665.wy;
+                far_wz = _o665.wz;
+                const kernel_compared_out _o666 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
+                dx = _o666.dx;
+                dy = _o666.dy;
+                dz = _o666.dz;
+                dvx = _o666.dvx;
+                dvy = _o666.dvy;
+                dvz = _o666.dvz;
+                dwx = _o666.dwx;
+                dwy = _o666.dwy;
+                dwz = _o666.dwz;
+                const kernel_rolled_on_out _o667 = kernel_rolled_on(which, clock, stride, rests);
+                clock = _o667.clock;
+                rolling = _o667.rolling;
+            }
+            for (size_t _turn = 0; _turn < 16; _turn++) {
+                if (!circling)
+                    break;
+                const kernel_error_bounds_out _o668 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_error = _o668.position_error;
+                velocity_error = _o668.velocity_error;
+                const kernel_ring_rolling_surface_out _o669 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
+                per_reach = _o669.per_reach;
+                const kernel_ring_round_start_out _o670 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz, wx, wy, wz, per_reach);
+                cosine_0 = _o670.cosine_0;
+                sine_0 = _o670.sine_0;
+                climb_0 = _o670.climb_0;
+                along_0 = _o670.along_0;
+                turn_rate_0 = _o670.turn_rate_0;
+                cos_0 = _o670.cos_0;
+                sin_0 = _o670.sin_0;
+                tilted_0 = _o670.tilted_0;
+                near_0 = _o670.near_0;
+                const kernel_ring_round_0_out _o671 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
+                omega_0 = _o671.omega_0;
+                around_0 = _o671.around_0;
+                cosine_1 = _o671.cosine_1;
+                sine_1 = _o671.sine_1;
+                climb_1 = _o671.climb_1;
+                along_1 = _o671.along_1;
+                turn_rate_1 = _o671.turn_rate_1;
+                tilted_1 = _o671.tilted_1;
+                const kernel_ring_round_1_out _o672 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
+                omega_1 = _o672.omega_1;
+                around_1 = _o672.around_1;
+                cosine_2 = _o672.cosine_2;
+                sine_2 = _o672.sine_2;
+                climb_2 = _o672.climb_2;
+                along_2 = _o672.along_2;
+                turn_rate_2 = _o672.turn_rate_2;
+                tilted_2 = _o672.tilted_2;
+                const kernel_ring_round_2_out _o673 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
+                omega_2 = _o673.omega_2;
+                around_2 = _o673.around_2;
+                cosine_3 = _o673.cosine_3;
+                sine_3 = _o673.sine_3;
+                climb_3 = _o673.climb_3;
+                along_3 = _o673.along_3;
+                turn_rate_3 = _o673.turn_rate_3;
+                tilted_3 = _o673.tilted_3;
+                const kernel_ring_round_3_out _o674 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
+                omega_3 = _o674.omega_3;
+                around_3 = _o674.around_3;
+                cosine_4 = _o674.cosine_4;
+                sine_4 = _o674.sine_4;
+                climb_4 = _o674.climb_4;
+                along_4 = _o674.along_4;
+                turn_rate_4 = _o674.turn_rate_4;
+                tilted_4 = _o674.tilted_4;
+                const kernel_ring_round_4_out _o675 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
+                omega_4 = _o675.omega_4;
+                around_4 = _o675.around_4;
+                cosine_5 = _o675.cosine_5;
+                sine_5 = _o675.sine_5;
+                climb_5 = _o675.climb_5;
+                along_5 = _o675.along_5;
+                turn_rate_5 = _o675.turn_rate_5;
+                tilted_5 = _o675.tilted_5;
+                const kernel_ring_round_5_out _o676 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
+                omega_5 = _o676.omega_5;
+                around_5 = _o676.around_5;
+                cosine_6 = _o676.cosine_6;
+                sine_6 = _o676.sine_6;
+                climb_6 = _o676.climb_6;
+                along_6 = _o676.along_6;
+                turn_rate_6 = _o676.turn_rate_6;
+                tilted_6 = _o676.tilted_6;
+                const kernel_ring_round_6_out _o677 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
+                omega_6 = _o677.omega_6;
+                around_6 = _o677.around_6;
+                cosine_7 = _o677.cosine_7;
+                sine_7 = _o677.sine_7;
+                climb_7 = _o677.climb_7;
+                along_7 = _o677.along_7;
+                turn_rate_7 = _o677.turn_rate_7;
+                tilted_7 = _o677.tilted_7;
+                const kernel_ring_round_7_out _o678 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
+                omega_7 = _o678.omega_7;
+                around_7 = _o678.around_7;
+                cosine_8 = _o678.cosine_8;
+                sine_8 = _o678.sine_8;
+                climb_8 = _o678.climb_8;
+                along_8 = _o678.along_8;
+                turn_rate_8 = _o678.turn_rate_8;
+                tilted_8 = _o678.tilted_8;
+                const kernel_ring_round_8_out _o679 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
+                omega_8 = _o679.omega_8;
+                around_8 = _o679.around_8;
+                cosine_9 = _o679.cosine_9;
+                sine_9 = _o679.sine_9;
+                climb_9 = _o679.climb_9;
+                along_9 = _o679.along_9;
+                turn_rate_9 = _o679.turn_rate_9;
+                tilted_9 = _o679.tilted_9;
+                const kernel_ring_round_9_out _o680 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
+                omega_9 = _o680.omega_9;
+                around_9 = _o680.around_9;
+                cosine_10 = _o680.cosine_10;
+                sine_10 = _o680.sine_10;
+                climb_10 = _o680.climb_10;
+                along_10 = _o680.along_10;
+                turn_rate_10 = _o680.turn_rate_10;
+                tilted_10 = _o680.tilted_10;
+                const kernel_ring_round_10_out _o681 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
+                omega_10 = _o681.omega_10;
+                around_10 = _o681.around_10;
+                cosine_11 = _o681.cosine_11;
+                sine_11 = _o681.sine_11;
+                climb_11 = _o681.climb_11;
+                along_11 = _o681.along_11;
+                turn_rate_11 = _o681.turn_rate_11;
+                tilted_11 = _o681.tilted_11;
+                const kernel_ring_round_11_out _o682 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
+                omega_11 = _o682.omega_11;
+                cosine_12 = _o682.cosine_12;
+                sine_12 = _o682.sine_12;
+                climb_12 = _o682.climb_12;
+                along_12 = _o682.along_12;
+                turn_rate_12 = _o682.turn_rate_12;
+                const kernel_ring_round_pace_out _o683 = kernel_ring_round_pace(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                stride = _o683.stride;
+                missed = _o683.missed;
+                strongest = _o683.strongest;
+                fastest = _o683.fastest;
+                section_acceleration = _o683.section_acceleration;
+                force = _o683.force;
+                force_rate = _o683.force_rate;
+                force_bend = _o683.force_bend;
+                friction_force_rate = _o683.friction_force_rate;
+                vx_1 = _o683.vx_1;
+                vy_1 = _o683.vy_1;
+                vz_1 = _o683.vz_1;
+                const kernel_ring_round_pulled_out _o684 = kernel_ring_round_pulled(p_gravity, p_inertia, turn_rate_0, turn_rate_1, climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1);
+                rolling_friction = _o684.rolling_friction;
+                rolling_friction_rate = _o684.rolling_friction_rate;
+                const kernel_ring_impact_grip_deficit_out _o685 = kernel_ring_impact_grip_deficit(p_ring_friction, rolling_friction, rolling_friction_rate, force, force_rate);
+                grip_deficit = _o685.grip_deficit;
+                grip_deficit_rate = _o685.grip_deficit_rate;
+                const kernel_losing_out _o686 = kernel_losing(grip_deficit, grip_lost);
+                loses = _o686.loses;
+                if (loses) {
+                    const kernel_lost_grip_out _o687 = kernel_lost_grip(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                    grip_lost = _o687.grip_lost;
+                }
+                const kernel_remember_grip_deficit_out _o688 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
+                last_grip_deficit = _o688.last_grip_deficit;
+                last_grip_deficit_rate = _o688.last_grip_deficit_rate;
+                last_grip_clock = _o688.last_grip_clock;
+                const kernel_leaving_force_out _o689 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, doubt, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                stride = _o689.stride;
+                which = _o689.which;
+                rests = _o689.rests;
+                doubt = _o689.doubt;
+                const kernel_backboard_beside_out _o690 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o690.gap;
+                nearing = _o690.nearing;
+                gap_curvature = _o690.gap_curvature;
+                const kernel_beside_body_out _o691 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o691.stride;
+                which = _o691.which;
+                doubt = _o691.doubt;
+                earliest_delay = _o691.earliest_delay;
+                const kernel_bridge_beside_out _o692 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o692.gap;
+                nearing = _o692.nearing;
+                gap_curvature = _o692.gap_curvature;
+                const kernel_beside_body_out _o693 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o693.stride;
+                which = _o693.which;
+                doubt = _o693.doubt;
+                earliest_delay = _o693.earliest_delay;
+                const kernel_end_beside_out _o694 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o694.gap;
+                nearing = _o694.nearing;
+                gap_curvature = _o694.gap_curvature;
+                const kernel_beside_gate_out _o695 = kernel_beside_gate(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, doubt, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o695.stride;
+                which = _o695.which;
+                doubt = _o695.doubt;
+                earliest_delay = _o695.earliest_delay;
+                const kernel_beside_time_out _o696 = kernel_beside_time(which, clock, time_limit, stride);
+                stride = _o696.stride;
+                which = _o696.which;
+                const kernel_neighbour_scale_out _o697 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                neighbour_scale = _o697.neighbour_scale;
+                const kernel_neighbour_out _o698 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
+                far_x = _o698.far_x;
+                far_y = _o698.far_y;
+                far_z = _o698.far_z;
+                far_vx = _o698.far_vx;
+                far_vy = _o698.far_vy;
+                far_vz = _o698.far_vz;
+                far_wx = _o698.far_wx;
+                far_wy = _o698.far_wy;
+                far_wz = _o698.far_wz;
+                const kernel_passing_from_out _o699 = kernel_passing_from(z);
+                over = _o699.over;
+                const kernel_isolated_out _o700 = kernel_isolated();
+                azimuth_clearance = _o700.nearest;
+                const kernel_half_steps_out _o701 = kernel_half_steps(stride);
+                forth = _o701.forth;
+                back = _o701.back;
+                const kernel_backboard_around_out _o702 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o702.gap;
+                nearing = _o702.nearing;
+                const kernel_cleared_out _o703 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o703.azimuth_clearance;
+                const kernel_bridge_around_out _o704 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o704.gap;
+                nearing = _o704.nearing;
+                const kernel_cleared_out _o705 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o705.azimuth_clearance;
+                const kernel_end_around_out _o706 = kernel_end_around(p_end_depth, z, vz);
+                gap = _o706.gap;
+                nearing = _o706.nearing;
+                const kernel_cleared_out _o707 = kernel_cleared(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o707.azimuth_clearance;
+                const kernel_ring_round_moved_out _o708 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                x = _o708.x;
+                y = _o708.y;
+                z = _o708.z;
+                vx = _o708.vx;
+                vy = _o708.vy;
+                vz = _o708.vz;
+                wx = _o708.wx;
+                wy = _o708.wy;
+                wz = _o708.wz;
+                climb = _o708.climb;
+                const kernel_passing_in_contact_out _o709 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
+                through = _o709.through;
+                const kernel_backboard_around_out _o710 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o710.gap;
+                nearing = _o710.nearing;
+                const kernel_cleared_out _o711 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o711.azimuth_clearance;
+                const kernel_bridge_around_out _o712 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o712.gap;
+                nearing = _o712.nearing;
+                const kernel_cleared_out _o713 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o713.azimuth_clearance;
+                const kernel_end_around_out _o714 = kernel_end_around(p_end_depth, z, vz);
+                gap = _o714.gap;
+                nearing = _o714.nearing;
+                const kernel_cleared_out _o715 = kernel_cleared(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o715.azimuth_clearance;
+                const kernel_ring_swung_out _o716 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, doubt, position_error, velocity_error, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
+                circled = _o716.circled;
+                endless = _o716.endless;
+                doubt = _o716.doubt;
+                const kernel_for_ever_out _o717 = kernel_for_ever(which, endless);
+                which = _o717.which;
+                const kernel_ring_round_start_out _o718 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach);
+                cosine_0 = _o718.cosine_0;
+                sine_0 = _o718.sine_0;
+                climb_0 = _o718.climb_0;
+                along_0 = _o718.along_0;
+                turn_rate_0 = _o718.turn_rate_0;
+                cos_0 = _o718.cos_0;
+                sin_0 = _o718.sin_0;
+                tilted_0 = _o718.tilted_0;
+                near_0 = _o718.near_0;
+                const kernel_ring_round_0_out _o719 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
+                omega_0 = _o719.omega_0;
+                around_0 = _o719.around_0;
+                cosine_1 = _o719.cosine_1;
+                sine_1 = _o719.sine_1;
+                climb_1 = _o719.climb_1;
+                along_1 = _o719.along_1;
+                turn_rate_1 = _o719.turn_rate_1;
+                tilted_1 = _o719.tilted_1;
+                const kernel_ring_round_1_out _o720 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
+                omega_1 = _o720.omega_1;
+                around_1 = _o720.around_1;
+                cosine_2 = _o720.cosine_2;
+                sine_2 = _o720.sine_2;
+                climb_2 = _o720.climb_2;
+                along_2 = _o720.along_2;
+                turn_rate_2 = _o720.turn_rate_2;
+                tilted_2 = _o720.tilted_2;
+                const kernel_ring_round_2_out _o721 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
+                omega_2 = _o721.omega_2;
+                around_2 = _o721.around_2;
+                cosine_3 = _o721.cosine_3;
+                sine_3 = _o721.sine_3;
+                climb_3 = _o721.climb_3;
+                along_3 = _o721.along_3;
+                turn_rate_3 = _o721.turn_rate_3;
+                tilted_3 = _o721.tilted_3;
+                const kernel_ring_round_3_out _o722 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
+                omega_3 = _o722.omega_3;
+                around_3 = _o722.around_3;
+                cosine_4 = _o722.cosine_4;
+                sine_4 = _o722.sine_4;
+                climb_4 = _o722.climb_4;
+                along_4 = _o722.along_4;
+                turn_rate_4 = _o722.turn_rate_4;
+                tilted_4 = _o722.tilted_4;
+                const kernel_ring_round_4_out _o723 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
+                omega_4 = _o723.omega_4;
+                around_4 = _o723.around_4;
+                cosine_5 = _o723.cosine_5;
+                sine_5 = _o723.sine_5;
+                climb_5 = _o723.climb_5;
+                along_5 = _o723.along_5;
+                turn_rate_5 = _o723.turn_rate_5;
+                tilted_5 = _o723.tilted_5;
+                const kernel_ring_round_5_out _o724 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
+                omega_5 = _o724.omega_5;
+                around_5 = _o724.around_5;
+                cosine_6 = _o724.cosine_6;
+                sine_6 = _o724.sine_6;
+                climb_6 = _o724.climb_6;
+                along_6 = _o724.along_6;
+                turn_rate_6 = _o724.turn_rate_6;
+                tilted_6 = _o724.tilted_6;
+                const kernel_ring_round_6_out _o725 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
+                omega_6 = _o725.omega_6;
+                around_6 = _o725.around_6;
+                cosine_7 = _o725.cosine_7;
+                sine_7 = _o725.sine_7;
+                climb_7 = _o725.climb_7;
+                along_7 = _o725.along_7;
+                turn_rate_7 = _o725.turn_rate_7;
+                tilted_7 = _o725.tilted_7;
+                const kernel_ring_round_7_out _o726 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
+                omega_7 = _o726.omega_7;
+                around_7 = _o726.around_7;
+                cosine_8 = _o726.cosine_8;
+                sine_8 = _o726.sine_8;
+                climb_8 = _o726.climb_8;
+                along_8 = _o726.along_8;
+                turn_rate_8 = _o726.turn_rate_8;
+                tilted_8 = _o726.tilted_8;
+                const kernel_ring_round_8_out _o727 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
+                omega_8 = _o727.omega_8;
+                around_8 = _o727.around_8;
+                cosine_9 = _o727.cosine_9;
+                sine_9 = _o727.sine_9;
+                climb_9 = _o727.climb_9;
+                along_9 = _o727.along_9;
+                turn_rate_9 = _o727.turn_rate_9;
+                tilted_9 = _o727.tilted_9;
+                const kernel_ring_round_9_out _o728 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
+                omega_9 = _o728.omega_9;
+                around_9 = _o728.around_9;
+                cosine_10 = _o728.cosine_10;
+                sine_10 = _o728.sine_10;
+                climb_10 = _o728.climb_10;
+                along_10 = _o728.along_10;
+                turn_rate_10 = _o728.turn_rate_10;
+                tilted_10 = _o728.tilted_10;
+                const kernel_ring_round_10_out _o729 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
+                omega_10 = _o729.omega_10;
+                around_10 = _o729.around_10;
+                cosine_11 = _o729.cosine_11;
+                sine_11 = _o729.sine_11;
+                climb_11 = _o729.climb_11;
+                along_11 = _o729.along_11;
+                turn_rate_11 = _o729.turn_rate_11;
+                tilted_11 = _o729.tilted_11;
+                const kernel_ring_round_11_out _o730 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
+                omega_11 = _o730.omega_11;
+                cosine_12 = _o730.cosine_12;
+                sine_12 = _o730.sine_12;
+                climb_12 = _o730.climb_12;
+                along_12 = _o730.along_12;
+                turn_rate_12 = _o730.turn_rate_12;
+                const kernel_ring_round_moved_out _o731 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                far_x = _o731.x;
+                far_y = _o731.y;
+                far_z = _o731.z;
+                far_vx = _o731.vx;
+                far_vy = _o731.vy;
+                far_vz = _o731.vz;
+                far_wx = _o731.wx;
+                far_wy = _o731.wy;
+                far_wz = _o731.wz;
+                const kernel_compared_out _o732 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
+                dx = _o732.dx;
+                dy = _o732.dy;
+                dz = _o732.dz;
+                dvx = _o732.dvx;
+                dvy = _o732.dvy;
+                dvz = _o732.dvz;
+                dwx = _o732.dwx;
+                dwy = _o732.dwy;
+                dwz = _o732.dwz;
+                const kernel_rolled_on_out _o733 = kernel_rolled_on(which, clock, stride, rests);
+                clock = _o733.clock;
+                circling = _o733.rolling;
+            }
+            const kernel_rejoined_out _o734 = kernel_rejoined(rolling, circling);
+            rolling = _o734.rolling;
+            if (leaves) {
+                const kernel_error_bounds_out _o735 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_error = _o735.position_error;
+                velocity_error = _o735.velocity_error;
+                const kernel_holding_out _o736 = kernel_holding(0.0, held);
+                here = _o736.here;
+                if (here) {
+                    const kernel_ring_rolling_surface_out _o737 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
+                    per_reach = _o737.per_reach;
+                    const kernel_ring_separation_out _o738 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
+                    lift = _o738.lift;
+                    gap_jerk = _o738.gap_jerk;
+                    gap_snap = _o738.gap_snap;
+                }
+                const kernel_holding_out _o739 = kernel_holding(1.0, held);
+                here = _o739.here;
+                if (here) {
+                    const kernel_backboard_rolling_surface_out _o740 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    per_reach = _o740.per_reach;
+                    const kernel_backboard_separation_out _o741 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
+                    lift = _o741.lift;
+                    gap_jerk = _o741.gap_jerk;
+                    gap_snap = _o741.gap_snap;
+                }
+                const kernel_holding_out _o742 = kernel_holding(2.0, held);
+                here = _o742.here;
+                if (here) {
+                    const kernel_bridge_rolling_surface_out _o743 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    per_reach = _o743.per_reach;
+                    const kernel_bridge_separation_out _o744 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    lift = _o744.lift;
+                    gap_jerk = _o744.gap_jerk;
+                    gap_snap = _o744.gap_snap;
+                }
+                const kernel_no_contact_out _o745 = kernel_no_contact();
+                free_time = _o745.free_time;
+                const kernel_beside_out _o746 = kernel_beside(0.0, held);
+                beside = _o746.beside;
+                if (beside) {
+                    const kernel_ring_beside_out _o747 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o747.gap;
+                    nearing = _o747.nearing;
+                    gap_curvature = _o747.gap_curvature;
+                    const kernel_neighbour_free_time_out _o748 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
+                    free_time = _o748.free_time;
+                }
+                const kernel_beside_out _o749 = kernel_beside(1.0, held);
+                beside = _o749.beside;
+                if (beside) {
+                    const kernel_backboard_beside_out _o750 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    gap = _o750.gap;
+                    nearing = _o750.nearing;
+                    gap_curvature = _o750.gap_curvature;
+                    const kernel_neighbour_free_time_out _o751 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
+                    free_time = _o751.free_time;
+                }
+                const kernel_beside_out _o752 = kernel_beside(2.0, held);
+                beside = _o752.beside;
+                if (beside) {
+                    const kernel_bridge_beside_out _o753 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o753.gap;
+                    nearing = _o753.nearing;
+                    gap_curvature = _o753.gap_curvature;
+                    const kernel_neighbour_free_time_out _o754 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
+                    free_time = _o754.free_time;
+                }
+                const kernel_end_beside_out _o755 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o755.gap;
+                nearing = _o755.nearing;
+                gap_curvature = _o755.gap_curvature;
+                const kernel_end_plane_free_time_out _o756 = kernel_end_plane_free_time(p_gravity, vx, vy, vz, gap, doubt, free_time, nearing, gap_curvature);
+                free_time = _o756.free_time;
+                doubt = _o756.doubt;
+                const kernel_holding_out _o757 = kernel_holding(1.0, held);
+                here = _o757.here;
+                if (here) {
+                    const kernel_backboard_seam0_out _o758 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o758.gap;
+                    nearing = _o758.nearing;
+                    near = _o758.near;
+                    const kernel_seam_free_time_out _o759 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o759.free_time;
+                    const kernel_backboard_seam1_out _o760 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o760.gap;
+                    nearing = _o760.nearing;
+                    near = _o760.near;
+                    const kernel_seam_free_time_out _o761 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o761.free_time;
+                    const kernel_backboard_seam2_out _o762 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o762.gap;
+                    nearing = _o762.nearing;
+                    near = _o762.near;
+                    const kernel_seam_free_time_out _o763 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o763.free_time;
+                    const kernel_backboard_seam3_out _o764 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o764.gap;
+                    nearing = _o764.nearing;
+                    near = _o764.near;
+                    const kernel_seam_free_time_out _o765 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o765.free_time;
+                    const kernel_backboard_seam4_out _o766 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o766.gap;
+                    nearing = _o766.nearing;
+                    near = _o766.near;
+                    const kernel_seam_free_time_out _o767 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o767.free_time;
+                    const kernel_backboard_seam5_out _o768 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o768.gap;
+                    nearing = _o768.nearing;
+                    near = _o768.near;
+                    const kernel_seam_free_time_out _o769 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o769.free_time;
+                }
+                const kernel_holding_out _o770 = kernel_holding(2.0, held);
+                here = _o770.here;
+                if (here) {
+                    const kernel_bridge_seam0_out _o771 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o771.gap;
+                    nearing = _o771.nearing;
+                    near = _o771.near;
+                    const kernel_seam_free_time_out _o772 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o772.free_time;
+                    const kernel_bridge_seam1_out _o773 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o773.gap;
+                    nearing = _o773.nearing;
+                    near = _o773.near;
+                    const kernel_seam_free_time_out _o774 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o774.free_time;
+                    const kernel_bridge_seam2_out _o775 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o775.gap;
+                    nearing = _o775.nearing;
+                    near = _o775.near;
+                    const kernel_seam_free_time_out _o776 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o776.free_time;
+                    const kernel_bridge_seam3_out _o777 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o777.gap;
+                    nearing = _o777.nearing;
+                    near = _o777.near;
+                    const kernel_seam_free_time_out _o778 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o778.free_time;
+                    const kernel_bridge_seam4_out _o779 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o779.gap;
+                    nearing = _o779.nearing;
+                    near = _o779.near;
+                    const kernel_seam_free_time_out _o780 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o780.free_time;
+                    const kernel_bridge_seam5_out _o781 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o781.gap;
+                    nearing = _o781.nearing;
+                    near = _o781.near;
+                    const kernel_seam_free_time_out _o782 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o782.free_time;
+                }
+                const kernel_separated_out _o783 = kernel_separated(p_gravity, vx, vy, vz, doubt, position_error, velocity_error, per_reach, free_time, lift, gap_jerk, gap_snap);
+                when = _o783.when;
+                doubt = _o783.doubt;
+                const kernel_take_off_out _o784 = kernel_take_off();
+                which = _o784.which;
+            }
+        }
+        const kernel_departed_out _o785 = kernel_departed(3.0, which);
+        moves = _o785.moves;
+        ends = _o785.ends;
+        touches = _o785.touches;
+        reached = _o785.reached;
+        edge = _o785.edge;
+        const kernel_body_of_out _o786 = kernel_body_of(which);
+        body = _o786.body;
+        if (moves) {
+            const kernel_passing_doubt_out _o787 = kernel_passing_doubt(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
+            unsure = _o787.unsure;
+            const kernel_undecided_out _o788 = kernel_undecided(uncertain, unsure);
+            uncertain = _o788.uncertain;
+            const kernel_passing_out _o789 = kernel_passing(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
+            through = _o789.through;
+            const kernel_flight_out _o790 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
+            x = _o790.x;
+            y = _o790.y;
+            z = _o790.z;
+            vx = _o790.vx;
+            vy = _o790.vy;
+            vz = _o790.vz;
+            const kernel_event_clock_out _o791 = kernel_event_clock(when, clock);
+            clock = _o791.clock;
+        }
+        if (limited) {
+            const kernel_expired_out _o792 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
+            clock = _o792.clock;
+            body = _o792.body;
+            reached = _o792.reached;
+            ends = _o792.ends;
+        }
+        const kernel_unhopped_out _o793 = kernel_unhopped();
+        hopped = _o793.hopped;
+        if (in_contact) {
+            const kernel_stay_in_contact_out _o794 = kernel_stay_in_contact(last, which, doubt, body, clock, reached, ends, held, rolls, rolling, began, rests);
+            body = _o794.body;
+            reached = _o794.reached;
+            doubt = _o794.doubt;
+            ends = _o794.ends;
+            hopped = _o794.hopped;
+            last = _o794.last;
+            mode = _o794.mode;
+            held = _o794.held;
+            rolls = _o794.rolls;
+        }
+        const kernel_displacement_out _o795 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
+        slack = _o795.margin;
+        const kernel_here_out _o796 = kernel_here(3.0, which);
+        here = _o796.here;
+        if (here) {
+            const kernel_end_bounds_out _o797 = kernel_end_bounds(x, y, p_ring_radius);
+            g0 = _o797.g0;
+            const kernel_end_reached_out _o798 = kernel_end_reached(through, g0);
+            reached = _o798.reached;
+            const kernel_end_edge_out _o799 = kernel_end_edge(slack, through, g0);
+            edge = _o799.edge;
+        }
+        const kernel_doubted_in_contact_out _o800 = kernel_doubted_in_contact(last, when, which, earliest_delay, doubt, uncertain, edge, assured);
+        uncertain = _o800.uncertain;
+        const kernel_accounted_out _o801 = kernel_accounted(contacts, most_contacts, reached, touches);
+        contacts = _o801.contacts;
+        outcome = _o801.outcome;
+
+        const double _before[] = {x, y, z, vx, vy, vz, wx, wy, wz};
+
+        /* What it does to the ball. */
+        const kernel_meeting_out _o802 = kernel_meeting(claims, ends, touches);
+        meeting = _o802.meeting;
+        const kernel_unslowed_out _o803 = kernel_unslowed();
+        slow = _o803.slow;
+        if (meeting) {
+            const kernel_end_normal_out _o804 = kernel_end_normal();
+            nx = _o804.nx;
+            ny = _o804.ny;
+            nz = _o804.nz;
+            const kernel_here_out _o805 = kernel_here(0.0, which);
+            here = _o805.here;
+            if (here) {
+                const kernel_ring_normal_out _o806 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = _o806.nx;
+                ny = _o806.ny;
+                nz = _o806.nz;
+                const kernel_counted_out _o807 = kernel_counted(count_0);
+                count_0 = _o807.count;
+            }
+            const kernel_here_out _o808 = kernel_here(1.0, which);
+            here = _o808.here;
+            if (here) {
+                const kernel_backboard_normal_out _o809 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = _o809.nx;
+                ny = _o809.ny;
+                nz = _o809.nz;
+                const kernel_counted_out _o810 = kernel_counted(count_1);
+                count_1 = _o810.count;
+            }
+            const kernel_here_out _o811 = kernel_here(2.0, which);
+            here = _o811.here;
+            if (here) {
+                const kernel_bridge_normal_out _o812 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = _o812.nx;
+                ny = _o812.ny;
+                nz = _o812.nz;
+                const kernel_counted_out _o813 = kernel_counted(count_2);
+                count_2 = _o813.count;
+            }
+            const kernel_elsewhere_out _o814 = kernel_elsewhere();
+            curving = _o814.curving;
+            const kernel_anew_out _o815 = kernel_anew();
+            left_nx = _o815.left_nx;
+            left_ny = _o815.left_ny;
+            left_nz = _o815.left_nz;
+            const kernel_again_out _o816 = kernel_again(0.0, last, which);
+            again = _o816.again;
+            if (again) {
+                const kernel_ring_curvature_out _o817 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
+                curving = _o817.curvature;
+                const kernel_started_out _o818 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
+                from_x = _o818.from_x;
+                from_y = _o818.from_y;
+                from_z = _o818.from_z;
+                const kernel_ring_normal_out _o819 = kernel_ring_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
+                left_nx = _o819.nx;
+                left_ny = _o819.ny;
+                left_nz = _o819.nz;
+            }
+            const kernel_again_out _o820 = kernel_again(1.0, last, which);
+            again = _o820.again;
+            if (again) {
+                const kernel_backboard_curvature_out _o821 = kernel_backboard_curvature(p_ball_radius);
+                curving = _o821.curvature;
+                const kernel_started_out _o822 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
+                from_x = _o822.from_x;
+                from_y = _o822.from_y;
+                from_z = _o822.from_z;
+                const kernel_backboard_normal_out _o823 = kernel_backboard_normal(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                left_nx = _o823.nx;
+                left_ny = _o823.ny;
+                left_nz = _o823.nz;
+            }
+            const kernel_again_out _o824 = kernel_again(2.0, last, which);
+            again = _o824.again;
+            if (again) {
+                const kernel_bridge_curvature_out _o825 = kernel_bridge_curvature(p_ball_radius);
+                curving = _o825.curvature;
+                const kernel_started_out _o826 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
+                from_x = _o826.from_x;
+                from_y = _o826.from_y;
+                from_z = _o826.from_z;
+                const kernel_bridge_normal_out _o827 = kernel_bridge_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                left_nx = _o827.nx;
+                left_ny = _o827.ny;
+                left_nz = _o827.nz;
+            }
+            const kernel_carry_flight_out _o828 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
+            dx = _o828.dx;
+            dy = _o828.dy;
+            dz = _o828.dz;
+            lifting = _o828.lifting;
+            dvx = _o828.dvx;
+            dvy = _o828.dvy;
+            dvz = _o828.dvz;
+            belated = _o828.delay;
+            shift = _o828.shift;
+            const kernel_delayed_out _o829 = kernel_delayed(belated, clock_error);
+            clock_error = _o829.clock_error;
+            if (ends) {
+                const kernel_floored_out _o830 = kernel_floored(dx, dy, dz, shift);
+                dx = _o830.dx;
+                dy = _o830.dy;
+                dz = _o830.dz;
+            }
+            const kernel_unturned_out _o831 = kernel_unturned();
+            dnx = _o831.dnx;
+            dny = _o831.dny;
+            dnz = _o831.dnz;
+            turn = _o831.turn;
+            const kernel_here_out _o832 = kernel_here(0.0, which);
+            here = _o832.here;
+            if (here) {
+                const kernel_ring_carry_normal_out _o833 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
+                dnx = _o833.dnx;
+                dny = _o833.dny;
+                dnz = _o833.dnz;
+                turn = _o833.turn;
+            }
+            const kernel_here_out _o834 = kernel_here(1.0, which);
+            here = _o834.here;
+            if (here) {
+                const kernel_backboard_carry_normal_out _o835 = kernel_backboard_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                dnx = _o835.dnx;
+                dny = _o835.dny;
+                dnz = _o835.dnz;
+                turn = _o835.turn;
+            }
+            const kernel_here_out _o836 = kernel_here(2.0, which);
+            here = _o836.here;
+            if (here) {
+                const kernel_bridge_carry_normal_out _o837 = kernel_bridge_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                dnx = _o837.dnx;
+                dny = _o837.dny;
+                dnz = _o837.dnz;
+                turn = _o837.turn;
+            }
+            const kernel_untaken_out _o838 = kernel_untaken();
+            struck_0 = _o838.of_this_kind;
+            const kernel_ring_impact_taken_out _o839 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
+            its_0_ring_impact = _o839.its_0;
+            its_1_ring_impact = _o839.its_1;
+            for (size_t _row = 0; _row < 3; _row++) {
+                const double own_1 = parameter(_given, table_0[_row][0]);
+                const double own_2 = parameter(_given, table_0[_row][1]);
+                const double own_index = table_1[_row][0];
+                const kernel_here_out _o840 = kernel_here(own_index, which);
+                here = _o840.here;
+                if (here) {
+                    const kernel_ring_impact_taken_out _o841 = kernel_ring_impact_taken(own_2, own_1);
+                    struck_0 = _o841.of_this_kind;
+                    its_0_ring_impact = _o841.its_0;
+                    its_1_ring_impact = _o841.its_1;
+                }
+            }
+            if (struck_0) {
+                const kernel_ring_impact_doubt_out _o842 = kernel_ring_impact_doubt(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                unsure = _o842.unsure;
+                const kernel_undecided_out _o843 = kernel_undecided(uncertain, unsure);
+                uncertain = _o843.uncertain;
+                const kernel_carry_ring_impact_out _o844 = kernel_carry_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                dvx = _o844.dvx;
+                dvy = _o844.dvy;
+                dvz = _o844.dvz;
+                dwx = _o844.dwx;
+                dwy = _o844.dwy;
+                dwz = _o844.dwz;
+                const kernel_ring_impact_out _o845 = kernel_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                vx = _o845.vx;
+                vy = _o845.vy;
+                vz = _o845.vz;
+                wx = _o845.wx;
+                wy = _o845.wy;
+                wz = _o845.wz;
+            }
+            if (touches) {
+                const kernel_touched_out _o846 = kernel_touched(which, body, first);
+                first = _o846.first;
+                last = _o846.last;
+                const kernel_slowed_out _o847 = kernel_slowed(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, position_error);
+                slow = _o847.slow;
+                assured = _o847.assured;
+            }
+        }
+        if (slow) {
+            const kernel_ring_normal_out _o848 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+            nx = _o848.nx;
+            ny = _o848.ny;
+            nz = _o848.nz;
+            const kernel_here_out _o849 = kernel_here(1.0, which);
+            here = _o849.here;
+            if (here) {
+                const kernel_backboard_normal_out _o850 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = _o850.nx;
+                ny = _o850.ny;
+                nz = _o850.nz;
+            }
+            const kernel_here_out _o851 = kernel_here(2.0, which);
+            here = _o851.here;
+            if (here) {
+                const kernel_bridge_normal_out _o852 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = _o852.nx;
+                ny = _o852.ny;
+                nz = _o852.nz;
+            }
+            const kernel_nearly_out _o853 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
+            nearly = _o853.nearly;
+            const kernel_gripped_out _o854 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+            rolled_x = _o854.rolled_x;
+            rolled_y = _o854.rolled_y;
+            rolled_z = _o854.rolled_z;
+            slip = _o854.slip;
+            bounce = _o854.bounce;
+            const kernel_here_out _o855 = kernel_here(0.0, which);
+            here = _o855.here;
+            if (here) {
+                const kernel_ring_turning_out _o856 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
+                turning_x = _o856.turning_x;
+                turning_y = _o856.turning_y;
+                turning_z = _o856.turning_z;
+                const kernel_pressed_on_out _o857 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o857.press;
+                weight = _o857.weight;
+                rolling_friction = _o857.rolling_friction;
+                rolling_acceleration_x = _o857.rolling_acceleration_x;
+                rolling_acceleration_y = _o857.rolling_acceleration_y;
+                rolling_acceleration_z = _o857.rolling_acceleration_z;
+                const kernel_isolated_out _o858 = kernel_isolated();
+                nearest = _o858.nearest;
+                second_contact_gap = _o858.second_contact_gap;
+                const kernel_backboard_closing_out _o859 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o859.gap;
+                nearing = _o859.nearing;
+                rolling_gap_acceleration = _o859.rolling_gap_acceleration;
+                normal_cosine = _o859.normal_cosine;
+                const kernel_neared_body_out _o860 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o860.nearest;
+                second_contact_gap = _o860.second_contact_gap;
+                const kernel_bridge_closing_out _o861 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o861.gap;
+                nearing = _o861.nearing;
+                rolling_gap_acceleration = _o861.rolling_gap_acceleration;
+                normal_cosine = _o861.normal_cosine;
+                const kernel_neared_body_out _o862 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o862.nearest;
+                second_contact_gap = _o862.second_contact_gap;
+                const kernel_end_beside_out _o863 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o863.gap;
+                const kernel_neared_out _o864 = kernel_neared(gap, nearest);
+                nearest = _o864.nearest;
+                const kernel_ring_separation_out _o865 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
+                lift = _o865.lift;
+                const kernel_ring_impact_settling_out _o866 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                settles = _o866.settles;
+                lodges = _o866.lodges;
+                slides = _o866.slides;
+                unpressed = _o866.unpressed;
+                assured = _o866.assured;
+                unsure = _o866.unsure;
+                const kernel_settled_out _o867 = kernel_settled(0.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
+                mode = _o867.mode;
+                held = _o867.held;
+                outcome = _o867.outcome;
+                slip_left = _o867.slip_left;
+                uncertain = _o867.uncertain;
+            }
+            const kernel_here_out _o868 = kernel_here(1.0, which);
+            here = _o868.here;
+            if (here) {
+                const kernel_backboard_turning_out _o869 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o869.turning_x;
+                turning_y = _o869.turning_y;
+                turning_z = _o869.turning_z;
+                const kernel_pressed_on_out _o870 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o870.press;
+                weight = _o870.weight;
+                rolling_friction = _o870.rolling_friction;
+                rolling_acceleration_x = _o870.rolling_acceleration_x;
+                rolling_acceleration_y = _o870.rolling_acceleration_y;
+                rolling_acceleration_z = _o870.rolling_acceleration_z;
+                const kernel_isolated_out _o871 = kernel_isolated();
+                nearest = _o871.nearest;
+                second_contact_gap = _o871.second_contact_gap;
+                const kernel_ring_closing_out _o872 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o872.gap;
+                nearing = _o872.nearing;
+                rolling_gap_acceleration = _o872.rolling_gap_acceleration;
+                normal_cosine = _o872.normal_cosine;
+                const kernel_neared_body_out _o873 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o873.nearest;
+                second_contact_gap = _o873.second_contact_gap;
+                const kernel_bridge_closing_out _o874 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o874.gap;
+                nearing = _o874.nearing;
+                rolling_gap_acceleration = _o874.rolling_gap_acceleration;
+                normal_cosine = _o874.normal_cosine;
+                const kernel_neared_body_out _o875 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o875.nearest;
+                second_contact_gap = _o875.second_contact_gap;
+                const kernel_end_beside_out _o876 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o876.gap;
+                const kernel_neared_out _o877 = kernel_neared(gap, nearest);
+                nearest = _o877.nearest;
+                const kernel_backboard_separation_out _o878 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
+                lift = _o878.lift;
+                const kernel_ring_impact_settling_out _o879 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                settles = _o879.settles;
+                lodges = _o879.lodges;
+                slides = _o879.slides;
+                unpressed = _o879.unpressed;
+                assured = _o879.assured;
+                unsure = _o879.unsure;
+                const kernel_settled_out _o880 = kernel_settled(1.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
+                mode = _o880.mode;
+                held = _o880.held;
+                outcome = _o880.outcome;
+                slip_left = _o880.slip_left;
+                uncertain = _o880.uncertain;
+            }
+            const kernel_here_out _o881 = kernel_here(2.0, which);
+            here = _o881.here;
+            if (here) {
+                const kernel_bridge_turning_out _o882 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o882.turning_x;
+                turning_y = _o882.turning_y;
+                turning_z = _o882.turning_z;
+                const kernel_pressed_on_out _o883 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o883.press;
+                weight = _o883.weight;
+                rolling_friction = _o883.rolling_friction;
+                rolling_acceleration_x = _o883.rolling_acceleration_x;
+                rolling_acceleration_y = _o883.rolling_acceleration_y;
+                rolling_acceleration_z = _o883.rolling_acceleration_z;
+                const kernel_isolated_out _o884 = kernel_isolated();
+                nearest = _o884.nearest;
+                second_contact_gap = _o884.second_contact_gap;
+                const kernel_ring_closing_out _o885 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o885.gap;
+                nearing = _o885.nearing;
+                rolling_gap_acceleration = _o885.rolling_gap_acceleration;
+                normal_cosine = _o885.normal_cosine;
+                const kernel_neared_body_out _o886 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o886.nearest;
+                second_contact_gap = _o886.second_contact_gap;
+                const kernel_backboard_closing_out _o887 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o887.gap;
+                nearing = _o887.nearing;
+                rolling_gap_acceleration = _o887.rolling_gap_acceleration;
+                normal_cosine = _o887.normal_cosine;
+                const kernel_neared_body_out _o888 = kernel_neared_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o888.nearest;
+                second_contact_gap = _o888.second_contact_gap;
+                const kernel_end_beside_out _o889 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o889.gap;
+                const kernel_neared_out _o890 = kernel_neared(gap, nearest);
+                nearest = _o890.nearest;
+                const kernel_bridge_separation_out _o891 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                lift = _o891.lift;
+                const kernel_ring_impact_settling_out _o892 = kernel_ring_impact_settling(p_ball_radius, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, velocity_error, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift);
+                settles = _o892.settles;
+                lodges = _o892.lodges;
+                slides = _o892.slides;
+                unpressed = _o892.unpressed;
+                assured = _o892.assured;
+                unsure = _o892.unsure;
+                const kernel_settled_out _o893 = kernel_settled(2.0, outcome, uncertain, unsure, settles, nearly, lodges, slides, unpressed);
+                mode = _o893.mode;
+                held = _o893.held;
+                outcome = _o893.outcome;
+                slip_left = _o893.slip_left;
+                uncertain = _o893.uncertain;
+            }
+        }
+        if (limited) {
+            const kernel_timed_out _o894 = kernel_timed(4.0, which, claims);
+            timed = _o894.timed;
+            if (timed) {
+                const kernel_carry_time_out _o895 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                dx = _o895.dx;
+                dy = _o895.dy;
+                dz = _o895.dz;
+                dvx = _o895.dvx;
+                dvy = _o895.dvy;
+                dvz = _o895.dvz;
+                clock_error = _o895.clock_error;
+            }
+        }
+        if (hopped) {
+            const kernel_carry_hop_out _o896 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
+            dx = _o896.dx;
+            dy = _o896.dy;
+            dz = _o896.dz;
+        }
+        const kernel_closing_out _o897 = kernel_closing(outcome, claims);
+        closed = _o897.closed;
+        position_claim = _o897.position_claim;
+        velocity_claim = _o897.velocity_claim;
+        spin_claim = _o897.spin_claim;
+        time_claim = _o897.time_claim;
+        if (closed) {
+            const kernel_claimed_errors_out _o898 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            position_claim = _o898.position_error;
+            velocity_claim = _o898.velocity_error;
+            spin_claim = _o898.spin_error;
+            time_claim = _o898.time_error;
+        }
+
+        if (_events && body >= 0.0) {
+            court_event *const _event = _events + _used++;
+            const long long _place = (long long)body, _staying = _place - 4;
+            _event->shot = _first + _shot;
+            _event->surface = _staying < 0 ? _place : _staying / 2;
+            _event->kind = _staying < -1 ? COURT_EVENT_IMPACT : _staying < 0 ? COURT_EVENT_END : _staying % 2 ? COURT_EVENT_LEAVE : COURT_EVENT_ROLL;
+            _event->time = clock;
+            for (int _k = 0; _k < 9; _k++)
+                _event->before[_k] = _before[_k];
+            _event->after[0] = x;
+            _event->after[1] = y;
+            _event->after[2] = z;
+            _event->after[3] = vx;
+            _event->after[4] = vy;
+            _event->after[5] = vz;
+            _event->after[6] = wx;
+            _event->after[7] = wy;
+            _event->after[8] = wz;
+        }
+    }
+
+    if (_events)
+        ((int *)_results[13])[_shot] = _used;
+    const bool _invalid = (int)outcome == COURT_OUTCOME_INVALID;
+    (void)_invalid;
+    if (_results[0]) {
+        ((unsigned char *)_results[0])[_shot] = (unsigned char)(int)outcome;
+    }
+    if (_results[1]) {
+        ((int *)_results[1])[_shot] = (int)contacts;
+    }
+    if (_results[2]) {
+        ((int *)_results[2])[3 * _shot + 0] = (int)count_0;
+        ((int *)_results[2])[3 * _shot + 1] = (int)count_1;
+        ((int *)_results[2])[3 * _shot + 2] = (int)count_2;
+    }
+    if (_results[3]) {
+        ((signed char *)_results[3])[_shot] = (signed char)(int)first;
+    }
+    if (_results[4]) {
+        ((double *)_results[4])[_shot] = _invalid ? NOT_A_NUMBER : clock;
+    }
+    if (_results[5]) {
+        ((double *)_results[5])[9 * _shot + 0] = _invalid ? NOT_A_NUMBER : x;
+        ((double *)_results[5])[9 * _shot + 1] = _invalid ? NOT_A_NUMBER : y;
+        ((double *)_results[5])[9 * _shot + 2] = _invalid ? NOT_A_NUMBER : z;
+        ((double *)_results[5])[9 * _shot + 3] = _invalid ? NOT_A_NUMBER : vx;
+        ((double *)_results[5])[9 * _shot + 4] = _invalid ? NOT_A_NUMBER : vy;
+        ((double *)_results[5])[9 * _shot + 5] = _invalid ? NOT_A_NUMBER : vz;
+        ((double *)_results[5])[9 * _shot + 6] = _invalid ? NOT_A_NUMBER : wx;
+        ((double *)_results[5])[9 * _shot + 7] = _invalid ? NOT_A_NUMBER : wy;
+        ((double *)_results[5])[9 * _shot + 8] = _invalid ? NOT_A_NUMBER : wz;
+    }
+    if (_results[6]) {
+        ((int *)_results[6])[_shot] = (int)rolls;
+    }
+    if (_results[7]) {
+        ((unsigned char *)_results[7])[_shot] = (unsigned char)(int)slip_left;
+    }
+    if (_results[8]) {
+        ((double *)_results[8])[_shot] = _invalid ? NOT_A_NUMBER : grip_lost;
+    }
+    if (_results[9]) {
+        ((double *)_results[9])[_shot] = _invalid ? NOT_A_NUMBER : time_claim;
+    }
+    if (_results[10]) {
+        ((double *)_results[10])[3 * _shot + 0] = _invalid ? NOT_A_NUMBER : position_claim;
+        ((double *)_results[10])[3 * _shot + 1] = _invalid ? NOT_A_NUMBER : velocity_claim;
+        ((double *)_results[10])[3 * _shot + 2] = _invalid ? NOT_A_NUMBER : spin_claim;
+    }
+    if (_results[11]) {
+        ((unsigned char *)_results[11])[_shot] = (unsigned char)(int)uncertain;
+    }
+}
+#endif

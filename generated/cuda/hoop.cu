@@ -1,0 +1,3165 @@
+/* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
+
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 7b4ebc472a3e0af7,
+   with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
+   and run `make generate`.
+   It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
+   --prec-div=true and --prec-sqrt=true: then + - * / and square roots are rounded as IEEE 754 says, in
+   double and in single precision. NVRTC calls what it compiles __CUDACC__. */
+
+#if defined(__USE_FAST_MATH__) && __USE_FAST_MATH__
+#error "fast-math changes results: compile without it"
+#endif
+/* VARIANT is 0 for the path alone, 1 for bounds on errors, too; both are compiled without it. */
+#ifndef VARIANT
+#define VARIANT 2
+#endif
+
+#define INFINITE __longlong_as_double(0x7ff0000000000000LL)
+#define NOT_A_NUMBER __longlong_as_double(0x7ff8000000000000LL)
+
+/* The same value, of which the compiler knows nothing. Of `a < 0.0 ? a : 0.0` it would make min.f64,
+   which takes -0.0 for less than 0.0. It does not where it cannot know the value that is taken otherwise. */
+static __device__ __forceinline__ double opaque(double value)
+{
+#ifdef __CUDACC__
+    asm("" : "+d"(value));
+#endif
+    return value;
+}
+
+static __device__ __forceinline__ float opaque(float value)
+{
+#ifdef __CUDACC__
+    asm("" : "+f"(value));
+#endif
+    return value;
+}
+
+static __device__ __forceinline__ bool opaque(bool value) { return value; }
+
+/* The choices of all targets. Both values are there before one is taken: a branch would part threads. */
+template <typename T> static __device__ __forceinline__ T choose(bool truth, T then, T other)
+{
+    other = opaque(other);
+    return truth ? then : other;
+}
+
+template <typename T> static __device__ __forceinline__ T larger(T a, T b) { return choose(a < b, b, a); }
+
+template <typename T> static __device__ __forceinline__ T smaller(T a, T b) { return choose(a < b, a, b); }
+
+/* The parameters of a shot: each has one value for all shots, at a stride of 0, or one a shot. */
+struct shot_parameters {
+    const double *const *values;
+    const long long *strides;
+    long long shot;
+};
+
+static __device__ __forceinline__ double parameter(const shot_parameters &given, int number)
+{
+    return given.values[number][given.strides[number] * given.shot];
+}
+
+enum {
+    HOOP_OUTCOME_MADE = 0, /* Crossed the end plane downwards inside the target. */
+    HOOP_OUTCOME_MISSED = 1, /* Crossed it outside. */
+    HOOP_OUTCOME_CAPPED = 2, /* Had max_contacts contacts before it ended. */
+    HOOP_OUTCOME_SHORT = 3, /* Can never reach an end. */
+    HOOP_OUTCOME_INVALID = 4, /* Not finite, not allowed, a size out of range, or a start inside a surface. */
+    HOOP_OUTCOME_LODGED = 5, /* At rest, or wedged between bodies. */
+    HOOP_OUTCOME_ENDLESS = 6 /* Still moving at the time limit. */
+};
+
+/* What a row of the event log is. */
+enum {
+    HOOP_EVENT_IMPACT = 0, /* The ball meets a body. */
+    HOOP_EVENT_ROLL = 1, /* Its bounces have accumulated: it stays in contact with the body. */
+    HOOP_EVENT_LEAVE = 2, /* That contact ends. */
+    HOOP_EVENT_END = 3 /* The shot ends. */
+};
+
+/* A row of the event log. */
+struct hoop_event {
+    long long shot, surface;
+    double time, before[9], after[9];
+    long long kind;
+};
+
+/* Position and velocity at time t of a flight.
+   Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications. */
+struct kernel_flight_out {
+    double x, y, z, vx, vy, vz;
+};
+
+static __device__ __forceinline__ kernel_flight_out kernel_flight(double t, double x, double y, double z, double vx, double vy, double vz, double p_gravity)
+{
+    return {x + (vx * t), y + (vy * t), z + (t * (vz - ((0.5 * p_gravity) * t))), vx, vy, vz - (p_gravity * t)};
+}
+
+/* Clearance, positive if a crossing is certain, and a bound on its delay.
+   Taylor's theorem with the margins of the gap and its rate. 10 operations: 1 addition, 1 subtraction, 3 multiplications, 1 division, 1 negation, 1 comparison, 2 selections. */
+struct kernel_crossing_out {
+    double clearance, delay;
+};
+
+static __device__ __forceinline__ kernel_crossing_out kernel_crossing(double margin, double rate_margin, double rate, double ceiling)
+{
+    const double _s0 = -(rate + rate_margin);
+    const double _s1 = 6.0 * margin;
+    const bool _s2 = 0.0 < _s0;
+    return {choose(_s2, ((_s0 * _s0) - (_s1 * ceiling)), _s0), choose(_s2, (_s1 / _s0), (INFINITE))};
+}
+
+/* Errors of the state that a search allows for, and by how much the errors exceed them.
+   a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection. */
+struct kernel_allowance_out {
+    double position_level, velocity_level, excess;
+};
+
+static __device__ __forceinline__ kernel_allowance_out kernel_allowance(double share, double horizon, double extent, double speed, double position_error, double velocity_error, double p_gravity)
+{
+    const double _s0 = speed + (p_gravity * horizon);
+    const double _s1 = share * (extent + (horizon * _s0));
+    const double _s2 = share * _s0;
+    const double _s3 = position_error - _s1;
+    const double _s4 = velocity_error - _s2;
+    return {_s1, _s2, larger(_s3, _s4)};
+}
+
+/* Time after which no event is wanted, and how long that is after t.
+   the earliest arrival, with room for its delay. 5 operations: 2 additions, 2 multiplications, 1 division. */
+struct kernel_horizon_out {
+    double horizon, pad;
+};
+
+static __device__ __forceinline__ kernel_horizon_out kernel_horizon(double t, double speed, double p_gravity)
+{
+    const double _s0 = 9.5367431640625e-07 * (t + (speed * (1.0 / p_gravity)));
+    return {t + _s0, _s0};
+}
+
+/* Sums of the sizes of position and velocity, and the excess of the flight's size.
+   the measure of rounding errors. 18 operations: 4 additions, 1 subtraction, 2 multiplications, 1 division, 6 absolute values, 2 comparisons, 2 selections. */
+struct kernel_scale_out {
+    double extent, speed, excess;
+};
+
+static __device__ __forceinline__ kernel_scale_out kernel_scale(double x, double y, double z, double vx, double vy, double vz, double p_gravity)
+{
+    const double _s0 = (fabs(x) + fabs(y)) + fabs(z);
+    const double _s1 = (fabs(vx) + fabs(vy)) + fabs(vz);
+    const double _s2 = larger(_s0, _s1);
+    const double _s3 = (1.0 / p_gravity) * (_s1 * _s1);
+    return {_s0, _s1, larger(_s2, _s3) - 1.152921504606847e+18};
+}
+
+/* Bound on the error of a length at a computed arrival.
+   running error analysis. 25 operations: 15 additions, 8 multiplications, 2 absolute values. */
+struct kernel_displacement_out {
+    double margin;
+};
+
+static __device__ __forceinline__ kernel_displacement_out kernel_displacement(double delay, double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_bridge_half_width, double p_gravity, double p_end_depth)
+{
+    const double _s0 = speed + (p_gravity * horizon);
+    const double _s1 = extent + (horizon * _s0);
+    const double _s2 = (((((p_ball_radius + p_ring_radius) + p_wire_radius) + p_board_distance) + p_board_half_width) + p_bridge_half_width) + p_end_depth;
+    const double _s3 = ((1.0009765625 * delay) * _s0) + (4.445228907190568e-16 * (_s1 + ((_s2 + fabs(p_board_bottom)) + fabs(p_board_top))));
+    return {_s3 + (3.0029296875 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s1)))};
+}
+
+/* Errors of the state at the end of a flight to a surface, from those at its start.
+   derivative of Eq. 3 and of the contact time, with roundings. 125 operations: 27 additions, 1 subtraction, 33 multiplications, 2 divisions, 7 negations, 17 absolute values, 19 comparisons, 19 selections. */
+struct kernel_carry_flight_out {
+    float dx, dy, dz, dvx, dvy, dvz, delay, shift;
+};
+
+static __device__ __forceinline__ kernel_carry_flight_out kernel_carry_flight(float t, float x, float y, float z, float vx, float vy, float vz, float nx, float ny, float nz, float clock, float contacts, float earliest_delay, float dx, float dy, float dz, float dvx, float dvy, float dvz, float curving, float p_gravity)
+{
+    const float _s0 = dx + (dvx * t);
+    const float _s1 = fabsf(vx);
+    const float _s2 = ((float)2.0) * t;
+    const float _s3 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s2 * _s1) + fabsf(x)));
+    const float _s4 = _s0 + choose((_s0 < ((float)0.0)), (-_s3), _s3);
+    const float _s5 = dy + (dvy * t);
+    const float _s6 = fabsf(vy);
+    const float _s7 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s2 * _s6) + fabsf(y)));
+    const float _s8 = _s5 + choose((_s5 < ((float)0.0)), (-_s7), _s7);
+    const float _s9 = dz + (dvz * t);
+    const float _s10 = fabsf(vz);
+    const float _s11 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (((p_gravity * (t * t)) + (_s2 * _s10)) + fabsf(z)));
+    const float _s12 = _s9 + choose((_s9 < ((float)0.0)), (-_s11), _s11);
+    const float _s13 = ((float)1.0) / (((nx * vx) + (ny * vy)) + (nz * vz));
+    const float _s14 = (-(((nx * _s4) + (ny * _s8)) + (nz * _s12))) * _s13;
+    const float _s15 = (vx * _s14) + _s4;
+    const float _s16 = fabsf(_s15);
+    const float _s17 = larger(_s1, _s6);
+    const float _s18 = larger(_s17, _s10);
+    const float _s19 = fabsf(dx);
+    const float _s20 = fabsf(dy);
+    const float _s21 = larger(_s19, _s20);
+    const float _s22 = fabsf(dz);
+    const float _s23 = larger(_s21, _s22);
+    const float _s24 = curving * (t * _s18);
+    const float _s25 = fabsf(dvx);
+    const float _s26 = fabsf(dvy);
+    const float _s27 = larger(_s25, _s26);
+    const float _s28 = fabsf(dvz);
+    const float _s29 = larger(_s3, _s7);
+    const float _s30 = (t * larger(_s27, _s28)) + larger(_s29, _s11);
+    const float _s31 = ((fabsf(_s13) * _s18) * ((_s23 * smaller(_s24, ((float)1.0))) + _s30)) + (_s30 + _s23);
+    const float _s32 = _s31 * (((float)1.0) / (((float)8.0) + (((float)8.0) * contacts)));
+    const float _s33 = larger(_s16, _s32);
+    const float _s34 = (vy * _s14) + _s8;
+    const float _s35 = fabsf(_s34);
+    const float _s36 = larger(_s35, _s32);
+    const float _s37 = (vz * _s14) + _s12;
+    const float _s38 = fabsf(_s37);
+    const float _s39 = larger(_s38, _s32);
+    const float _s40 = fabsf(_s14);
+    const float _s41 = ((float)0.0625) * earliest_delay;
+    return {choose((_s15 < ((float)0.0)), (-_s33), _s33), choose((_s34 < ((float)0.0)), (-_s36), _s36), choose((_s37 < ((float)0.0)), (-_s39), _s39), dvx, dvy, dvz - (p_gravity * _s14), (((float)4.440892098500626e-16) * (t + clock)) + larger(_s40, _s41), _s31};
+}
+
+/* Errors of the state at the time limit, from those at the start of the flight.
+   derivative of Eq. 3, with roundings. 65 operations: 20 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections. */
+struct kernel_carry_time_out {
+    float dx, dy, dz, dvx, dvy, dvz, clock_error;
+};
+
+static __device__ __forceinline__ kernel_carry_time_out kernel_carry_time(float t, float x, float y, float z, float vx, float vy, float vz, float clock, float clock_error, float dx, float dy, float dz, float dvx, float dvy, float dvz, float p_gravity)
+{
+    const float _s0 = fabsf(vx);
+    const float _s1 = clock_error + (((float)4.440892098500626e-16) * (t + clock));
+    const float _s2 = fabsf(dvx);
+    const float _s3 = fabsf(dvy);
+    const float _s4 = larger(_s2, _s3);
+    const float _s5 = fabsf(dvz);
+    const float _s6 = ((float)2.0) * t;
+    const float _s7 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s6 * _s0) + fabsf(x)));
+    const float _s8 = fabsf(vy);
+    const float _s9 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s6 * _s8) + fabsf(y)));
+    const float _s10 = larger(_s7, _s9);
+    const float _s11 = fabsf(vz);
+    const float _s12 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (((p_gravity * (t * t)) + (_s6 * _s11)) + fabsf(z)));
+    const float _s13 = fabsf(dx);
+    const float _s14 = fabsf(dy);
+    const float _s15 = larger(_s13, _s14);
+    const float _s16 = fabsf(dz);
+    const float _s17 = ((t * larger(_s4, _s5)) + larger(_s10, _s12)) + larger(_s15, _s16);
+    const float _s18 = fabsf(((float)0.0));
+    return {(_s0 * _s1) + _s17, (_s8 * _s1) + _s17, (_s11 * _s1) + _s17, (_s18 + (((float)2.220446049250313e-16) * _s0)) + _s2, (_s18 + (((float)2.220446049250313e-16) * _s8)) + _s3, ((((float)2.220446049250313e-16) * _s11) + _s5) + fabsf((-(p_gravity * _s1))), (float)0.0};
+}
+
+/* Bounds on the errors of state and time that decisions allow for.
+   the carried errors times a factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+struct kernel_error_bounds_out {
+    float position_error, velocity_error, spin_error, time_error;
+};
+
+static __device__ __forceinline__ kernel_error_bounds_out kernel_error_bounds(float clock_error, float dx, float dy, float dz, float dvx, float dvy, float dvz, float dwx, float dwy, float dwz)
+{
+    const float _s0 = fabsf(dx);
+    const float _s1 = fabsf(dy);
+    const float _s2 = larger(_s0, _s1);
+    const float _s3 = fabsf(dz);
+    const float _s4 = fabsf(dvx);
+    const float _s5 = fabsf(dvy);
+    const float _s6 = larger(_s4, _s5);
+    const float _s7 = fabsf(dvz);
+    const float _s8 = fabsf(dwx);
+    const float _s9 = fabsf(dwy);
+    const float _s10 = larger(_s8, _s9);
+    const float _s11 = fabsf(dwz);
+    return {((float)16.0) * larger(_s2, _s3), ((float)16.0) * larger(_s6, _s7), ((float)16.0) * larger(_s10, _s11), ((float)16.0) * clock_error};
+}
+
+/* Bounds on the errors of state and time that are reported.
+   the carried errors times a larger factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+struct kernel_claimed_errors_out {
+    float position_error, velocity_error, spin_error, time_error;
+};
+
+static __device__ __forceinline__ kernel_claimed_errors_out kernel_claimed_errors(float clock_error, float dx, float dy, float dz, float dvx, float dvy, float dvz, float dwx, float dwy, float dwz)
+{
+    const float _s0 = fabsf(dx);
+    const float _s1 = fabsf(dy);
+    const float _s2 = larger(_s0, _s1);
+    const float _s3 = fabsf(dz);
+    const float _s4 = fabsf(dvx);
+    const float _s5 = fabsf(dvy);
+    const float _s6 = larger(_s4, _s5);
+    const float _s7 = fabsf(dvz);
+    const float _s8 = fabsf(dwx);
+    const float _s9 = fabsf(dwy);
+    const float _s10 = larger(_s8, _s9);
+    const float _s11 = fabsf(dwz);
+    return {((float)64.0) * larger(_s2, _s3), ((float)64.0) * larger(_s6, _s7), ((float)64.0) * larger(_s10, _s11), ((float)64.0) * clock_error};
+}
+
+/* 1 if finite parameters are allowed.
+   the scene's requirements. 24 operations: 2 subtractions, 11 comparisons, 11 selections. */
+struct kernel_allowed_out {
+    double allowed;
+};
+
+static __device__ __forceinline__ kernel_allowed_out kernel_allowed(const shot_parameters &_given)
+{
+    double _v0 = choose((0.0 < ((parameter(_given, 1) - parameter(_given, 0)) - parameter(_given, 2))), 1.0, 0.0);
+    static const int _t0[][1] = {
+        {0},
+        {1},
+        {2},
+        {3},
+        {4},
+        {7},
+    };
+    for (size_t _k0 = 0; _k0 < 6; _k0++) {
+        _v0 = choose((0.0 < parameter(_given, _t0[_k0][0])), _v0, 0.0);
+    }
+    const double _s3 = choose((0.0 <= parameter(_given, 8)), _v0, 0.0);
+    return {choose((0.0 < parameter(_given, 10)), choose((0.0 < parameter(_given, 9)), choose((parameter(_given, 8) <= 1.0), _s3, 0.0), 0.0), 0.0)};
+}
+
+/* Whether the parameters are allowed, and no arithmetic with them over- or underflows.
+   the range of numbers. 38 operations: 11 absolute values, 14 comparisons, 13 conjunctions. */
+struct kernel_parameters_in_range_out {
+    bool permitted;
+};
+
+static __device__ __forceinline__ kernel_parameters_in_range_out kernel_parameters_in_range(const shot_parameters &_given, double allowed)
+{
+    const double _s0 = fabs(parameter(_given, 0));
+    bool _v1 = ((0.0 < allowed) && (_s0 <= 1073741824.0)) && (9.313225746154785e-10 <= _s0);
+    static const int _t1[][1] = {
+        {1},
+        {2},
+        {3},
+        {4},
+        {5},
+        {6},
+        {7},
+    };
+    for (size_t _k1 = 0; _k1 < 7; _k1++) {
+        _v1 = _v1 && (fabs(parameter(_given, _t1[_k1][0])) <= 1073741824.0);
+    }
+    const double _s4 = fabs(parameter(_given, 9));
+    const bool _s5 = (((_v1 && (fabs(parameter(_given, 8)) <= 1.2676506002282294e+30)) && (_s4 <= 1073741824.0)) && (9.313225746154785e-10 <= _s4)) && (fabs(parameter(_given, 10)) <= 1073741824.0);
+    return {_s5};
+}
+
+/* 1 if the ball overlaps no surface; 1 if that is undecided.
+   Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections. */
+struct kernel_valid_out {
+    double valid, doubt;
+};
+
+static __device__ __forceinline__ kernel_valid_out kernel_valid(double last, double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_bridge_half_width, double p_end_depth)
+{
+    const double _s0 = sqrt(((x * x) + (y * y)));
+    const double _s1 = _s0 - p_ring_radius;
+    const double _s2 = p_ball_radius + p_wire_radius;
+    const double _s3 = ((z * z) + (_s1 * _s1)) - (_s2 * _s2);
+    const bool _s4 = fabs(last) < 0.5;
+    const double _s5 = choose(_s4, 1.0, choose((0.0 <= _s3), 1.0, 0.0));
+    const double _s6 = p_ball_radius - p_board_distance;
+    const double _s7 = x - _s6;
+    const double _s8 = 2.0 * p_ball_radius;
+    const double _s9 = (_s6 - _s8) - x;
+    const double _s10 = larger(_s7, _s9);
+    const double _s11 = -(p_board_half_width + y);
+    const double _s12 = larger(_s10, _s11);
+    const double _s13 = y - p_board_half_width;
+    const double _s14 = larger(_s12, _s13);
+    const double _s15 = p_board_bottom - z;
+    const double _s16 = larger(_s14, _s15);
+    const double _s17 = z - p_board_top;
+    const double _s18 = larger(_s16, _s17);
+    const bool _s19 = fabs((last - 1.0)) < 0.5;
+    const double _s20 = choose(_s19, _s5, choose((0.0 <= _s18), _s5, 0.0));
+    const double _s21 = z - _s2;
+    const double _s22 = ((_s2 - _s8) - (2.0 * p_wire_radius)) - z;
+    const double _s23 = larger(_s21, _s22);
+    const double _s24 = -(p_bridge_half_width + y);
+    const double _s25 = larger(_s23, _s24);
+    const double _s26 = y - p_bridge_half_width;
+    const double _s27 = larger(_s25, _s26);
+    const double _s28 = p_ring_radius - _s0;
+    const double _s29 = larger(_s27, _s28);
+    const double _s30 = larger(_s29, x);
+    const double _s31 = -(p_board_distance + x);
+    const double _s32 = larger(_s30, _s31);
+    const bool _s33 = fabs((last - 2.0)) < 0.5;
+    const double _s34 = ((((fabs(p_board_bottom) + fabs(p_board_top)) + fabs(p_ball_radius)) + fabs(p_ring_radius)) + fabs(p_wire_radius)) + fabs(p_board_distance);
+    const double _s35 = ((((_s34 + fabs(p_board_half_width)) + fabs(p_bridge_half_width)) + fabs(p_end_depth)) + fabs(x)) + fabs(y);
+    const double _s36 = 1.7763568394002505e-15 * (_s35 + fabs(z));
+    const double _s37 = choose(_s4, 0.0, choose((fabs(_s3) <= (((4.0 * p_ball_radius) + (4.0 * p_wire_radius)) * _s36)), 1.0, 0.0));
+    const double _s38 = choose(_s19, _s37, choose((fabs(_s18) <= _s36), 1.0, _s37));
+    return {choose(_s33, _s20, choose((0.0 <= _s32), _s20, 0.0)), choose(_s33, _s38, choose((fabs(_s32) <= _s36), 1.0, _s38))};
+}
+
+/* Whether the ball starts near a surface; otherwise its start is valid and decided.
+   Table 2. 45 operations: 14 additions, 5 subtractions, 3 multiplications, 1 negation, 12 absolute values, 5 comparisons, 2 conjunctions, 2 disjunctions, 1 complement. */
+struct kernel_aside_out {
+    bool close;
+    double valid, doubt;
+};
+
+static __device__ __forceinline__ kernel_aside_out kernel_aside(double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_bridge_half_width, double p_end_depth)
+{
+    const double _s0 = ((((fabs(p_board_bottom) + fabs(p_board_top)) + fabs(p_ball_radius)) + fabs(p_ring_radius)) + fabs(p_wire_radius)) + fabs(p_board_distance);
+    const double _s1 = fabs(x);
+    const double _s2 = ((((_s0 + fabs(p_board_half_width)) + fabs(p_bridge_half_width)) + fabs(p_end_depth)) + _s1) + fabs(y);
+    const double _s3 = 8.0 * (1.7763568394002505e-15 * (_s2 + fabs(z)));
+    const double _s4 = p_ball_radius - p_board_distance;
+    const bool _s5 = (_s3 < (_s1 - ((p_ball_radius + p_ring_radius) + p_wire_radius))) && ((_s3 < (x - _s4)) || (_s3 < ((_s4 - (2.0 * p_ball_radius)) - x)));
+    const bool _s6 = !(_s5 && ((_s3 < x) || (_s3 < (-(p_board_distance + x)))));
+    return {_s6, 1.0, 0.0};
+}
+
+/* 1 if the flight starts on this surface.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+struct kernel_left_out {
+    double leaving;
+};
+
+static __device__ __forceinline__ kernel_left_out kernel_left(double index, double last)
+{
+    return {choose((last == index), 1.0, 0.0)};
+}
+
+/* Whether the ball has touched nothing yet.
+   Table 1. 2 operations: 1 comparison, 1 complement. */
+struct kernel_released_out {
+    bool released, reachable;
+};
+
+static __device__ __forceinline__ kernel_released_out kernel_released(double last)
+{
+    const bool _s0 = last < 0.0;
+    return {_s0, !_s0};
+}
+
+/* Whether a plane's only root is an arrival, the size of F'', and the nearest time.
+   Table 1. 13 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction, 1 selection. */
+struct kernel_meeting_plane_out {
+    bool arrives;
+    double ceiling, nearest;
+};
+
+static __device__ __forceinline__ kernel_meeting_plane_out kernel_meeting_plane(double rate, double bend, double apex, double time)
+{
+    const bool _s0 = (((rate < 0.0) || (((rate <= 0.0) && (bend < 0.0)) && (time == 0.0))) && (0.0 <= time)) && (time < (INFINITE));
+    return {_s0, fabs(bend), choose(_s0, time, apex)};
+}
+
+/* Whether an arrival may be the earliest within the delays.
+   Table 1. 5 operations: 1 addition, 1 subtraction, 1 comparison, 1 conjunction, 1 complement. */
+struct kernel_within_time_out {
+    bool possible;
+};
+
+static __device__ __forceinline__ kernel_within_time_out kernel_within_time(double time, double when, double delay, double earliest_delay, bool arrives)
+{
+    return {arrives && (!((delay + earliest_delay) < (time - when)))};
+}
+
+/* Earliest undecided time, with that of an apex whose gap is zero within its error.
+   Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
+struct kernel_grazed_out {
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_grazed_out kernel_grazed(double margin, double apex, double height, double doubt)
+{
+    return {choose((((0.0 <= apex) && (fabs(height) <= margin)) && (apex < doubt)), apex, doubt)};
+}
+
+/* Earliest undecided time, with that of an undecided predicate.
+   Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection. */
+struct kernel_questioned_out {
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_questioned_out kernel_questioned(double time, double doubt, bool unsure)
+{
+    return {choose((unsure && (time < doubt)), time, doubt)};
+}
+
+/* Earliest undecided time, with that of an arrival whose crossing is not certain.
+   Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
+struct kernel_crossed_out {
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_crossed_out kernel_crossed(double clearance, double time, double doubt, bool arrives)
+{
+    return {choose(((arrives && (!(0.0 < clearance))) && (time < doubt)), time, doubt)};
+}
+
+/* Earliest undecided time, with that of a tie within the delays; the earlier's delay.
+   Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
+struct kernel_tied_out {
+    double doubt, earliest_delay;
+};
+
+static __device__ __forceinline__ kernel_tied_out kernel_tied(double time, double when, double delay, double earliest_delay, double doubt, bool arrives)
+{
+    const bool _s0 = time < when;
+    const double _s1 = choose(_s0, time, when);
+    const double _s2 = choose(((arrives && (fabs((time - when)) <= (delay + earliest_delay))) && (_s1 < doubt)), _s1, doubt);
+    return {_s2, choose((arrives && _s0), delay, earliest_delay)};
+}
+
+/* Time and surface of the earliest arrival, with this one.
+   Table 1. 4 operations: 1 comparison, 1 conjunction, 2 selections. */
+struct kernel_earliest_out {
+    double when, which;
+};
+
+static __device__ __forceinline__ kernel_earliest_out kernel_earliest(double index, double time, double when, double which, bool arrives)
+{
+    const bool _s0 = arrives && (time < when);
+    return {choose(_s0, time, when), choose(_s0, index, which)};
+}
+
+/* Whether the flight may hit a surface.
+   Table 1. 2 operations: 1 comparison, 1 complement. */
+struct kernel_opens_out {
+    bool open;
+};
+
+static __device__ __forceinline__ kernel_opens_out kernel_opens(double clear)
+{
+    return {!(0.0 < clear)};
+}
+
+/* Start values of a search: its error budget, and no arrival.
+   Table 1. No operations. */
+struct kernel_beginning_out {
+    double share, arrival;
+    bool certain;
+};
+
+static __device__ __forceinline__ kernel_beginning_out kernel_beginning()
+{
+    return {2.9802322387695312e-08, INFINITE, false};
+}
+
+/* Undecided time 0 if errors exceed the budget of a search, or its bounds fail.
+   Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
+struct kernel_out_of_budget_out {
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_out_of_budget_out kernel_out_of_budget(double pad, double budget_exceeded, double earliest_delay, double doubt, double excess)
+{
+    return {choose((((0.0 < excess) || (0.0 < budget_exceeded)) || (pad < earliest_delay)), 0.0, doubt)};
+}
+
+/* 1 near the surface that the ball left, where F/t is more exact than F; the margin.
+   Table 1. 6 operations: 1 multiplication, 2 comparisons, 1 conjunction, 2 selections. */
+struct kernel_nearby_out {
+    double leaving, margin;
+};
+
+static __device__ __forceinline__ kernel_nearby_out kernel_nearby(double t, double flat, double tilt, double index, double last)
+{
+    const double _s0 = t * tilt;
+    const bool _s1 = (last == index) && (_s0 < flat);
+    return {choose(_s1, 1.0, 0.0), choose(_s1, _s0, flat)};
+}
+
+/* Begin of the first window and end of the last one, from single precision.
+   Table 1. No operations. */
+struct kernel_opened_out {
+    double time, latest;
+};
+
+static __device__ __forceinline__ kernel_opened_out kernel_opened(double horizon, double time)
+{
+    return {time, horizon};
+}
+
+/* Whether a search begins in single precision; its ceiling, margins and error budget.
+   Table 1. 6 operations: 3 conjunctions, 1 disjunction, 1 complement, 1 selection. */
+struct kernel_coarse_out {
+    bool stepping, searching, single_precision;
+    double ceiling, flat, tilt, allowing;
+};
+
+static __device__ __forceinline__ kernel_coarse_out kernel_coarse(double rate_margin, double flat, double ceiling, double share, bool searching, bool representable, bool fits)
+{
+    const bool _s0 = (searching && representable) && fits;
+    return {_s0, searching || (!representable), _s0, ceiling, flat, rate_margin, choose((representable && fits), share, 2.9802322387695312e-08)};
+}
+
+/* Root from the search in single precision; whether and where the search goes on.
+   Table 1. 7 operations: 1 addition, 1 comparison, 2 conjunctions, 1 complement, 2 selections. */
+struct kernel_stepped_out {
+    double arrival, t;
+    bool searching;
+};
+
+static __device__ __forceinline__ kernel_stepped_out kernel_stepped(double arrival, double lasting, bool searching, double since, bool single_precision, bool certain)
+{
+    const double _s0 = lasting + since;
+    return {choose(certain, _s0, arrival), choose(single_precision, _s0, 0.0), (searching && (!certain)) && (lasting < (INFINITE))};
+}
+
+/* Whether the gap closes, certainly closes, or needs a smaller error budget.
+   Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements. */
+struct kernel_struck_out {
+    bool hit, sure, needs_refinement;
+};
+
+static __device__ __forceinline__ kernel_struck_out kernel_struck(double gap, double rate, double bend, double margin, double rate_margin, double clearance, double share)
+{
+    const bool _s0 = (rate < 0.0) || ((rate <= rate_margin) && (bend < 0.0));
+    const bool _s1 = 0.0 < clearance;
+    const bool _s2 = _s0 && (((gap - margin) <= margin) || _s1);
+    const bool _s3 = _s0 && _s1;
+    const bool _s4 = (_s2 && (!_s3)) && (0.0 < share);
+    return {_s2 && (!_s4), _s3, _s4};
+}
+
+/* Next smaller error budget.
+   Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
+struct kernel_finer_out {
+    double share;
+};
+
+static __device__ __forceinline__ kernel_finer_out kernel_finer(double share)
+{
+    return {choose((2.842170943040401e-14 < share), (0.03125 * share), 0.0)};
+}
+
+/* Earliest undecided time, with the present one if the errors exceed the budget.
+   Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
+struct kernel_exceeded_out {
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_exceeded_out kernel_exceeded(double t, double doubt, double excess)
+{
+    return {choose(((0.0 < excess) && (t < doubt)), t, doubt)};
+}
+
+/* Root, time and state of a search after a step, and whether its window is exhausted.
+   Table 1. 14 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 3 selections. */
+struct kernel_advanced_out {
+    double arrival;
+    bool certain, exhausted, searching;
+    double t;
+};
+
+static __device__ __forceinline__ kernel_advanced_out kernel_advanced(double t, double end, double step, double next, double arrival, bool hit, bool sure, bool needs_refinement, bool certain)
+{
+    const bool _s0 = !hit;
+    const bool _s1 = (_s0 && (!needs_refinement)) && ((end - t) <= step);
+    return {choose(hit, choose(sure, next, t), arrival), certain || (hit && sure), _s1, _s0 && (!_s1), choose((hit || needs_refinement), t, next)};
+}
+
+/* Whether a search found an arrival.
+   Table 1. 1 operation: 1 comparison. */
+struct kernel_found_out {
+    bool arrives, refining;
+    double rate;
+};
+
+static __device__ __forceinline__ kernel_found_out kernel_found(double arrival)
+{
+    const bool _s0 = arrival < (INFINITE);
+    return {_s0, _s0, 0.0};
+}
+
+/* A certain root, refined, and whether h is above 2^-24, so that it is refined again.
+   Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection. */
+struct kernel_polished_out {
+    double arrival;
+    bool refining;
+};
+
+static __device__ __forceinline__ kernel_polished_out kernel_polished(double gap, double rate, double ceiling, double arrival, double refined, bool certain)
+{
+    return {choose(certain, refined, arrival), certain && ((5.960464477539063e-08 * (rate * rate)) < (ceiling * fabs(gap)))};
+}
+
+/* Margin of the form, F or F/t, in which an arrival was found.
+   Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
+struct kernel_own_margin_out {
+    double margin;
+};
+
+static __device__ __forceinline__ kernel_own_margin_out kernel_own_margin(double leaving, double flat, double tilt, double arrival)
+{
+    return {choose((0.0 < leaving), (tilt * arrival), flat)};
+}
+
+/* Time of an arrival, not before the flight.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+struct kernel_landed_out {
+    double time;
+};
+
+static __device__ __forceinline__ kernel_landed_out kernel_landed(double arrival)
+{
+    return {choose((arrival < 0.0), 0.0, arrival)};
+}
+
+/* Delay of a certain arrival; the earliest undecided time, with that of any other one.
+   Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
+struct kernel_landed_surely_out {
+    double delay, doubt;
+};
+
+static __device__ __forceinline__ kernel_landed_surely_out kernel_landed_surely(double clearance, double time, double delay, double doubt, bool arrives, bool certain)
+{
+    const bool _s0 = certain && (0.0 < clearance);
+    return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (time < doubt)), time, doubt)};
+}
+
+/* Whether all numbers of a release are small enough not to overflow.
+   Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions. */
+struct kernel_state_in_range_out {
+    bool in_range;
+};
+
+static __device__ __forceinline__ kernel_state_in_range_out kernel_state_in_range(double x, double y, double z, double vx, double vy, double vz, double wx, double wy, double wz)
+{
+    const bool _s0 = ((((fabs(x) <= 1073741824.0) && (fabs(y) <= 1073741824.0)) && (fabs(z) <= 1073741824.0)) && (fabs(vx) <= 1073741824.0)) && (fabs(vy) <= 1073741824.0);
+    const bool _s1 = (((_s0 && (fabs(vz) <= 1073741824.0)) && (fabs(wx) <= 1073741824.0)) && (fabs(wy) <= 1073741824.0)) && (fabs(wz) <= 1073741824.0);
+    return {_s1};
+}
+
+/* Start values: no arrival; an uncertain shot if its errors are not bounded.
+   Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
+struct kernel_opening_out {
+    double when, which, earliest_delay, doubt;
+};
+
+static __device__ __forceinline__ kernel_opening_out kernel_opening(double excess, double position_error, double velocity_error)
+{
+    return {INFINITE, -1.0, 0.0, choose((((position_error < (INFINITE)) && (velocity_error < (INFINITE))) && (excess <= 0.0)), (INFINITE), 0.0)};
+}
+
+/* Whether there is a time limit.
+   Table 1. 1 operation: 1 comparison. */
+struct kernel_limited_out {
+    bool limited;
+};
+
+static __device__ __forceinline__ kernel_limited_out kernel_limited(double time_limit)
+{
+    return {time_limit < (INFINITE)};
+}
+
+/* Time of the event.
+   Table 1. 1 operation: 1 addition. */
+struct kernel_event_clock_out {
+    double clock;
+};
+
+static __device__ __forceinline__ kernel_event_clock_out kernel_event_clock(double when, double clock)
+{
+    return {when + clock};
+}
+
+/* 1 if a decision up to this event, or the choice of the end, lies within its error.
+   Table 1. 7 operations: 1 addition, 2 comparisons, 1 conjunction, 1 disjunction, 1 complement, 1 selection. */
+struct kernel_doubted_out {
+    double uncertain;
+};
+
+static __device__ __forceinline__ kernel_doubted_out kernel_doubted(double when, double earliest_delay, double doubt, double uncertain, bool edge)
+{
+    const double _s0 = choose((((!((when + earliest_delay) < doubt)) && (doubt < (INFINITE))) || edge), 1.0, uncertain);
+    return {_s0};
+}
+
+/* Whether an event changes the motion, or its errors are wanted.
+   Table 1. 3 operations: 1 comparison, 1 conjunction, 1 disjunction. */
+struct kernel_meeting_out {
+    bool meeting;
+};
+
+static __device__ __forceinline__ kernel_meeting_out kernel_meeting(double claims, bool ends, bool touches)
+{
+    return {touches || (ends && (0.0 < claims))};
+}
+
+/* Whether the event is on a surface.
+   Table 1. 1 operation: 1 comparison. */
+struct kernel_here_out {
+    bool here;
+};
+
+static __device__ __forceinline__ kernel_here_out kernel_here(double index, double which)
+{
+    return {which == index};
+}
+
+/* One more contact.
+   Table 1. 1 operation: 1 addition. */
+struct kernel_counted_out {
+    double count;
+};
+
+static __device__ __forceinline__ kernel_counted_out kernel_counted(double count)
+{
+    return {1.0 + count};
+}
+
+/* Start value: another surface.
+   Table 1. No operations. */
+struct kernel_elsewhere_out {
+    double curving;
+};
+
+static __device__ __forceinline__ kernel_elsewhere_out kernel_elsewhere()
+{
+    return {INFINITE};
+}
+
+/* Whether the ball meets the same surface again.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+struct kernel_again_out {
+    bool again;
+};
+
+static __device__ __forceinline__ kernel_again_out kernel_again(double index, double last, double which)
+{
+    return {(which == index) && (last == which)};
+}
+
+/* Body touched first and surface touched last.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+struct kernel_touched_out {
+    double first, last;
+};
+
+static __device__ __forceinline__ kernel_touched_out kernel_touched(double which, double body, double first)
+{
+    return {choose((first < 0.0), body, first), which};
+}
+
+/* Whether a shot has ended at the time limit and its errors are wanted.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+struct kernel_timed_out {
+    bool timed;
+};
+
+static __device__ __forceinline__ kernel_timed_out kernel_timed(double index, double which, double claims)
+{
+    return {(which == index) && (0.0 < claims)};
+}
+
+/* Body that the event is on.
+   Table 1. No operations. */
+struct kernel_body_of_out {
+    double body;
+};
+
+static __device__ __forceinline__ kernel_body_of_out kernel_body_of(double which)
+{
+    return {which};
+}
+
+/* Outcome of a shot at its start, and whether that is uncertain.
+   Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections. */
+struct kernel_admitted_out {
+    double outcome, uncertain;
+};
+
+static __device__ __forceinline__ kernel_admitted_out kernel_admitted(double doubt, double valid, bool permitted, bool in_range)
+{
+    const bool _s0 = permitted && in_range;
+    return {choose((_s0 && (0.0 < valid)), -1.0, 4.0), choose((_s0 && (0.0 < doubt)), 1.0, 0.0)};
+}
+
+/* The time limit as an arrival.
+   Table 1. 12 operations: 2 additions, 1 subtraction, 1 multiplication, 4 comparisons, 1 conjunction, 1 complement, 2 selections. */
+struct kernel_expiry_out {
+    double time, delay;
+    bool arrives;
+    double doubt;
+};
+
+static __device__ __forceinline__ kernel_expiry_out kernel_expiry(double when, double which, double earliest_delay, double doubt, double time_error, double clock, double time_limit)
+{
+    const double _s0 = time_limit - clock;
+    return {larger(0.0, _s0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, choose(((!((when + earliest_delay) < doubt)) && (doubt < (INFINITE))), 0.0, doubt)};
+}
+
+/* Whether there is no event, an end, or a contact, and the outcome without one.
+   Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 complement. */
+struct kernel_departed_out {
+    bool stays, moves, ends, touches;
+    double reached;
+    bool edge;
+};
+
+static __device__ __forceinline__ kernel_departed_out kernel_departed(double index, double which)
+{
+    const bool _s0 = which < 0.0;
+    const bool _s1 = !_s0;
+    return {_s0, _s1, index <= which, _s1 && (which < index), 3.0, false};
+}
+
+/* Time, body and outcome of a shot that the time limit ends.
+   Table 1. 6 operations: 1 comparison, 1 conjunction, 1 complement, 3 selections. */
+struct kernel_expired_out {
+    double clock, body, reached;
+    bool ends;
+};
+
+static __device__ __forceinline__ kernel_expired_out kernel_expired(double index, double which, double body, double clock, double reached, double time_limit, bool ends)
+{
+    const bool _s0 = which == index;
+    return {choose(_s0, time_limit, clock), choose(_s0, 3.0, body), choose(_s0, 6.0, reached), ends && (!_s0)};
+}
+
+/* Number of contacts, and the outcome if the shot ends.
+   Table 1. 5 operations: 1 addition, 1 comparison, 3 selections. */
+struct kernel_accounted_out {
+    double contacts, outcome;
+};
+
+static __device__ __forceinline__ kernel_accounted_out kernel_accounted(double contacts, double most_contacts, double reached, bool touches)
+{
+    const double _s0 = 1.0 + contacts;
+    return {choose(touches, _s0, contacts), choose(touches, choose((most_contacts <= _s0), 2.0, -1.0), reached)};
+}
+
+/* Sum of the errors of the contacts' times.
+   Table 1. 1 operation: 1 addition. */
+struct kernel_delayed_out {
+    float clock_error;
+};
+
+static __device__ __forceinline__ kernel_delayed_out kernel_delayed(float delay, float clock_error)
+{
+    return {delay + clock_error};
+}
+
+/* Whether a shot has ended and its errors are wanted; start values of their bounds.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+struct kernel_closing_out {
+    bool closed;
+    float position_claim, velocity_claim, spin_claim, time_claim;
+};
+
+static __device__ __forceinline__ kernel_closing_out kernel_closing(float outcome, float claims)
+{
+    return {(((float)0.0) < claims) && (((float)0.0) <= outcome), (float)0.0, (float)0.0, (float)0.0, (float)0.0};
+}
+
+/* Errors of the position at the end, not below the largest that one flight can cause.
+   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
+struct kernel_floored_out {
+    float dx, dy, dz;
+};
+
+static __device__ __forceinline__ kernel_floored_out kernel_floored(float dx, float dy, float dz, float shift)
+{
+    return {choose((fabsf(dx) < shift), shift, dx), choose((fabsf(dy) < shift), shift, dy), choose((fabsf(dz) < shift), shift, dz)};
+}
+
+/* Start values: a normal without error.
+   Table 1. No operations. */
+struct kernel_unturned_out {
+    float dnx, dny, dnz, turn;
+};
+
+static __device__ __forceinline__ kernel_unturned_out kernel_unturned()
+{
+    return {(float)0.0, (float)0.0, (float)0.0, (float)0.0};
+}
+
+/* Whether a flight with these ends may come to a plate.
+   Table 1. 34 operations: 6 additions, 3 subtractions, 10 multiplications, 1 negation, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
+struct kernel_reachable_out {
+    bool reachable;
+};
+
+static __device__ __forceinline__ kernel_reachable_out kernel_reachable(double p_ball_radius, double p_board_distance, double p_bridge_half_width, double p_gravity, double p_ring_radius, double x, double vx, double horizon, double extent, double speed, double pad, double earliest_delay, double position_error, double velocity_error)
+{
+    const double _s0 = (position_error + (horizon * velocity_error)) + (9.313225746154785e-10 * (extent + (horizon * (speed + (p_gravity * horizon)))));
+    const double _s1 = choose((pad < earliest_delay), (INFINITE), _s0);
+    const double _s2 = x + (vx * horizon);
+    const double _s3 = smaller(_s2, x);
+    const double _s4 = p_ring_radius - (2.0 * _s1);
+    const double _s5 = -p_board_distance;
+    const double _s6 = larger(_s3, _s5);
+    const double _s7 = smaller(0.0, _s6);
+    const bool _s8 = (_s1 < (_s3 - (p_ball_radius - p_board_distance))) && ((0.0 < _s4) && ((1.0000000000009095 * ((p_bridge_half_width * p_bridge_half_width) + (_s7 * _s7))) < (_s4 * _s4)));
+    return {!_s8};
+}
+
+/* Velocity and spin after a contact, frame-free.
+   Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division. */
+struct kernel_impact_out {
+    double vx, vy, vz, wx, wy, wz;
+};
+
+static __device__ __forceinline__ kernel_impact_out kernel_impact(double vx, double vy, double vz, double wx, double wy, double wz, double nx, double ny, double nz, double p_ball_radius, double p_restitution)
+{
+    const double _s0 = 0.4 * p_ball_radius;
+    const double _s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const double _s2 = (_s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * _s1)));
+    const double _s3 = (_s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * _s1)));
+    const double _s4 = (_s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * _s1)));
+    const double _s5 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const double _s6 = 1.0 / p_ball_radius;
+    return {_s2 - ((p_restitution * nx) * _s1), _s3 - ((p_restitution * ny) * _s1), _s4 - ((p_restitution * nz) * _s1), (nx * _s5) + (_s6 * ((ny * _s4) - (nz * _s3))), (ny * _s5) + (_s6 * ((nz * _s2) - (nx * _s4))), (nz * _s5) + (_s6 * ((nx * _s3) - (ny * _s2)))};
+}
+
+/* Errors of velocity and spin after a contact, from those before it.
+   derivative of the frame-free Eq. 17, with roundings. 222 operations: 56 additions, 18 subtractions, 90 multiplications, 2 divisions, 6 negations, 18 absolute values, 16 comparisons, 16 selections. */
+struct kernel_carry_impact_out {
+    float dvx, dvy, dvz, dwx, dwy, dwz;
+};
+
+static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(float vx, float vy, float vz, float wx, float wy, float wz, float nx, float ny, float nz, float contacts, float dvx, float dvy, float dvz, float dwx, float dwy, float dwz, float dnx, float dny, float dnz, float turn, float p_ball_radius, float p_restitution)
+{
+    const float _s0 = ((float)0.4) * p_ball_radius;
+    const float _s1 = (((nx * dvx) + (vx * dnx)) + ((ny * dvy) + (vy * dny))) + ((nz * dvz) + (vz * dnz));
+    const float _s2 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const float _s3 = (nx * _s1) + (dnx * _s2);
+    const float _s4 = (_s0 * (((nz * dwy) + (wy * dnz)) - ((ny * dwz) + (wz * dny)))) + (((float)0.6) * (dvx - _s3));
+    const float _s5 = _s4 - (p_restitution * _s3);
+    const float _s6 = ((p_ball_radius * ((fabsf(wx) + fabsf(wy)) + fabsf(wz))) + fabsf(vx)) + fabsf(vy);
+    const float _s7 = _s6 + fabsf(vz);
+    const float _s8 = ((float)7.888609052210118e-31) + (((float)2.220446049250313e-16) * _s7);
+    const float _s9 = fabsf(_s5) + _s8;
+    const float _s10 = fabsf(dwx);
+    const float _s11 = fabsf(dwy);
+    const float _s12 = larger(_s10, _s11);
+    const float _s13 = fabsf(dwz);
+    const float _s14 = fabsf(dvx);
+    const float _s15 = fabsf(dvy);
+    const float _s16 = larger(_s14, _s15);
+    const float _s17 = fabsf(dvz);
+    const float _s18 = (((p_ball_radius * larger(_s12, _s13)) + (turn * _s7)) + larger(_s16, _s17)) * (((float)1.0) / (((float)8.0) + (((float)8.0) * contacts)));
+    const float _s19 = larger(_s9, _s18);
+    const float _s20 = (ny * _s1) + (dny * _s2);
+    const float _s21 = (_s0 * (((nx * dwz) + (wz * dnx)) - ((nz * dwx) + (wx * dnz)))) + (((float)0.6) * (dvy - _s20));
+    const float _s22 = _s21 - (p_restitution * _s20);
+    const float _s23 = fabsf(_s22) + _s8;
+    const float _s24 = larger(_s23, _s18);
+    const float _s25 = (nz * _s1) + (dnz * _s2);
+    const float _s26 = (_s0 * (((ny * dwx) + (wx * dny)) - ((nx * dwy) + (wy * dnx)))) + (((float)0.6) * (dvz - _s25));
+    const float _s27 = _s26 - (p_restitution * _s25);
+    const float _s28 = fabsf(_s27) + _s8;
+    const float _s29 = larger(_s28, _s18);
+    const float _s30 = ((float)1.0) / p_ball_radius;
+    const float _s31 = (_s0 * ((ny * wx) - (nx * wy))) + (((float)0.6) * (vz - (nz * _s2)));
+    const float _s32 = (_s0 * ((nx * wz) - (nz * wx))) + (((float)0.6) * (vy - (ny * _s2)));
+    const float _s33 = (((nx * dwx) + (wx * dnx)) + ((ny * dwy) + (wy * dny))) + ((nz * dwz) + (wz * dnz));
+    const float _s34 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const float _s35 = (_s30 * (((ny * _s26) + (dny * _s31)) - ((nz * _s21) + (dnz * _s32)))) + ((nx * _s33) + (dnx * _s34));
+    const float _s36 = _s30 * _s8;
+    const float _s37 = fabsf(_s35) + _s36;
+    const float _s38 = _s30 * _s18;
+    const float _s39 = larger(_s37, _s38);
+    const float _s40 = (_s0 * ((nz * wy) - (ny * wz))) + (((float)0.6) * (vx - (nx * _s2)));
+    const float _s41 = (_s30 * (((nz * _s4) + (dnz * _s40)) - ((nx * _s26) + (dnx * _s31)))) + ((ny * _s33) + (dny * _s34));
+    const float _s42 = fabsf(_s41) + _s36;
+    const float _s43 = larger(_s42, _s38);
+    const float _s44 = (_s30 * (((nx * _s21) + (dnx * _s32)) - ((ny * _s4) + (dny * _s40)))) + ((nz * _s33) + (dnz * _s34));
+    const float _s45 = fabsf(_s44) + _s36;
+    const float _s46 = larger(_s45, _s38);
+    return {choose((_s5 < ((float)0.0)), (-_s19), _s19), choose((_s22 < ((float)0.0)), (-_s24), _s24), choose((_s27 < ((float)0.0)), (-_s29), _s29), choose((_s35 < ((float)0.0)), (-_s39), _s39), choose((_s41 < ((float)0.0)), (-_s43), _s43), choose((_s44 < ((float)0.0)), (-_s46), _s46)};
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root. */
+struct kernel_ring_normal_out {
+    double nx, ny, nz;
+};
+
+static __device__ __forceinline__ kernel_ring_normal_out kernel_ring_normal(double x, double y, double z, double p_ball_radius, double p_ring_radius, double p_wire_radius)
+{
+    const double _s0 = 1.0 / (p_ball_radius + p_wire_radius);
+    const double _s1 = sqrt(((x * x) + (y * y)));
+    const double _s2 = (_s0 * (_s1 - p_ring_radius)) * (1.0 / _s1);
+    return {x * _s2, y * _s2, z * _s0};
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection. */
+struct kernel_ring_curvature_out {
+    double curvature;
+};
+
+static __device__ __forceinline__ kernel_ring_curvature_out kernel_ring_curvature(double p_ball_radius, double p_ring_radius, double p_wire_radius)
+{
+    const double _s0 = (p_ring_radius - p_ball_radius) - p_wire_radius;
+    const double _s1 = p_ball_radius + p_wire_radius;
+    return {1.0 / smaller(_s0, _s1)};
+}
+
+/* Error of the normal, from that of the position.
+   derivative of Table 2's normal. 34 operations: 6 additions, 3 subtractions, 18 multiplications, 3 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
+struct kernel_ring_carry_normal_out {
+    float dnx, dny, dnz, turn;
+};
+
+static __device__ __forceinline__ kernel_ring_carry_normal_out kernel_ring_carry_normal(float x, float y, float dx, float dy, float dz, float shift, float p_ball_radius, float p_ring_radius, float p_wire_radius)
+{
+    const float _s0 = p_ball_radius + p_wire_radius;
+    const float _s1 = ((float)1.0) / _s0;
+    const float _s2 = sqrtf(((x * x) + (y * y)));
+    const float _s3 = ((float)1.0) / _s2;
+    const float _s4 = ((x * dx) + (y * dy)) * _s3;
+    const float _s5 = _s2 - p_ring_radius;
+    const float _s6 = _s1 * ((_s4 * _s3) + ((-(_s4 * (_s3 * _s3))) * _s5));
+    const float _s7 = (_s1 * _s5) * _s3;
+    const float _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius;
+    return {(x * _s6) + (dx * _s7), (y * _s6) + (dy * _s7), dz * _s1, shift * (((float)1.0) / smaller(_s8, _s0))};
+}
+
+/* Positive if there is certainly no contact before the horizon.
+   bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections. */
+struct kernel_ring_clear_out {
+    double clear;
+};
+
+static __device__ __forceinline__ kernel_ring_clear_out kernel_ring_clear(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s0);
+    const double _s2 = position_error + (horizon * velocity_error);
+    const double _s3 = (_s2 - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius);
+    const double _s4 = 1.00006103515625 * _s0;
+    const double _s5 = p_ring_radius + _s4;
+    const double _s6 = vz * vz;
+    const double _s7 = _s6 + ((2.0 * p_gravity) * (z - _s4));
+    const double _s8 = 1.0 / p_gravity;
+    const double _s9 = sqrt(_s7);
+    const double _s10 = _s8 * (vz - _s9);
+    const double _s11 = _s8 * (vz + _s9);
+    const double _s12 = x + (vx * _s11);
+    const double _s13 = y + (vy * _s11);
+    const double _s14 = (_s12 * _s12) + (_s13 * _s13);
+    const double _s15 = sqrt(_s14);
+    const double _s16 = _s15 - p_ring_radius;
+    const double _s17 = z + ((vz - ((0.5 * p_gravity) * _s11)) * _s11);
+    const double _s18 = _s5 * _s5;
+    const double _s19 = 9.313225746154785e-10 * _s18;
+    const double _s20 = (((_s16 * _s16) + (_s17 * _s17)) - (_s0 * _s0)) - _s19;
+    const double _s21 = (vx * vx) + (vy * vy);
+    const double _s22 = p_ring_radius - _s4;
+    const double _s23 = 0.0001220703125 * p_ring_radius;
+    const double _s24 = larger(_s22, _s23);
+    const double _s25 = _s24 * _s24;
+    const double _s26 = _s24 * _s25;
+    const double _s27 = ((((2.0 * _s6) + ((4.0 * p_gravity) * z)) + (2.0 * _s21)) - ((6.0003662109375 * p_gravity) * _s0)) * _s26;
+    const double _s28 = (x * vy) - (y * vx);
+    const double _s29 = _s28 * _s28;
+    const double _s30 = _s27 - ((2.0 * p_ring_radius) * _s29);
+    const double _s31 = (_s16 * ((vx * _s12) + (vy * _s13))) + ((_s17 * (vz - (p_gravity * _s11))) * _s15);
+    const double _s32 = x + (vx * horizon);
+    const double _s33 = y + (vy * horizon);
+    const double _s34 = choose(((((_s19 + (_s32 * _s32)) + (_s33 * _s33)) - _s25) < 0.0), 1.0, choose((((_s21 * (_s19 + _s25)) - _s29) < 0.0), 1.0, 0.0));
+    const double _s35 = choose(((((4.0 * (_s31 * _s31)) * _s26) - (((2.0 * _s30) * _s14) * _s20)) < 0.0), _s34, 0.0);
+    const double _s36 = choose((horizon < (_s11 - (9.313225746154785e-10 * horizon))), 1.0, choose((0.0 < _s20), choose((0.0 < _s30), _s35, 0.0), 0.0));
+    const double _s37 = (x * vx) + (y * vy);
+    const double _s38 = (_s10 * _s21) + _s37;
+    const double _s39 = choose((_s38 < 0.0), choose((_s18 < ((_s10 * (_s37 + _s38)) + ((x * x) + (y * y)))), _s36, 0.0), 0.0);
+    const double _s40 = choose(((extent + (horizon * (speed + (p_gravity * horizon)))) < (65536.0 * _s5)), choose((0.0 < _s7), choose((_s10 < 0.0), _s36, _s39), 0.0), 0.0);
+    return {choose((0.0 < larger(_s1, _s3)), 0.0, choose((_s2 < (5.820766091346741e-11 * _s5)), _s40, 0.0))};
+}
+
+/* Constants and windows of the search along a flight, and its error budget.
+   bounds of the event condition. 190 operations: 31 additions, 20 subtractions, 54 multiplications, 3 divisions, 7 square roots, 1 negation, 5 absolute values, 31 comparisons, 38 selections. */
+struct kernel_ring_prepare_out {
+    double energy2, moment2, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, budget_exceeded;
+};
+
+static __device__ __forceinline__ kernel_ring_prepare_out kernel_ring_prepare(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = vz * vz;
+    const double _s1 = (vx * vx) + (vy * vy);
+    const double _s2 = ((2.0 * _s0) + ((4.0 * p_gravity) * z)) + (2.0 * _s1);
+    const double _s3 = (x * vy) - (y * vx);
+    const double _s4 = _s3 * _s3;
+    const double _s5 = (2.0 * p_ring_radius) * _s4;
+    const double _s6 = (x * x) + (y * y);
+    const double _s7 = p_ball_radius + p_wire_radius;
+    const double _s8 = 1.00006103515625 * _s7;
+    const double _s9 = 2.0 * p_gravity;
+    const double _s10 = 8.881784197001252e-16 * (_s0 + (_s9 * (fabs(z) + _s8)));
+    const double _s11 = (_s0 + (_s9 * (z + _s8))) + _s10;
+    const double _s12 = 1.0 / p_gravity;
+    const double _s13 = sqrt(_s11);
+    const double _s14 = 1.7763568394002505e-15 * (fabs(vz) + _s13);
+    const bool _s15 = 0.0 <= _s11;
+    const double _s16 = choose(_s15, (_s12 * ((vz - _s13) - _s14)), (INFINITE));
+    const double _s17 = p_ring_radius + _s8;
+    const double _s18 = _s17 * _s17;
+    const double _s19 = (1.7763568394002505e-15 * _s1) * (_s18 + _s6);
+    const double _s20 = ((_s18 * _s1) + _s19) - _s4;
+    const double _s21 = (x * vx) + (y * vy);
+    const double _s22 = sqrt(_s20);
+    const double _s23 = 1.7763568394002505e-15 * ((fabs(_s21) + fabs(_s3)) + _s22);
+    const double _s24 = 1.0 / _s1;
+    const bool _s25 = 0.0 <= _s20;
+    const bool _s26 = 2.409919865102884e-181 < _s1;
+    const double _s27 = choose(_s26, choose(_s25, ((-((_s21 + _s22) + _s23)) * _s24), (INFINITE)), (-INFINITE));
+    const double _s28 = larger(_s16, _s27);
+    const double _s29 = p_ring_radius - _s8;
+    const double _s30 = 0.0001220703125 * p_ring_radius;
+    const double _s31 = larger(_s29, _s30);
+    const double _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4;
+    const double _s33 = sqrt(larger(_s32, 0.0));
+    const double _s34 = choose(_s26, choose(_s25, (((_s22 + _s23) - _s21) * _s24), (-INFINITE)), (INFINITE));
+    const bool _s35 = 0.0 < choose(_s26, _s32, 0.0);
+    const double _s36 = choose(_s35, (((_s23 - _s21) - _s33) * _s24), _s34);
+    const double _s37 = (_s0 + (_s9 * (z - _s8))) - _s10;
+    const double _s38 = sqrt(larger(_s37, 0.0));
+    const double _s39 = choose(_s15, (_s12 * ((vz + _s13) + _s14)), (-INFINITE));
+    const bool _s40 = 0.0 < _s37;
+    const double _s41 = choose(_s40, (_s12 * ((vz + _s14) - _s38)), _s39);
+    const double _s42 = smaller(_s36, _s41);
+    const double _s43 = choose(_s35, (((_s33 - _s21) - _s23) * _s24), (INFINITE));
+    const double _s44 = larger(_s43, _s36);
+    const double _s45 = larger(_s16, _s44);
+    const double _s46 = smaller(_s34, _s41);
+    const double _s47 = choose(_s40, (_s12 * ((vz + _s38) - _s14)), (INFINITE));
+    const double _s48 = larger(_s47, _s41);
+    const bool _s49 = _s45 <= _s46;
+    const double _s50 = choose(_s49, _s45, larger(_s48, _s27));
+    const double _s51 = choose(_s49, _s46, smaller(_s36, _s39));
+    const double _s52 = larger(_s48, _s44);
+    const double _s53 = smaller(_s34, _s39);
+    const double _s54 = 1.0 / _s31;
+    const double _s55 = larger(0.0, _s42);
+    const double _s56 = larger(_s55, _s51);
+    const double _s57 = larger(_s56, _s53);
+    const double _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7);
+    const double _s59 = sqrt(2.0) * sqrt((_s12 * (((2.0 * p_ball_radius) + (2.0 * p_wire_radius)) + extent)));
+    const double _s60 = _s59 + ((2.0 * speed) * _s12);
+    const double _s61 = ((position_error + (velocity_error * smaller(_s60, horizon))) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius);
+    return {_s2, _s5, sqrt(_s6), larger(0.0, _s28), smaller(_s42, horizon), larger(0.0, _s50), smaller(_s51, horizon), larger(0.0, _s52), smaller(_s53, horizon), (((6.0003662109375 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + fabs(_s2), smaller(_s57, horizon), larger(_s58, _s61)};
+}
+
+/* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+   running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections. */
+struct kernel_ring_margins_out {
+    double margin, leaving_margin, rate_margin;
+};
+
+static __device__ __forceinline__ kernel_ring_margins_out kernel_ring_margins(double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = p_ball_radius + p_wire_radius;
+    const double _s1 = speed + (p_gravity * horizon);
+    const double _s2 = 1.00006103515625 * _s0;
+    const double _s3 = _s2 * _s1;
+    const double _s4 = p_ring_radius + _s2;
+    const double _s5 = extent + (horizon * _s1);
+    const double _s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s5);
+    const double _s7 = p_ring_radius - _s2;
+    const double _s8 = 0.0001220703125 * p_ring_radius;
+    const double _s9 = _s2 / larger(_s7, _s8);
+    const double _s10 = larger(1.0, _s9);
+    const double _s11 = 5.0 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (2.220446049250313e-16 * _s1))));
+    const double _s12 = 1.0009765625 * ((((3.552713678800501e-15 * _s1) * ((_s5 * _s10) + _s4)) + (4.440892098500626e-16 * _s3)) + _s11);
+    return {1.0009765625 * ((((4.440892098500626e-16 * horizon) * _s3) + ((1.3323489447131243e-15 * _s0) * _s4)) + ((5.00030517578125 * _s0) * _s6)), _s12, 1.0009765625 * ((3.552713678800501e-15 * (_s4 * _s1)) + _s11)};
+}
+
+/* Newton's next value of a root near t, and gap and rate there.
+   Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection. */
+struct kernel_ring_refine_out {
+    double time, gap, rate;
+};
+
+static __device__ __forceinline__ kernel_ring_refine_out kernel_ring_refine(double t, double leaving, double x, double y, double z, double vx, double vy, double vz, double rho_start, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = x + (vx * t);
+    const double _s1 = y + (vy * t);
+    const double _s2 = sqrt(((_s0 * _s0) + (_s1 * _s1)));
+    const double _s3 = rho_start + _s2;
+    const double _s4 = 1.0 / (_s3 * _s2);
+    const double _s5 = _s2 - p_ring_radius;
+    const double _s6 = vz - ((0.5 * p_gravity) * t);
+    const double _s7 = z + (t * _s6);
+    const double _s8 = 2.0 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + (_s7 * (vz - (p_gravity * t))));
+    const double _s9 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4);
+    const double _s10 = p_ball_radius + p_wire_radius;
+    const double _s11 = choose((0.0 < leaving), (t * (_s9 + ((z + _s7) * _s6))), (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10)));
+    return {t - (_s11 / _s8), _s11, _s8};
+}
+
+/* Gap, rate, second derivative, a step without a root, its end, and the clearance.
+   Newton from the left under a curvature bound. 143 operations: 29 additions, 16 subtractions, 53 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
+struct kernel_ring_advance_out {
+    double gap, rate, bend, step, next, clearance;
+};
+
+static __device__ __forceinline__ kernel_ring_advance_out kernel_ring_advance(double t, double end, double leaving, double margin, double rate_margin, double ceiling, double x, double y, double z, double vx, double vy, double vz, double energy2, double moment2, double rho_start, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = x + (vx * t);
+    const double _s1 = y + (vy * t);
+    const double _s2 = sqrt(((_s0 * _s0) + (_s1 * _s1)));
+    const double _s3 = _s2 - p_ring_radius;
+    const double _s4 = rho_start + _s2;
+    const double _s5 = 1.0 / (_s4 * _s2);
+    const double _s6 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5);
+    const double _s7 = vz - ((0.5 * p_gravity) * t);
+    const double _s8 = z + (t * _s7);
+    const double _s9 = p_ball_radius + p_wire_radius;
+    const double _s10 = choose((0.0 < leaving), (t * (_s6 + ((z + _s8) * _s7))), (((_s3 * _s3) + (_s8 * _s8)) - (_s9 * _s9)));
+    const double _s11 = _s4 * _s5;
+    const double _s12 = _s11 * ((vx * _s0) + (vy * _s1));
+    const double _s13 = vz - (p_gravity * t);
+    const double _s14 = 2.0 * ((_s12 * _s3) + (_s8 * _s13));
+    const double _s15 = 6.0 * p_gravity;
+    const double _s16 = _s15 * _s8;
+    const double _s17 = moment2 * (_s11 * (_s11 * _s11));
+    const double _s18 = 1.00006103515625 * _s9;
+    const double _s19 = 9.094947017729282e-13 * (p_ring_radius + _s18);
+    const double _s20 = _s14 - rate_margin;
+    const double _s21 = _s10 - margin;
+    const double _s22 = larger(_s21, 0.0);
+    const double _s23 = (_s16 + _s17) - energy2;
+    const bool _s24 = _s20 < 0.0;
+    const double _s25 = 2.0 * _s22;
+    const double _s26 = choose((0.0 < choose((0.0 <= _s20), _s22, 0.0)), (INFINITE), (choose(_s24, _s25, (4.0 * _s20)) / choose(_s24, (-_s20), larger(0.0, _s23))));
+    const double _s27 = end - t;
+    const double _s28 = smaller(_s26, _s27);
+    const double _s29 = _s19 + ((_s28 * larger(_s13, 0.0)) + _s8);
+    const double _s30 = _s15 * smaller(_s18, _s29);
+    const double _s31 = ((_s28 * smaller(0.0, _s12)) + _s2) - _s19;
+    const double _s32 = p_ring_radius - _s18;
+    const double _s33 = 0.0001220703125 * p_ring_radius;
+    const double _s34 = larger(_s32, _s33);
+    const double _s35 = 1.0 / larger(_s31, _s34);
+    const double _s36 = moment2 * (_s35 * (_s35 * _s35));
+    const double _s37 = ((_s30 + _s36) + (9.094947017729282e-13 * ((_s36 + fabs(energy2)) + fabs(_s30)))) - energy2;
+    const double _s38 = ((2.0 * _s37) * _s22) + (_s20 * _s20);
+    const double _s39 = sqrt(_s38);
+    const double _s40 = choose((0.0 <= _s38), (choose(_s24, _s25, (_s20 + _s39)) / choose(_s24, (_s39 - _s20), larger(0.0, _s37))), (INFINITE));
+    const double _s41 = smaller(_s40, _s28);
+    const double _s42 = -(rate_margin + _s14);
+    return {_s10, _s14, (energy2 - _s16) - _s17, _s41, t + _s41, choose((0.0 < _s42), ((_s42 * _s42) - ((8.0 * ceiling) * (margin + _s25))), _s42)};
+}
+
+/* Windows of the search along a flight, and whether single precision serves for it.
+   bounds of the event condition. 186 operations: 24 additions, 16 subtractions, 37 multiplications, 2 divisions, 4 square roots, 1 negation, 4 absolute values, 43 comparisons, 7 conjunctions, 3 disjunctions, 45 selections. */
+struct kernel_ring_opened_out {
+    float t, end;
+    bool searching;
+    float low1, high1, low2, high2, latest;
+    bool representable;
+};
+
+static __device__ __forceinline__ kernel_ring_opened_out kernel_ring_opened(float horizon, float x, float y, float z, float vx, float vy, float vz, float extent, float speed, float p_ball_radius, float p_ring_radius, float p_wire_radius, float p_gravity)
+{
+    const float _s0 = vz * vz;
+    const float _s1 = ((float)1.00006103515625) * (p_ball_radius + p_wire_radius);
+    const float _s2 = ((float)2.0) * p_gravity;
+    const float _s3 = ((float)4.76837158203125e-07) * (_s0 + (_s2 * (fabsf(z) + _s1)));
+    const float _s4 = (_s0 + (_s2 * (z + _s1))) + _s3;
+    const float _s5 = ((float)1.0) / p_gravity;
+    const float _s6 = sqrtf(_s4);
+    const float _s7 = ((float)9.5367431640625e-07) * (fabsf(vz) + _s6);
+    const bool _s8 = ((float)0.0) <= _s4;
+    const float _s9 = choose(_s8, (_s5 * ((vz - _s6) - _s7)), ((float)INFINITE));
+    const float _s10 = (vx * vx) + (vy * vy);
+    const float _s11 = p_ring_radius + _s1;
+    const float _s12 = _s11 * _s11;
+    const float _s13 = (((float)9.5367431640625e-07) * _s10) * (_s12 + ((x * x) + (y * y)));
+    const float _s14 = (x * vy) - (y * vx);
+    const float _s15 = _s14 * _s14;
+    const float _s16 = ((_s12 * _s10) + _s13) - _s15;
+    const float _s17 = (x * vx) + (y * vy);
+    const float _s18 = sqrtf(_s16);
+    const float _s19 = ((float)9.5367431640625e-07) * ((fabsf(_s17) + fabsf(_s14)) + _s18);
+    const float _s20 = ((float)1.0) / _s10;
+    const bool _s21 = ((float)0.0) <= _s16;
+    const bool _s22 = ((float)8.673617379884035e-19) < _s10;
+    const float _s23 = choose(_s22, choose(_s21, ((-((_s17 + _s18) + _s19)) * _s20), ((float)INFINITE)), (-(float)INFINITE));
+    const float _s24 = larger(_s9, _s23);
+    const float _s25 = larger(((float)0.0), _s24);
+    const float _s26 = larger(((float)0.0), _s25);
+    const float _s27 = p_ring_radius - _s1;
+    const float _s28 = ((float)0.0001220703125) * p_ring_radius;
+    const float _s29 = larger(_s27, _s28);
+    const float _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15;
+    const float _s31 = sqrtf(larger(_s30, ((float)0.0)));
+    const float _s32 = choose(_s22, choose(_s21, (((_s18 + _s19) - _s17) * _s20), (-(float)INFINITE)), ((float)INFINITE));
+    const bool _s33 = ((float)0.0) < choose(_s22, _s30, ((float)0.0));
+    const float _s34 = choose(_s33, (((_s19 - _s17) - _s31) * _s20), _s32);
+    const float _s35 = (_s0 + (_s2 * (z - _s1))) - _s3;
+    const float _s36 = sqrtf(larger(_s35, ((float)0.0)));
+    const float _s37 = choose(_s8, (_s5 * ((vz + _s6) + _s7)), (-(float)INFINITE));
+    const bool _s38 = ((float)0.0) < _s35;
+    const float _s39 = choose(_s38, (_s5 * ((vz + _s7) - _s36)), _s37);
+    const float _s40 = smaller(_s34, _s39);
+    const float _s41 = ((float)1.000000238418579) * horizon;
+    const float _s42 = smaller(_s40, _s41);
+    const bool _s43 = _s26 < _s42;
+    const float _s44 = choose(_s33, (((_s31 - _s17) - _s19) * _s20), ((float)INFINITE));
+    const float _s45 = larger(_s44, _s34);
+    const float _s46 = larger(_s9, _s45);
+    const float _s47 = smaller(_s32, _s39);
+    const float _s48 = choose(_s38, (_s5 * ((vz + _s36) - _s7)), ((float)INFINITE));
+    const float _s49 = larger(_s48, _s39);
+    const bool _s50 = _s46 <= _s47;
+    const float _s51 = choose(_s50, _s46, larger(_s49, _s23));
+    const float _s52 = larger(((float)0.0), _s51);
+    const float _s53 = larger(((float)0.0), _s52);
+    const float _s54 = choose(_s50, _s47, smaller(_s34, _s37));
+    const float _s55 = smaller(_s54, _s41);
+    const bool _s56 = _s53 < _s55;
+    const float _s57 = larger(_s49, _s45);
+    const float _s58 = larger(((float)0.0), _s57);
+    const float _s59 = larger(((float)0.0), _s58);
+    const float _s60 = smaller(_s32, _s37);
+    const float _s61 = smaller(_s60, _s41);
+    const bool _s62 = _s59 < _s61;
+    const float _s63 = larger(((float)0.0), _s40);
+    const float _s64 = larger(_s63, _s54);
+    const float _s65 = larger(_s64, _s60);
+    const bool _s66 = (((_s11 <= (((float)32.0) * _s29)) && (_s11 <= ((((float)32.0) * p_ball_radius) + (((float)32.0) * p_wire_radius)))) && (_s11 <= ((float)4096.0))) && (((float)0.000244140625) <= _s29);
+    return {choose(_s43, _s26, choose(_s56, _s53, choose(_s62, _s59, ((float)0.0)))), choose(_s43, _s42, choose(_s56, _s55, choose(_s62, _s61, ((float)0.0)))), ((false || _s62) || _s56) || _s43, _s52, _s55, _s58, _s61, smaller(_s65, _s41), (((_s66 && (p_gravity <= ((float)4096.0))) && (((float)0.000244140625) <= p_gravity)) && (extent <= ((float)4096.0))) && (speed <= ((float)4096.0))};
+}
+
+/* Constants, margins and windows of the search in single precision, from its begin.
+   running error analysis. 109 operations: 21 additions, 8 subtractions, 55 multiplications, 5 divisions, 1 square root, 5 absolute values, 7 comparisons, 1 conjunction, 6 selections. */
+struct kernel_ring_resolution_out {
+    float share, t, end, x, y, z, vx, vy, vz, energy2, moment2, rho_start, ceiling, flat, tilt, jerk, quotient_margin, start_rate, rho_rate, rate_margin, low1, high1, low2, high2;
+    bool fits;
+};
+
+static __device__ __forceinline__ kernel_ring_resolution_out kernel_ring_resolution(float t, float end, float leaving, float horizon, float x, float y, float z, float vx, float vy, float vz, float extent, float speed, float start_rate, float rho_rate, float low1, float high1, float low2, float high2, float p_ball_radius, float p_ring_radius, float p_wire_radius, float p_gravity)
+{
+    const bool _s0 = ((float)0.0) < leaving;
+    const float _s1 = speed + (p_gravity * horizon);
+    const float _s2 = p_ball_radius + p_wire_radius;
+    const float _s3 = ((float)1.00006103515625) * _s2;
+    const float _s4 = p_ring_radius - _s3;
+    const float _s5 = ((float)0.0001220703125) * p_ring_radius;
+    const float _s6 = larger(_s4, _s5);
+    const float _s7 = _s2 / _s6;
+    const float _s8 = larger(((float)1.0), _s7);
+    const float _s9 = _s1 * _s8;
+    const float _s10 = extent + (horizon * _s1);
+    const float _s11 = ((float)5.0) * ((_s9 * _s10) + (_s2 * _s1));
+    const float _s12 = (((float)0.00390625) * start_rate) / _s11;
+    const float _s13 = smaller(_s12, ((float)2.9802322387695312e-08));
+    const float _s14 = choose(_s0, larger(((float)2.842170943040401e-14), _s13), ((float)2.9802322387695312e-08));
+    const float _s15 = ((((float)2.0) * (vz * vz)) + ((((float)4.0) * p_gravity) * z)) + (((float)2.0) * ((vx * vx) + (vy * vy)));
+    const float _s16 = (x * vy) - (y * vx);
+    const float _s17 = (((float)2.0) * p_ring_radius) * (_s16 * _s16);
+    const float _s18 = ((float)1.0) / _s6;
+    const float _s19 = _s18 * (_s18 * _s18);
+    const float _s20 = (((((float)6.0003662109375) * p_gravity) * _s2) + (_s17 * _s19)) + fabsf(_s15);
+    const float _s21 = horizon - t;
+    const float _s22 = p_gravity * (_s21 * _s21);
+    const float _s23 = p_ring_radius + _s3;
+    const float _s24 = (_s10 * _s14) + (((float)9.5367431640625e-07) * (_s22 + _s23));
+    const float _s25 = (((float)0.5) * ((_s17 * (fabsf(vx) + fabsf(vy))) * _s19)) / _s6;
+    return {_s14, (float)0.0, end - t, x, y, z, vx, vy, vz, _s15, _s17, sqrtf(((x * x) + (y * y))), ((float)1.0009765625) * _s20, (((float)5.0048828125) * _s2) * _s24, choose(_s0, (((float)1.0009765625) * ((((float)4.76837158203125e-07) * fabsf(start_rate)) + ((((float)5.684341886080802e-14) + _s14) * _s11))), ((float)INFINITE)), ((float)1.0009765625) * ((p_gravity * ((p_gravity * _s21) + fabsf(vz))) + _s25), (((float)7.62939453125e-06) * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, ((float)5.0) * (((((float)1.0009765625) * _s9) * _s24) + (((((float)2.384185791015625e-07) + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((((float)128.0) * p_ball_radius) + (((float)128.0) * p_wire_radius))) && ((t * leaving) <= ((float)0.0))};
+}
+
+/* Time and window of the search after a step, whether a root is certain, and whether it goes on.
+   Newton from the left under a curvature bound. 237 operations: 42 additions, 20 subtractions, 82 multiplications, 4 divisions, 2 square roots, 3 negations, 5 absolute values, 30 comparisons, 6 conjunctions, 5 disjunctions, 4 complements, 34 selections. */
+struct kernel_ring_step_out {
+    float t, end;
+    bool certain, stepping;
+};
+
+static __device__ __forceinline__ kernel_ring_step_out kernel_ring_step(float t, float end, float rate_margin, float ceiling, float x, float y, float z, float vx, float vy, float vz, float energy2, float moment2, float rho_start, float flat, float tilt, float quotient_margin, float jerk, float start_rate, float rho_rate, float low1, float high1, float low2, float high2, float p_ball_radius, float p_ring_radius, float p_wire_radius, float p_gravity)
+{
+    const float _s0 = tilt + (t * quotient_margin);
+    const float _s1 = t * _s0;
+    const bool _s2 = _s1 < flat;
+    const float _s3 = (t * t) * jerk;
+    const bool _s4 = _s2 && (_s3 < rate_margin);
+    const float _s5 = choose(_s4, (_s3 + (((float)2.0) * _s0)), rate_margin);
+    const float _s6 = (vx * vx) + (vy * vy);
+    const float _s7 = x + (vx * t);
+    const float _s8 = y + (vy * t);
+    const float _s9 = sqrtf(((_s7 * _s7) + (_s8 * _s8)));
+    const float _s10 = rho_start + _s9;
+    const float _s11 = ((float)1.0) / (_s10 * _s9);
+    const float _s12 = _s9 * _s11;
+    const float _s13 = _s12 * ((t * _s6) + (((float)2.0) * ((x * vx) + (y * vy))));
+    const float _s14 = vz - ((((float)0.5) * p_gravity) * t);
+    const float _s15 = ((((((float)2.0) * (rho_start - p_ring_radius)) * (_s6 - (rho_rate * _s13))) * _s12) + (_s13 * _s13)) + (_s14 * _s14);
+    const float _s16 = start_rate + (t * (_s15 - (p_gravity * z)));
+    const float _s17 = _s10 * _s11;
+    const float _s18 = _s17 * ((vx * _s7) + (vy * _s8));
+    const float _s19 = _s9 - p_ring_radius;
+    const float _s20 = z + (t * _s14);
+    const float _s21 = vz - (p_gravity * t);
+    const float _s22 = choose(_s4, ((((float)2.0) * _s16) - start_rate), (((float)2.0) * ((_s18 * _s19) + (_s20 * _s21))));
+    const float _s23 = -(_s5 + _s22);
+    const float _s24 = p_ball_radius + p_wire_radius;
+    const float _s25 = choose(_s2, _s1, flat);
+    const float _s26 = choose(_s2, (t * _s16), (((_s19 * _s19) + (_s20 * _s20)) - (_s24 * _s24))) - _s25;
+    const float _s27 = larger(_s26, ((float)0.0));
+    const float _s28 = ((float)2.0) * (_s27 + (((float)2.0) * _s25));
+    const float _s29 = _s22 - _s5;
+    const float _s30 = ((float)6.0) * p_gravity;
+    const float _s31 = _s30 * _s20;
+    const float _s32 = moment2 * (_s17 * (_s17 * _s17));
+    const float _s33 = (_s31 + _s32) - energy2;
+    const bool _s34 = _s29 < ((float)0.0);
+    const float _s35 = ((float)2.0) * _s27;
+    const float _s36 = choose((((float)0.0) < choose((((float)0.0) <= _s29), _s27, ((float)0.0))), ((float)INFINITE), (choose(_s34, (_s35 + (((float)8.0) * _s25)), (((float)4.0) * _s29)) / choose(_s34, (-_s29), larger(((float)0.0), _s33))));
+    const float _s37 = end - t;
+    const float _s38 = smaller(_s36, _s37);
+    const float _s39 = ((float)1.00006103515625) * _s24;
+    const float _s40 = ((((float)0.0001220703125) * p_ball_radius) + (((float)0.0001220703125) * p_wire_radius)) + ((_s38 * larger(_s21, ((float)0.0))) + _s20);
+    const float _s41 = _s30 * smaller(_s39, _s40);
+    const float _s42 = (fabsf(vx) + fabsf(vy)) * _s38;
+    const float _s43 = (((_s38 * smaller(((float)0.0), _s18)) + _s9) - (((float)0.0001220703125) * _s42)) - (((float)9.5367431640625e-07) * (p_ring_radius + _s39));
+    const float _s44 = p_ring_radius - _s39;
+    const float _s45 = ((float)0.0001220703125) * p_ring_radius;
+    const float _s46 = larger(_s44, _s45);
+    const float _s47 = ((float)1.0) / larger(_s43, _s46);
+    const float _s48 = moment2 * (_s47 * (_s47 * _s47));
+    const float _s49 = fabsf(energy2);
+    const float _s50 = ((_s41 + _s48) + (((float)3.814697265625e-06) * ((_s48 + _s49) + fabsf(_s41)))) - energy2;
+    const float _s51 = -_s21;
+    const float _s52 = (_s30 * (((((float)0.000244140625) * p_ball_radius) + (((float)0.000244140625) * p_wire_radius)) + (((p_gravity * _s38) + larger(_s51, ((float)0.0))) * _s38))) + ((((float)3.0) * (_s32 * _s17)) * _s42);
+    const float _s53 = energy2 + (_s52 + (((float)0.000244140625) * ((_s49 + fabsf(_s31)) + _s32)));
+    const float _s54 = (_s53 - _s31) - _s32;
+    const float _s55 = choose((((float)0.0) < _s23), ((_s23 * _s23) - ((((float)8.0) * _s28) * choose((_s28 <= (_s23 * _s38)), larger(_s50, _s54), ceiling))), _s23);
+    const bool _s56 = ((float)0.0) < _s55;
+    const float _s57 = ((((float)2.0) * _s50) * _s27) + (_s29 * _s29);
+    const float _s58 = sqrtf(_s57);
+    const float _s59 = choose((((float)0.0) <= _s57), (choose(_s34, _s35, (_s58 + _s29)) / choose(_s34, (_s58 - _s29), larger(((float)0.0), _s50))), ((float)INFINITE));
+    const float _s60 = smaller(_s59, _s38);
+    const float _s61 = t + _s60;
+    const bool _s62 = (!_s56) && (((_s22 < ((float)0.0)) && (_s26 <= _s25)) || ((t < end) && (!(t < _s61))));
+    const bool _s63 = !(_s56 || _s62);
+    const bool _s64 = _s63 && (_s37 <= _s60);
+    const float _s65 = larger(end, low1);
+    const bool _s66 = _s65 < high1;
+    const float _s67 = larger(end, low2);
+    const bool _s68 = _s67 < high2;
+    return {choose(_s64, choose(_s66, _s65, choose(_s68, _s67, ((float)INFINITE))), choose(_s62, t, _s61)), choose(_s64, choose(_s66, high1, choose(_s68, high2, end)), end), _s56, _s63 && ((!_s64) || ((false || _s68) || _s66))};
+}
+
+/* Distance from the axis, its rate and that of the gap, at the start of a flight.
+   Table 2. 13 operations: 3 additions, 1 subtraction, 7 multiplications, 1 division, 1 square root. */
+struct kernel_ring_started_out {
+    double rho_start, start_rate, rho_rate;
+};
+
+static __device__ __forceinline__ kernel_ring_started_out kernel_ring_started(double x, double y, double z, double vx, double vy, double vz, double p_ring_radius)
+{
+    const double _s0 = sqrt(((x * x) + (y * y)));
+    const double _s1 = ((x * vx) + (y * vy)) / _s0;
+    return {_s0, 2.0 * ((z * vz) + (_s1 * (_s0 - p_ring_radius))), _s1};
+}
+
+/* Positive if the bounds of the search do not hold.
+   bounds of the event condition. 26 operations: 5 additions, 4 subtractions, 10 multiplications, 1 division, 2 square roots, 2 comparisons, 2 selections. */
+struct kernel_ring_budget_exceeded_out {
+    double budget_exceeded;
+};
+
+static __device__ __forceinline__ kernel_ring_budget_exceeded_out kernel_ring_budget_exceeded(double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = (0.000244140625 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius));
+    const double _s1 = 1.0 / p_gravity;
+    const double _s2 = sqrt(2.0) * sqrt((_s1 * (((2.0 * p_ball_radius) + (2.0 * p_wire_radius)) + extent)));
+    const double _s3 = _s2 + ((2.0 * speed) * _s1);
+    const double _s4 = ((position_error + (velocity_error * smaller(_s3, horizon))) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius);
+    return {larger(_s0, _s4)};
+}
+
+/* First window that ends later than a time, from then on.
+   Table 1. 18 operations: 6 comparisons, 3 disjunctions, 9 selections. */
+struct kernel_ring_enter_out {
+    double t, end;
+    bool searching;
+};
+
+static __device__ __forceinline__ kernel_ring_enter_out kernel_ring_enter(double t, double end, double after, double low0, double low1, double low2, double high0, double high1, double high2)
+{
+    const double _s0 = larger(after, low0);
+    const bool _s1 = _s0 < high0;
+    const double _s2 = larger(after, low1);
+    const bool _s3 = _s2 < high1;
+    const double _s4 = larger(after, low2);
+    const bool _s5 = _s4 < high2;
+    return {choose(_s1, _s0, choose(_s3, _s2, choose(_s5, _s4, t))), choose(_s1, high0, choose(_s3, high1, choose(_s5, high2, end))), ((false || _s5) || _s3) || _s1};
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. No operations. */
+struct kernel_backboard_normal_out {
+    double nx, ny, nz;
+};
+
+static __device__ __forceinline__ kernel_backboard_normal_out kernel_backboard_normal()
+{
+    return {1.0, 0.0, 0.0};
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. No operations. */
+struct kernel_backboard_curvature_out {
+    double curvature;
+};
+
+static __device__ __forceinline__ kernel_backboard_curvature_out kernel_backboard_curvature()
+{
+    return {0.0};
+}
+
+/* The g of Eq. 2: a contact counts if none is positive.
+   Eq. 2, Table 2. 5 operations: 1 addition, 3 subtractions, 1 negation. */
+struct kernel_backboard_bounds_out {
+    double g0, g1, g2, g3;
+};
+
+static __device__ __forceinline__ kernel_backboard_bounds_out kernel_backboard_bounds(double y, double z, double p_board_half_width, double p_board_bottom, double p_board_top)
+{
+    return {-(p_board_half_width + y), y - p_board_half_width, p_board_bottom - z, z - p_board_top};
+}
+
+/* Time of the only arrival, the gap's first two derivatives there, and its apex.
+   Eq. 3 in Table 2, solved. 9 operations: 2 subtractions, 1 division, 1 negation, 1 absolute value, 2 comparisons, 2 selections. */
+struct kernel_backboard_arrival_out {
+    double time, rate, bend, apex, height;
+};
+
+static __device__ __forceinline__ kernel_backboard_arrival_out kernel_backboard_arrival(double leaving, double x, double vx, double p_ball_radius, double p_board_distance)
+{
+    const double _s0 = choose((0.0 < leaving), 0.0, (x - (p_ball_radius - p_board_distance)));
+    return {-(_s0 / vx), vx, 0.0, choose((fabs(vx) <= 0.0), 0.0, -1.0), _s0};
+}
+
+/* Rounding-error bound of the gap up to the horizon.
+   running error analysis. 15 operations: 7 additions, 8 multiplications. */
+struct kernel_backboard_margin_out {
+    double margin;
+};
+
+static __device__ __forceinline__ kernel_backboard_margin_out kernel_backboard_margin(double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_board_distance, double p_gravity)
+{
+    const double _s0 = extent + (horizon * (speed + (p_gravity * horizon)));
+    return {(((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance)) + (2.222614453595284e-16 * _s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s0)))};
+}
+
+/* Point of the contact plane nearest to a position.
+   Table 2. 1 operation: 1 subtraction. */
+struct kernel_backboard_place_out {
+    double x, y, z;
+};
+
+static __device__ __forceinline__ kernel_backboard_place_out kernel_backboard_place(double y, double z, double p_ball_radius, double p_board_distance)
+{
+    return {p_ball_radius - p_board_distance, y, z};
+}
+
+/* Whether a contact counts (Eq. 2).
+   Table 1. 7 operations: 4 comparisons, 3 conjunctions. */
+struct kernel_backboard_within_out {
+    bool arrives;
+};
+
+static __device__ __forceinline__ kernel_backboard_within_out kernel_backboard_within(double g0, double g1, double g2, double g3)
+{
+    return {(((g0 <= 0.0) && (g1 <= 0.0)) && (g2 <= 0.0)) && (g3 <= 0.0)};
+}
+
+/* Whether the bounds or the crossing lie within their errors.
+   Table 1. 19 operations: 1 negation, 9 comparisons, 8 conjunctions, 1 complement. */
+struct kernel_backboard_edges_out {
+    bool unsure;
+};
+
+static __device__ __forceinline__ kernel_backboard_edges_out kernel_backboard_edges(double clearance, double slack, double g0, double g1, double g2, double g3)
+{
+    const double _s0 = -slack;
+    const bool _s1 = !(((((g0 < _s0) && (g1 < _s0)) && (g2 < _s0)) && (g3 < _s0)) && (0.0 < clearance));
+    return {((((g0 <= slack) && (g1 <= slack)) && (g2 <= slack)) && (g3 <= slack)) && _s1};
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. No operations. */
+struct kernel_bridge_normal_out {
+    double nx, ny, nz;
+};
+
+static __device__ __forceinline__ kernel_bridge_normal_out kernel_bridge_normal()
+{
+    return {0.0, 0.0, 1.0};
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. No operations. */
+struct kernel_bridge_curvature_out {
+    double curvature;
+};
+
+static __device__ __forceinline__ kernel_bridge_curvature_out kernel_bridge_curvature()
+{
+    return {0.0};
+}
+
+/* The g of Eq. 2: a contact counts if none is positive.
+   Eq. 2, Table 2. 10 operations: 3 additions, 2 subtractions, 2 multiplications, 1 square root, 2 negations. */
+struct kernel_bridge_bounds_out {
+    double g0, g1, g2, g3, g4;
+};
+
+static __device__ __forceinline__ kernel_bridge_bounds_out kernel_bridge_bounds(double x, double y, double p_ring_radius, double p_board_distance, double p_bridge_half_width)
+{
+    return {-(p_bridge_half_width + y), y - p_bridge_half_width, p_ring_radius - sqrt(((x * x) + (y * y))), x, -(p_board_distance + x)};
+}
+
+/* Time of the only arrival, the gap's first two derivatives there, and its apex.
+   Eq. 3 in Table 2, solved. 27 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 1 absolute value, 2 comparisons, 4 selections. */
+struct kernel_bridge_arrival_out {
+    double time, rate, bend, apex, height;
+};
+
+static __device__ __forceinline__ kernel_bridge_arrival_out kernel_bridge_arrival(double leaving, double z, double vz, double p_ball_radius, double p_wire_radius, double p_gravity)
+{
+    const bool _s0 = 0.0 < leaving;
+    const double _s1 = choose(_s0, 0.0, (z - (p_ball_radius + p_wire_radius)));
+    const double _s2 = (vz * vz) + ((2.0 * p_gravity) * _s1);
+    const double _s3 = choose(_s0, fabs(vz), sqrt(_s2));
+    const bool _s4 = vz < 0.0;
+    const double _s5 = -(1.0 / p_gravity);
+    return {choose(_s4, (2.0 * _s1), (vz + _s3)) / choose(_s4, (_s3 - vz), p_gravity), -_s3, -p_gravity, -(vz * _s5), -((0.5 * _s5) * _s2)};
+}
+
+/* Rounding-error bound of the gap up to the horizon.
+   running error analysis. 15 operations: 7 additions, 8 multiplications. */
+struct kernel_bridge_margin_out {
+    double margin;
+};
+
+static __device__ __forceinline__ kernel_bridge_margin_out kernel_bridge_margin(double horizon, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_wire_radius, double p_gravity)
+{
+    const double _s0 = extent + (horizon * (speed + (p_gravity * horizon)));
+    return {(((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius)) + (2.222614453595284e-16 * _s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s0)))};
+}
+
+/* Point of the contact plane nearest to a position.
+   Table 2. 1 operation: 1 addition. */
+struct kernel_bridge_place_out {
+    double x, y, z;
+};
+
+static __device__ __forceinline__ kernel_bridge_place_out kernel_bridge_place(double x, double y, double p_ball_radius, double p_wire_radius)
+{
+    return {x, y, p_ball_radius + p_wire_radius};
+}
+
+/* Whether a contact counts (Eq. 2).
+   Table 1. 9 operations: 5 comparisons, 4 conjunctions. */
+struct kernel_bridge_within_out {
+    bool arrives;
+};
+
+static __device__ __forceinline__ kernel_bridge_within_out kernel_bridge_within(double g0, double g1, double g2, double g3, double g4)
+{
+    return {((((g0 <= 0.0) && (g1 <= 0.0)) && (g2 <= 0.0)) && (g3 <= 0.0)) && (g4 <= 0.0)};
+}
+
+/* Whether the bounds or the crossing lie within their errors.
+   Table 1. 23 operations: 1 negation, 11 comparisons, 10 conjunctions, 1 complement. */
+struct kernel_bridge_edges_out {
+    bool unsure;
+};
+
+static __device__ __forceinline__ kernel_bridge_edges_out kernel_bridge_edges(double clearance, double slack, double g0, double g1, double g2, double g3, double g4)
+{
+    const double _s0 = -slack;
+    const bool _s1 = (((((g0 < _s0) && (g1 < _s0)) && (g2 < _s0)) && (g3 < _s0)) && (g4 < _s0)) && (0.0 < clearance);
+    const bool _s2 = (((((g0 <= slack) && (g1 <= slack)) && (g2 <= slack)) && (g3 <= slack)) && (g4 <= slack)) && (!_s1);
+    return {_s2};
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. No operations. */
+struct kernel_end_normal_out {
+    double nx, ny, nz;
+};
+
+static __device__ __forceinline__ kernel_end_normal_out kernel_end_normal()
+{
+    return {0.0, 0.0, 1.0};
+}
+
+/* Time of the only arrival, the gap's first two derivatives there, and its apex.
+   Eq. 3 in Table 2, solved. 27 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 4 selections. */
+struct kernel_end_arrival_out {
+    double time, rate, bend, apex, height;
+};
+
+static __device__ __forceinline__ kernel_end_arrival_out kernel_end_arrival(double leaving, double z, double vz, double p_gravity, double p_end_depth)
+{
+    const bool _s0 = 0.0 < leaving;
+    const double _s1 = choose(_s0, 0.0, (z - (-p_end_depth)));
+    const double _s2 = (vz * vz) + ((2.0 * p_gravity) * _s1);
+    const double _s3 = choose(_s0, fabs(vz), sqrt(_s2));
+    const bool _s4 = vz < 0.0;
+    const double _s5 = -(1.0 / p_gravity);
+    return {choose(_s4, (2.0 * _s1), (vz + _s3)) / choose(_s4, (_s3 - vz), p_gravity), -_s3, -p_gravity, -(vz * _s5), -((0.5 * _s5) * _s2)};
+}
+
+/* Rounding-error bound of the gap up to the horizon.
+   running error analysis. 13 operations: 6 additions, 7 multiplications. */
+struct kernel_end_margin_out {
+    double margin;
+};
+
+static __device__ __forceinline__ kernel_end_margin_out kernel_end_margin(double horizon, double extent, double speed, double position_error, double velocity_error, double p_gravity, double p_end_depth)
+{
+    const double _s0 = extent + (horizon * (speed + (p_gravity * horizon)));
+    return {((6.667843360785852e-16 * p_end_depth) + (2.222614453595284e-16 * _s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s0)))};
+}
+
+/* Bounds of the ends on a plane; the first whose bounds all hold is reached.
+   Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root. */
+struct kernel_end_bounds_out {
+    double g0;
+};
+
+static __device__ __forceinline__ kernel_end_bounds_out kernel_end_bounds(double x, double y, double p_ring_radius)
+{
+    return {sqrt(((x * x) + (y * y))) - p_ring_radius};
+}
+
+/* End that a crossing reaches.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+struct kernel_end_reached_out {
+    double reached;
+};
+
+static __device__ __forceinline__ kernel_end_reached_out kernel_end_reached(double g0)
+{
+    return {choose((g0 <= 0.0), 0.0, 1.0)};
+}
+
+/* Whether the choice of the end lies within its error.
+   Table 1. 5 operations: 1 negation, 2 comparisons, 1 conjunction, 1 complement. */
+struct kernel_end_edge_out {
+    bool edge;
+};
+
+static __device__ __forceinline__ kernel_end_edge_out kernel_end_edge(double slack, double g0)
+{
+    return {(g0 <= slack) && (!(g0 < (-slack)))};
+}
+
+/* Both variants of the event loop are given
+   _shots             how many there are; the log counts them from `_first` on
+   _states            x y z vx vy vz wx wy wz of each
+   _values, _strides  where each parameter's values are, and the step from one shot's to the next one's
+   _leaving           the surface that each shot touches at the start and leaves, -1 for none; or null
+   _results           the arrays of results, null for what is not wanted:
+                      outcome, contacts, counts, first, time, state, time_error, state_error, uncertain;
+                      and of the event log, which has _max_contacts + 1 rows
+                      for each shot, and of their number: events, event_counts */
+
+
+#if VARIANT != 1
+/* The path alone. */
+extern "C" __global__ void hoop_plain(
+    long long _shots, long long _first, const double *_states, const double *const *_values,
+    const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
+    void *const *_results)
+{
+    const long long _shot = blockIdx.x * (long long)blockDim.x + threadIdx.x;
+    if (_shot >= _shots)
+        return;
+    const shot_parameters _given = {_values, _strides, _shot};
+    const double most_contacts = (double)_max_contacts;
+    const double p_ball_radius = parameter(_given, 0);
+    const double p_ring_radius = parameter(_given, 1);
+    const double p_wire_radius = parameter(_given, 2);
+    const double p_board_distance = parameter(_given, 3);
+    const double p_board_half_width = parameter(_given, 4);
+    const double p_board_bottom = parameter(_given, 5);
+    const double p_board_top = parameter(_given, 6);
+    const double p_bridge_half_width = parameter(_given, 7);
+    const double p_restitution = parameter(_given, 8);
+    const double p_gravity = parameter(_given, 9);
+    const double p_end_depth = parameter(_given, 10);
+
+    double x = 0.0, y = 0.0, z = 0.0, vx = 0.0, vy = 0.0, vz = 0.0, wx = 0.0, wy = 0.0, wz = 0.0,
+        clock = 0.0, last = 0.0, first = -1.0, contacts = 0.0, count_0 = 0.0, count_1 = 0.0,
+        count_2 = 0.0, outcome = -1.0, allowed = 0.0, valid = 0.0, extent = 0.0, speed = 0.0,
+        excess = 0.0, when = 0.0, which = 0.0, leaving = 0.0, time = 0.0, rate = 0.0, bend = 0.0,
+        apex = 0.0, until = 0.0, pad = 0.0, there_y = 0.0, there_z = 0.0, g0 = 0.0, g1 = 0.0,
+        g2 = 0.0, g3 = 0.0, there_x = 0.0, g4 = 0.0, clear = 0.0, share = 0.0, arrival = 0.0,
+        since = 0.0, rho_start = 0.0, start_rate = 0.0, rho_rate = 0.0, near_x = 0.0, near_y = 0.0,
+        near_z = 0.0, near_vz = 0.0, ceiling = 0.0, flat = 0.0, tilt = 0.0, t = 0.0, energy2 = 0.0,
+        moment2 = 0.0, low0 = 0.0, high0 = 0.0, low1 = 0.0, high1 = 0.0, low2 = 0.0, high2 = 0.0,
+        latest = 0.0, position_level = 0.0, velocity_level = 0.0, rate_slack = 0.0, end = 0.0,
+        margin = 0.0, gap = 0.0, step = 0.0, next = 0.0, clearance = 0.0, refined = 0.0,
+        reached = 0.0, body = 0.0, nx = 0.0, ny = 0.0, nz = 0.0;
+    bool permitted = false, in_range = false, close = false, limited = false, arrives = false,
+        possible = false, released = false, reachable = false, open = false, certain = false,
+        searching = false, representable = false, fits = false, stepping = false,
+        single_precision = false, hit = false, sure = false, needs_refinement = false,
+        exhausted = false, refining = false, moves = false, ends = false, touches = false,
+        here = false, meeting = false;
+    float time_error = (float)0.0, onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0,
+        wide_high1 = (float)0.0, wide_low2 = (float)0.0, wide_high2 = (float)0.0,
+        lapsed = (float)0.0, short_share = (float)0.0, short_t = (float)0.0,
+        short_end = (float)0.0, short_x = (float)0.0, short_y = (float)0.0, short_z = (float)0.0,
+        short_vx = (float)0.0, short_vy = (float)0.0, short_vz = (float)0.0,
+        short_energy2 = (float)0.0, short_moment2 = (float)0.0, short_rho_start = (float)0.0,
+        short_ceiling = (float)0.0, short_flat = (float)0.0, short_tilt = (float)0.0,
+        short_jerk = (float)0.0, short_quotient_margin = (float)0.0, short_start_rate = (float)0.0,
+        short_rho_rate = (float)0.0, short_rate_margin = (float)0.0, short_low1 = (float)0.0,
+        short_high1 = (float)0.0, short_low2 = (float)0.0, short_high2 = (float)0.0;
+    x = _states[9 * _shot + 0];
+    y = _states[9 * _shot + 1];
+    z = _states[9 * _shot + 2];
+    vx = _states[9 * _shot + 3];
+    vy = _states[9 * _shot + 4];
+    vz = _states[9 * _shot + 5];
+    wx = _states[9 * _shot + 6];
+    wy = _states[9 * _shot + 7];
+    wz = _states[9 * _shot + 8];
+    last = _leaving ? (double)_leaving[_shot] : -1.0;
+
+    hoop_event *_events = (hoop_event *)_results[9];
+    int _used = 0;
+    if (_events)
+        _events += _shot * (1 * (long long)_max_contacts + 1);
+
+    const kernel_allowed_out _o0 = kernel_allowed(_given);
+    allowed = _o0.allowed;
+    const kernel_parameters_in_range_out _o1 = kernel_parameters_in_range(_given, allowed);
+    permitted = _o1.permitted;
+    const kernel_state_in_range_out _o2 = kernel_state_in_range(x, y, z, vx, vy, vz, wx, wy, wz);
+    in_range = _o2.in_range;
+    const kernel_aside_out _o3 = kernel_aside(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
+    close = _o3.close;
+    valid = _o3.valid;
+    if (close) {
+        const kernel_valid_out _o4 = kernel_valid(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
+        valid = _o4.valid;
+    }
+    const kernel_admitted_out _o5 = kernel_admitted(INFINITE, valid, permitted, in_range);
+    outcome = _o5.outcome;
+
+    while (outcome < 0.0) {
+        /* To the next event. */
+        const kernel_error_bounds_out _o6 = kernel_error_bounds(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+        time_error = _o6.time_error;
+        const kernel_scale_out _o7 = kernel_scale(x, y, z, vx, vy, vz, p_gravity);
+        extent = _o7.extent;
+        speed = _o7.speed;
+        excess = _o7.excess;
+        const kernel_opening_out _o8 = kernel_opening(excess, 0.0, 0.0);
+        when = _o8.when;
+        which = _o8.which;
+        const kernel_limited_out _o9 = kernel_limited(time_limit);
+        limited = _o9.limited;
+        const kernel_left_out _o10 = kernel_left(3.0, last);
+        leaving = _o10.leaving;
+        const kernel_end_arrival_out _o11 = kernel_end_arrival(leaving, z, vz, p_gravity, p_end_depth);
+        time = _o11.time;
+        rate = _o11.rate;
+        bend = _o11.bend;
+        apex = _o11.apex;
+        const kernel_meeting_plane_out _o12 = kernel_meeting_plane(rate, bend, apex, time);
+        arrives = _o12.arrives;
+        const kernel_within_time_out _o13 = kernel_within_time(time, when, 0.0, 0.0, arrives);
+        possible = _o13.possible;
+        if (possible) {
+            const kernel_earliest_out _o14 = kernel_earliest(3.0, time, when, which, arrives);
+            when = _o14.when;
+            which = _o14.which;
+        }
+        const kernel_released_out _o15 = kernel_released(last);
+        released = _o15.released;
+        reachable = _o15.reachable;
+        if (released) {
+            const kernel_horizon_out _o16 = kernel_horizon(when, speed, p_gravity);
+            until = _o16.horizon;
+            pad = _o16.pad;
+            const kernel_reachable_out _o17 = kernel_reachable(p_ball_radius, p_board_distance, p_bridge_half_width, p_gravity, p_ring_radius, x, vx, until, extent, speed, pad, 0.0, 0.0, 0.0);
+            reachable = _o17.reachable;
+        }
+        if (reachable) {
+            const kernel_left_out _o18 = kernel_left(1.0, last);
+            leaving = _o18.leaving;
+            const kernel_backboard_arrival_out _o19 = kernel_backboard_arrival(leaving, x, vx, p_ball_radius, p_board_distance);
+            time = _o19.time;
+            rate = _o19.rate;
+            bend = _o19.bend;
+            apex = _o19.apex;
+            const kernel_meeting_plane_out _o20 = kernel_meeting_plane(rate, bend, apex, time);
+            arrives = _o20.arrives;
+            const kernel_within_time_out _o21 = kernel_within_time(time, when, 0.0, 0.0, arrives);
+            possible = _o21.possible;
+            if (possible) {
+                const kernel_flight_out _o22 = kernel_flight(time, x, y, z, vx, vy, vz, p_gravity);
+                there_y = _o22.y;
+                there_z = _o22.z;
+                const kernel_backboard_bounds_out _o23 = kernel_backboard_bounds(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
+                g0 = _o23.g0;
+                g1 = _o23.g1;
+                g2 = _o23.g2;
+                g3 = _o23.g3;
+                const kernel_backboard_within_out _o24 = kernel_backboard_within(g0, g1, g2, g3);
+                arrives = _o24.arrives;
+                const kernel_earliest_out _o25 = kernel_earliest(1.0, time, when, which, arrives);
+                when = _o25.when;
+                which = _o25.which;
+            }
+            const kernel_left_out _o26 = kernel_left(2.0, last);
+            leaving = _o26.leaving;
+            const kernel_bridge_arrival_out _o27 = kernel_bridge_arrival(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
+            time = _o27.time;
+            rate = _o27.rate;
+            bend = _o27.bend;
+            apex = _o27.apex;
+            const kernel_meeting_plane_out _o28 = kernel_meeting_plane(rate, bend, apex, time);
+            arrives = _o28.arrives;
+            const kernel_within_time_out _o29 = kernel_within_time(time, when, 0.0, 0.0, arrives);
+            possible = _o29.possible;
+            if (possible) {
+                const kernel_flight_out _o30 = kernel_flight(time, x, y, z, vx, vy, vz, p_gravity);
+                there_x = _o30.x;
+                there_y = _o30.y;
+                const kernel_bridge_bounds_out _o31 = kernel_bridge_bounds(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
+                g0 = _o31.g0;
+                g1 = _o31.g1;
+                g2 = _o31.g2;
+                g3 = _o31.g3;
+                g4 = _o31.g4;
+                const kernel_bridge_within_out _o32 = kernel_bridge_within(g0, g1, g2, g3, g4);
+                arrives = _o32.arrives;
+                const kernel_earliest_out _o33 = kernel_earliest(2.0, time, when, which, arrives);
+                when = _o33.when;
+                which = _o33.which;
+            }
+        }
+        const kernel_horizon_out _o34 = kernel_horizon(when, speed, p_gravity);
+        until = _o34.horizon;
+        const kernel_ring_clear_out _o35 = kernel_ring_clear(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+        clear = _o35.clear;
+        const kernel_opens_out _o36 = kernel_opens(clear);
+        open = _o36.open;
+        if (open) {
+            const kernel_beginning_out _o37 = kernel_beginning();
+            share = _o37.share;
+            arrival = _o37.arrival;
+            certain = _o37.certain;
+            const kernel_left_out _o38 = kernel_left(0.0, last);
+            leaving = _o38.leaving;
+            const kernel_ring_opened_out _o39 = kernel_ring_opened(until, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            onset = _o39.t;
+            wide_end = _o39.end;
+            searching = _o39.searching;
+            wide_low1 = _o39.low1;
+            wide_high1 = _o39.high1;
+            wide_low2 = _o39.low2;
+            wide_high2 = _o39.high2;
+            lapsed = _o39.latest;
+            representable = _o39.representable;
+            const kernel_opened_out _o40 = kernel_opened(lapsed, onset);
+            since = _o40.time;
+            const kernel_ring_started_out _o41 = kernel_ring_started(x, y, z, vx, vy, vz, p_ring_radius);
+            rho_start = _o41.rho_start;
+            start_rate = _o41.start_rate;
+            rho_rate = _o41.rho_rate;
+            const kernel_flight_out _o42 = kernel_flight(since, x, y, z, vx, vy, vz, p_gravity);
+            near_x = _o42.x;
+            near_y = _o42.y;
+            near_z = _o42.z;
+            near_vz = _o42.vz;
+            const kernel_ring_resolution_out _o43 = kernel_ring_resolution(onset, wide_end, leaving, lapsed, near_x, near_y, near_z, vx, vy, near_vz, extent, speed, start_rate, rho_rate, wide_low1, wide_high1, wide_low2, wide_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            short_share = _o43.share;
+            short_t = _o43.t;
+            short_end = _o43.end;
+            short_x = _o43.x;
+            short_y = _o43.y;
+            short_z = _o43.z;
+            short_vx = _o43.vx;
+            short_vy = _o43.vy;
+            short_vz = _o43.vz;
+            short_energy2 = _o43.energy2;
+            short_moment2 = _o43.moment2;
+            short_rho_start = _o43.rho_start;
+            short_ceiling = _o43.ceiling;
+            short_flat = _o43.flat;
+            short_tilt = _o43.tilt;
+            short_jerk = _o43.jerk;
+            short_quotient_margin = _o43.quotient_margin;
+            short_start_rate = _o43.start_rate;
+            short_rho_rate = _o43.rho_rate;
+            short_rate_margin = _o43.rate_margin;
+            short_low1 = _o43.low1;
+            short_high1 = _o43.high1;
+            short_low2 = _o43.low2;
+            short_high2 = _o43.high2;
+            fits = _o43.fits;
+            const kernel_coarse_out _o44 = kernel_coarse(short_rate_margin, short_flat, short_ceiling, short_share, searching, representable, fits);
+            stepping = _o44.stepping;
+            searching = _o44.searching;
+            single_precision = _o44.single_precision;
+            ceiling = _o44.ceiling;
+            flat = _o44.flat;
+            tilt = _o44.tilt;
+            if (stepping) {
+                const kernel_ring_step_out _o45 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o45.t;
+                short_end = _o45.end;
+                certain = _o45.certain;
+                stepping = _o45.stepping;
+            }
+            for (size_t _turn = 0; _turn < 24; _turn++) {
+                if (!stepping)
+                    break;
+                const kernel_ring_step_out _o46 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o46.t;
+                short_end = _o46.end;
+                certain = _o46.certain;
+                stepping = _o46.stepping;
+            }
+            const kernel_stepped_out _o47 = kernel_stepped(arrival, short_t, searching, since, single_precision, certain);
+            arrival = _o47.arrival;
+            t = _o47.t;
+            searching = _o47.searching;
+            if (searching) {
+                const kernel_ring_prepare_out _o48 = kernel_ring_prepare(until, x, y, z, vx, vy, vz, extent, speed, 0.0, 0.0, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                energy2 = _o48.energy2;
+                moment2 = _o48.moment2;
+                rho_start = _o48.rho_start;
+                low0 = _o48.low0;
+                high0 = _o48.high0;
+                low1 = _o48.low1;
+                high1 = _o48.high1;
+                low2 = _o48.low2;
+                high2 = _o48.high2;
+                ceiling = _o48.ceiling;
+                latest = _o48.latest;
+                const kernel_allowance_out _o49 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
+                position_level = _o49.position_level;
+                velocity_level = _o49.velocity_level;
+                const kernel_ring_margins_out _o50 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o50.margin;
+                tilt = _o50.leaving_margin;
+                rate_slack = _o50.rate_margin;
+                const kernel_ring_enter_out _o51 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
+                t = _o51.t;
+                end = _o51.end;
+                searching = _o51.searching;
+                for (size_t _turn = 0; _turn < 201; _turn++) {
+                    if (!searching)
+                        break;
+                    const kernel_nearby_out _o52 = kernel_nearby(t, flat, tilt, 0.0, last);
+                    leaving = _o52.leaving;
+                    margin = _o52.margin;
+                    const kernel_ring_advance_out _o53 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    gap = _o53.gap;
+                    rate = _o53.rate;
+                    bend = _o53.bend;
+                    step = _o53.step;
+                    next = _o53.next;
+                    clearance = _o53.clearance;
+                    const kernel_struck_out _o54 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
+                    hit = _o54.hit;
+                    sure = _o54.sure;
+                    needs_refinement = _o54.needs_refinement;
+                    if (needs_refinement) {
+                        const kernel_finer_out _o55 = kernel_finer(share);
+                        share = _o55.share;
+                        const kernel_allowance_out _o56 = kernel_allowance(share, latest, extent, speed, 0.0, 0.0, p_gravity);
+                        position_level = _o56.position_level;
+                        velocity_level = _o56.velocity_level;
+                        const kernel_ring_margins_out _o57 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                        flat = _o57.margin;
+                        tilt = _o57.leaving_margin;
+                        rate_slack = _o57.rate_margin;
+                    }
+                    const kernel_advanced_out _o58 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                    arrival = _o58.arrival;
+                    certain = _o58.certain;
+                    exhausted = _o58.exhausted;
+                    searching = _o58.searching;
+                    t = _o58.t;
+                    if (exhausted) {
+                        const kernel_ring_enter_out _o59 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
+                        t = _o59.t;
+                        end = _o59.end;
+                        searching = _o59.searching;
+                    }
+                }
+            }
+            const kernel_found_out _o60 = kernel_found(arrival);
+            arrives = _o60.arrives;
+            refining = _o60.refining;
+            const kernel_nearby_out _o61 = kernel_nearby(arrival, flat, tilt, 0.0, last);
+            leaving = _o61.leaving;
+            if (refining) {
+                const kernel_ring_refine_out _o62 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o62.time;
+                gap = _o62.gap;
+                rate = _o62.rate;
+                const kernel_polished_out _o63 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o63.arrival;
+                refining = _o63.refining;
+            }
+            if (refining) {
+                const kernel_ring_refine_out _o64 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o64.time;
+                gap = _o64.gap;
+                rate = _o64.rate;
+                const kernel_polished_out _o65 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o65.arrival;
+                refining = _o65.refining;
+            }
+            for (size_t _turn = 0; _turn < 8; _turn++) {
+                if (!refining)
+                    break;
+                const kernel_ring_refine_out _o66 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o66.time;
+                gap = _o66.gap;
+                rate = _o66.rate;
+                const kernel_polished_out _o67 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o67.arrival;
+                refining = _o67.refining;
+            }
+            const kernel_landed_out _o68 = kernel_landed(arrival);
+            time = _o68.time;
+            const kernel_earliest_out _o69 = kernel_earliest(0.0, time, when, which, arrives);
+            when = _o69.when;
+            which = _o69.which;
+        }
+        if (limited) {
+            const kernel_expiry_out _o70 = kernel_expiry(when, which, 0.0, INFINITE, time_error, clock, time_limit);
+            time = _o70.time;
+            arrives = _o70.arrives;
+            const kernel_earliest_out _o71 = kernel_earliest(4.0, time, when, which, arrives);
+            when = _o71.when;
+            which = _o71.which;
+        }
+        const kernel_departed_out _o72 = kernel_departed(3.0, which);
+        moves = _o72.moves;
+        ends = _o72.ends;
+        touches = _o72.touches;
+        reached = _o72.reached;
+        const kernel_body_of_out _o73 = kernel_body_of(which);
+        body = _o73.body;
+        if (moves) {
+            const kernel_flight_out _o74 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
+            x = _o74.x;
+            y = _o74.y;
+            z = _o74.z;
+            vx = _o74.vx;
+            vy = _o74.vy;
+            vz = _o74.vz;
+            const kernel_event_clock_out _o75 = kernel_event_clock(when, clock);
+            clock = _o75.clock;
+        }
+        if (limited) {
+            const kernel_expired_out _o76 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
+            clock = _o76.clock;
+            body = _o76.body;
+            reached = _o76.reached;
+            ends = _o76.ends;
+        }
+        const kernel_here_out _o77 = kernel_here(3.0, which);
+        here = _o77.here;
+        if (here) {
+            const kernel_end_bounds_out _o78 = kernel_end_bounds(x, y, p_ring_radius);
+            g0 = _o78.g0;
+            const kernel_end_reached_out _o79 = kernel_end_reached(g0);
+            reached = _o79.reached;
+        }
+        const kernel_accounted_out _o80 = kernel_accounted(contacts, most_contacts, reached, touches);
+        contacts = _o80.contacts;
+        outcome = _o80.outcome;
+
+        const double _before[] = {x, y, z, vx, vy, vz, wx, wy, wz};
+
+        /* What it does to the ball. */
+        const kernel_meeting_out _o81 = kernel_meeting(0.0, ends, touches);
+        meeting = _o81.meeting;
+        if (meeting) {
+            const kernel_end_normal_out _o82 = kernel_end_normal();
+            nx = _o82.nx;
+            ny = _o82.ny;
+            nz = _o82.nz;
+            const kernel_here_out _o83 = kernel_here(0.0, which);
+            here = _o83.here;
+            if (here) {
+                const kernel_ring_normal_out _o84 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = _o84.nx;
+                ny = _o84.ny;
+                nz = _o84.nz;
+                const kernel_counted_out _o85 = kernel_counted(count_0);
+                count_0 = _o85.count;
+            }
+            const kernel_here_out _o86 = kernel_here(1.0, which);
+            here = _o86.here;
+            if (here) {
+                const kernel_backboard_normal_out _o87 = kernel_backboard_normal();
+                nx = _o87.nx;
+                ny = _o87.ny;
+                nz = _o87.nz;
+                const kernel_counted_out _o88 = kernel_counted(count_1);
+                count_1 = _o88.count;
+            }
+            const kernel_here_out _o89 = kernel_here(2.0, which);
+            here = _o89.here;
+            if (here) {
+                const kernel_bridge_normal_out _o90 = kernel_bridge_normal();
+                nx = _o90.nx;
+                ny = _o90.ny;
+                nz = _o90.nz;
+                const kernel_counted_out _o91 = kernel_counted(count_2);
+                count_2 = _o91.count;
+            }
+            if (touches) {
+                const kernel_impact_out _o92 = kernel_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                vx = _o92.vx;
+                vy = _o92.vy;
+                vz = _o92.vz;
+                wx = _o92.wx;
+                wy = _o92.wy;
+                wz = _o92.wz;
+            }
+            const kernel_here_out _o93 = kernel_here(1.0, which);
+            here = _o93.here;
+            if (here) {
+                const kernel_backboard_place_out _o94 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
+                x = _o94.x;
+                y = _o94.y;
+                z = _o94.z;
+            }
+            const kernel_here_out _o95 = kernel_here(2.0, which);
+            here = _o95.here;
+            if (here) {
+                const kernel_bridge_place_out _o96 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
+                x = _o96.x;
+                y = _o96.y;
+                z = _o96.z;
+            }
+            if (touches) {
+                const kernel_touched_out _o97 = kernel_touched(which, body, first);
+                first = _o97.first;
+                last = _o97.last;
+            }
+        }
+
+        if (_events && body >= 0.0) {
+            hoop_event *const _event = _events + _used++;
+            const long long _place = (long long)body, _staying = _place - 4;
+            _event->shot = _first + _shot;
+            _event->surface = _staying < 0 ? _place : _staying / 2;
+            _event->kind = _staying < -1 ? HOOP_EVENT_IMPACT : _staying < 0 ? HOOP_EVENT_END : _staying % 2 ? HOOP_EVENT_LEAVE : HOOP_EVENT_ROLL;
+            _event->time = clock;
+            for (int _k = 0; _k < 9; _k++)
+                _event->before[_k] = _before[_k];
+            _event->after[0] = x;
+            _event->after[1] = y;
+            _event->after[2] = z;
+            _event->after[3] = vx;
+            _event->after[4] = vy;
+            _event->after[5] = vz;
+            _event->after[6] = wx;
+            _event->after[7] = wy;
+            _event->after[8] = wz;
+        }
+    }
+
+    if (_events)
+        ((int *)_results[10])[_shot] = _used;
+    const bool _invalid = (int)outcome == HOOP_OUTCOME_INVALID;
+    (void)_invalid;
+    if (_results[0]) {
+        ((unsigned char *)_results[0])[_shot] = (unsigned char)(int)outcome;
+    }
+    if (_results[1]) {
+        ((int *)_results[1])[_shot] = (int)contacts;
+    }
+    if (_results[2]) {
+        ((int *)_results[2])[3 * _shot + 0] = (int)count_0;
+        ((int *)_results[2])[3 * _shot + 1] = (int)count_1;
+        ((int *)_results[2])[3 * _shot + 2] = (int)count_2;
+    }
+    if (_results[3]) {
+        ((signed char *)_results[3])[_shot] = (signed char)(int)first;
+    }
+    if (_results[4]) {
+        ((double *)_results[4])[_shot] = _invalid ? NOT_A_NUMBER : clock;
+    }
+    if (_results[5]) {
+        ((double *)_results[5])[9 * _shot + 0] = _invalid ? NOT_A_NUMBER : x;
+        ((double *)_results[5])[9 * _shot + 1] = _invalid ? NOT_A_NUMBER : y;
+        ((double *)_results[5])[9 * _shot + 2] = _invalid ? NOT_A_NUMBER : z;
+        ((double *)_results[5])[9 * _shot + 3] = _invalid ? NOT_A_NUMBER : vx;
+        ((double *)_results[5])[9 * _shot + 4] = _invalid ? NOT_A_NUMBER : vy;
+        ((double *)_results[5])[9 * _shot + 5] = _invalid ? NOT_A_NUMBER : vz;
+        ((double *)_results[5])[9 * _shot + 6] = _invalid ? NOT_A_NUMBER : wx;
+        ((double *)_results[5])[9 * _shot + 7] = _invalid ? NOT_A_NUMBER : wy;
+        ((double *)_results[5])[9 * _shot + 8] = _invalid ? NOT_A_NUMBER : wz;
+    }
+}
+#endif
+
+#if VARIANT != 0
+/* With bounds on errors. */
+extern "C" __global__ void hoop_bounded(
+    long long _shots, long long _first, const double *_states, const double *const *_values,
+    const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
+    void *const *_results)
+{
+    const long long _shot = blockIdx.x * (long long)blockDim.x + threadIdx.x;
+    if (_shot >= _shots)
+        return;
+    const shot_parameters _given = {_values, _strides, _shot};
+    const double most_contacts = (double)_max_contacts;
+    const double claims = _results[6] || _results[7] ? 1.0 : 0.0;
+    const double p_ball_radius = parameter(_given, 0);
+    const double p_ring_radius = parameter(_given, 1);
+    const double p_wire_radius = parameter(_given, 2);
+    const double p_board_distance = parameter(_given, 3);
+    const double p_board_half_width = parameter(_given, 4);
+    const double p_board_bottom = parameter(_given, 5);
+    const double p_board_top = parameter(_given, 6);
+    const double p_bridge_half_width = parameter(_given, 7);
+    const double p_restitution = parameter(_given, 8);
+    const double p_gravity = parameter(_given, 9);
+    const double p_end_depth = parameter(_given, 10);
+
+    double x = 0.0, y = 0.0, z = 0.0, vx = 0.0, vy = 0.0, vz = 0.0, wx = 0.0, wy = 0.0, wz = 0.0,
+        clock = 0.0, last = 0.0, first = -1.0, contacts = 0.0, count_0 = 0.0, count_1 = 0.0,
+        count_2 = 0.0, uncertain = 0.0, outcome = -1.0, allowed = 0.0, valid = 0.0, doubt = 0.0,
+        extent = 0.0, speed = 0.0, excess = 0.0, when = 0.0, which = 0.0, earliest_delay = 0.0,
+        leaving = 0.0, time = 0.0, rate = 0.0, bend = 0.0, apex = 0.0, height = 0.0, ceiling = 0.0,
+        nearest = 0.0, margin = 0.0, clearance = 0.0, delay = 0.0, until = 0.0, pad = 0.0,
+        there_y = 0.0, there_z = 0.0, g0 = 0.0, g1 = 0.0, g2 = 0.0, g3 = 0.0, slack = 0.0,
+        there_x = 0.0, g4 = 0.0, clear = 0.0, share = 0.0, arrival = 0.0, since = 0.0,
+        latest = 0.0, rho_start = 0.0, start_rate = 0.0, rho_rate = 0.0, near_x = 0.0,
+        near_y = 0.0, near_z = 0.0, near_vz = 0.0, flat = 0.0, tilt = 0.0, allowing = 0.0,
+        budget_exceeded = 0.0, t = 0.0, energy2 = 0.0, moment2 = 0.0, low0 = 0.0, high0 = 0.0,
+        low1 = 0.0, high1 = 0.0, low2 = 0.0, high2 = 0.0, position_level = 0.0,
+        velocity_level = 0.0, rate_slack = 0.0, end = 0.0, gap = 0.0, step = 0.0, next = 0.0,
+        refined = 0.0, rate_margin = 0.0, reached = 0.0, body = 0.0, nx = 0.0, ny = 0.0, nz = 0.0,
+        curving = 0.0;
+    float dx = (float)0.0, dy = (float)0.0, dz = (float)0.0, dvx = (float)0.0, dvy = (float)0.0,
+        dvz = (float)0.0, dwx = (float)0.0, dwy = (float)0.0, dwz = (float)0.0,
+        clock_error = (float)0.0, position_claim = (float)0.0, velocity_claim = (float)0.0,
+        spin_claim = (float)0.0, time_claim = (float)0.0, position_error = (float)0.0,
+        velocity_error = (float)0.0, time_error = (float)0.0, onset = (float)0.0,
+        wide_end = (float)0.0, wide_low1 = (float)0.0, wide_high1 = (float)0.0,
+        wide_low2 = (float)0.0, wide_high2 = (float)0.0, lapsed = (float)0.0,
+        short_share = (float)0.0, short_t = (float)0.0, short_end = (float)0.0,
+        short_x = (float)0.0, short_y = (float)0.0, short_z = (float)0.0, short_vx = (float)0.0,
+        short_vy = (float)0.0, short_vz = (float)0.0, short_energy2 = (float)0.0,
+        short_moment2 = (float)0.0, short_rho_start = (float)0.0, short_ceiling = (float)0.0,
+        short_flat = (float)0.0, short_tilt = (float)0.0, short_jerk = (float)0.0,
+        short_quotient_margin = (float)0.0, short_start_rate = (float)0.0,
+        short_rho_rate = (float)0.0, short_rate_margin = (float)0.0, short_low1 = (float)0.0,
+        short_high1 = (float)0.0, short_low2 = (float)0.0, short_high2 = (float)0.0,
+        belated = (float)0.0, shift = (float)0.0, dnx = (float)0.0, dny = (float)0.0,
+        dnz = (float)0.0, turn = (float)0.0;
+    bool permitted = false, in_range = false, close = false, limited = false, arrives = false,
+        possible = false, released = false, reachable = false, unsure = false, open = false,
+        certain = false, searching = false, representable = false, fits = false, stepping = false,
+        single_precision = false, hit = false, sure = false, needs_refinement = false,
+        exhausted = false, refining = false, moves = false, ends = false, touches = false,
+        edge = false, here = false, meeting = false, again = false, timed = false, closed = false;
+    x = _states[9 * _shot + 0];
+    y = _states[9 * _shot + 1];
+    z = _states[9 * _shot + 2];
+    vx = _states[9 * _shot + 3];
+    vy = _states[9 * _shot + 4];
+    vz = _states[9 * _shot + 5];
+    wx = _states[9 * _shot + 6];
+    wy = _states[9 * _shot + 7];
+    wz = _states[9 * _shot + 8];
+    last = _leaving ? (double)_leaving[_shot] : -1.0;
+
+    hoop_event *_events = (hoop_event *)_results[9];
+    int _used = 0;
+    if (_events)
+        _events += _shot * (1 * (long long)_max_contacts + 1);
+
+    const kernel_allowed_out _o98 = kernel_allowed(_given);
+    allowed = _o98.allowed;
+    const kernel_parameters_in_range_out _o99 = kernel_parameters_in_range(_given, allowed);
+    permitted = _o99.permitted;
+    const kernel_state_in_range_out _o100 = kernel_state_in_range(x, y, z, vx, vy, vz, wx, wy, wz);
+    in_range = _o100.in_range;
+    const kernel_aside_out _o101 = kernel_aside(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
+    close = _o101.close;
+    valid = _o101.valid;
+    doubt = _o101.doubt;
+    if (close) {
+        const kernel_valid_out _o102 = kernel_valid(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
+        valid = _o102.valid;
+        doubt = _o102.doubt;
+    }
+    const kernel_admitted_out _o103 = kernel_admitted(doubt, valid, permitted, in_range);
+    outcome = _o103.outcome;
+    uncertain = _o103.uncertain;
+
+    while (outcome < 0.0) {
+        /* To the next event. */
+        const kernel_error_bounds_out _o104 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+        position_error = _o104.position_error;
+        velocity_error = _o104.velocity_error;
+        time_error = _o104.time_error;
+        const kernel_scale_out _o105 = kernel_scale(x, y, z, vx, vy, vz, p_gravity);
+        extent = _o105.extent;
+        speed = _o105.speed;
+        excess = _o105.excess;
+        const kernel_opening_out _o106 = kernel_opening(excess, position_error, velocity_error);
+        when = _o106.when;
+        which = _o106.which;
+        earliest_delay = _o106.earliest_delay;
+        doubt = _o106.doubt;
+        const kernel_limited_out _o107 = kernel_limited(time_limit);
+        limited = _o107.limited;
+        const kernel_left_out _o108 = kernel_left(3.0, last);
+        leaving = _o108.leaving;
+        const kernel_end_arrival_out _o109 = kernel_end_arrival(leaving, z, vz, p_gravity, p_end_depth);
+        time = _o109.time;
+        rate = _o109.rate;
+        bend = _o109.bend;
+        apex = _o109.apex;
+        height = _o109.height;
+        const kernel_meeting_plane_out _o110 = kernel_meeting_plane(rate, bend, apex, time);
+        arrives = _o110.arrives;
+        ceiling = _o110.ceiling;
+        nearest = _o110.nearest;
+        const kernel_end_margin_out _o111 = kernel_end_margin(nearest, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
+        margin = _o111.margin;
+        const kernel_crossing_out _o112 = kernel_crossing(margin, 0.0, rate, ceiling);
+        clearance = _o112.clearance;
+        delay = _o112.delay;
+        const kernel_within_time_out _o113 = kernel_within_time(time, when, delay, earliest_delay, arrives);
+        possible = _o113.possible;
+        const kernel_grazed_out _o114 = kernel_grazed(margin, apex, height, doubt);
+        doubt = _o114.doubt;
+        if (possible) {
+            const kernel_crossed_out _o115 = kernel_crossed(clearance, time, doubt, arrives);
+            doubt = _o115.doubt;
+            const kernel_tied_out _o116 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+            doubt = _o116.doubt;
+            earliest_delay = _o116.earliest_delay;
+            const kernel_earliest_out _o117 = kernel_earliest(3.0, time, when, which, arrives);
+            when = _o117.when;
+            which = _o117.which;
+        }
+        const kernel_released_out _o118 = kernel_released(last);
+        released = _o118.released;
+        reachable = _o118.reachable;
+        if (released) {
+            const kernel_horizon_out _o119 = kernel_horizon(when, speed, p_gravity);
+            until = _o119.horizon;
+            pad = _o119.pad;
+            const kernel_reachable_out _o120 = kernel_reachable(p_ball_radius, p_board_distance, p_bridge_half_width, p_gravity, p_ring_radius, x, vx, until, extent, speed, pad, earliest_delay, position_error, velocity_error);
+            reachable = _o120.reachable;
+        }
+        if (reachable) {
+            const kernel_left_out _o121 = kernel_left(1.0, last);
+            leaving = _o121.leaving;
+            const kernel_backboard_arrival_out _o122 = kernel_backboard_arrival(leaving, x, vx, p_ball_radius, p_board_distance);
+            time = _o122.time;
+            rate = _o122.rate;
+            bend = _o122.bend;
+            apex = _o122.apex;
+            height = _o122.height;
+            const kernel_meeting_plane_out _o123 = kernel_meeting_plane(rate, bend, apex, time);
+            arrives = _o123.arrives;
+            ceiling = _o123.ceiling;
+            nearest = _o123.nearest;
+            const kernel_backboard_margin_out _o124 = kernel_backboard_margin(nearest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
+            margin = _o124.margin;
+            const kernel_crossing_out _o125 = kernel_crossing(margin, 0.0, rate, ceiling);
+            clearance = _o125.clearance;
+            delay = _o125.delay;
+            const kernel_within_time_out _o126 = kernel_within_time(time, when, delay, earliest_delay, arrives);
+            possible = _o126.possible;
+            const kernel_grazed_out _o127 = kernel_grazed(margin, apex, height, doubt);
+            doubt = _o127.doubt;
+            if (possible) {
+                const kernel_flight_out _o128 = kernel_flight(time, x, y, z, vx, vy, vz, p_gravity);
+                there_y = _o128.y;
+                there_z = _o128.z;
+                const kernel_backboard_bounds_out _o129 = kernel_backboard_bounds(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
+                g0 = _o129.g0;
+                g1 = _o129.g1;
+                g2 = _o129.g2;
+                g3 = _o129.g3;
+                const kernel_displacement_out _o130 = kernel_displacement(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+                slack = _o130.margin;
+                const kernel_backboard_edges_out _o131 = kernel_backboard_edges(clearance, slack, g0, g1, g2, g3);
+                unsure = _o131.unsure;
+                const kernel_questioned_out _o132 = kernel_questioned(time, doubt, unsure);
+                doubt = _o132.doubt;
+                const kernel_backboard_within_out _o133 = kernel_backboard_within(g0, g1, g2, g3);
+                arrives = _o133.arrives;
+                const kernel_tied_out _o134 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+                doubt = _o134.doubt;
+                earliest_delay = _o134.earliest_delay;
+                const kernel_earliest_out _o135 = kernel_earliest(1.0, time, when, which, arrives);
+                when = _o135.when;
+                which = _o135.which;
+            }
+            const kernel_left_out _o136 = kernel_left(2.0, last);
+            leaving = _o136.leaving;
+            const kernel_bridge_arrival_out _o137 = kernel_bridge_arrival(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
+            time = _o137.time;
+            rate = _o137.rate;
+            bend = _o137.bend;
+            apex = _o137.apex;
+            height = _o137.height;
+            const kernel_meeting_plane_out _o138 = kernel_meeting_plane(rate, bend, apex, time);
+            arrives = _o138.arrives;
+            ceiling = _o138.ceiling;
+            nearest = _o138.nearest;
+            const kernel_bridge_margin_out _o139 = kernel_bridge_margin(nearest, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
+            margin = _o139.margin;
+            const kernel_crossing_out _o140 = kernel_crossing(margin, 0.0, rate, ceiling);
+            clearance = _o140.clearance;
+            delay = _o140.delay;
+            const kernel_within_time_out _o141 = kernel_within_time(time, when, delay, earliest_delay, arrives);
+            possible = _o141.possible;
+            const kernel_grazed_out _o142 = kernel_grazed(margin, apex, height, doubt);
+            doubt = _o142.doubt;
+            if (possible) {
+                const kernel_flight_out _o143 = kernel_flight(time, x, y, z, vx, vy, vz, p_gravity);
+                there_x = _o143.x;
+                there_y = _o143.y;
+                const kernel_bridge_bounds_out _o144 = kernel_bridge_bounds(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
+                g0 = _o144.g0;
+                g1 = _o144.g1;
+                g2 = _o144.g2;
+                g3 = _o144.g3;
+                g4 = _o144.g4;
+                const kernel_displacement_out _o145 = kernel_displacement(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+                slack = _o145.margin;
+                const kernel_bridge_edges_out _o146 = kernel_bridge_edges(clearance, slack, g0, g1, g2, g3, g4);
+                unsure = _o146.unsure;
+                const kernel_questioned_out _o147 = kernel_questioned(time, doubt, unsure);
+                doubt = _o147.doubt;
+                const kernel_bridge_within_out _o148 = kernel_bridge_within(g0, g1, g2, g3, g4);
+                arrives = _o148.arrives;
+                const kernel_tied_out _o149 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+                doubt = _o149.doubt;
+                earliest_delay = _o149.earliest_delay;
+                const kernel_earliest_out _o150 = kernel_earliest(2.0, time, when, which, arrives);
+                when = _o150.when;
+                which = _o150.which;
+            }
+        }
+        const kernel_horizon_out _o151 = kernel_horizon(when, speed, p_gravity);
+        until = _o151.horizon;
+        pad = _o151.pad;
+        const kernel_ring_clear_out _o152 = kernel_ring_clear(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+        clear = _o152.clear;
+        const kernel_opens_out _o153 = kernel_opens(clear);
+        open = _o153.open;
+        if (open) {
+            const kernel_beginning_out _o154 = kernel_beginning();
+            share = _o154.share;
+            arrival = _o154.arrival;
+            certain = _o154.certain;
+            const kernel_left_out _o155 = kernel_left(0.0, last);
+            leaving = _o155.leaving;
+            const kernel_ring_opened_out _o156 = kernel_ring_opened(until, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            onset = _o156.t;
+            wide_end = _o156.end;
+            searching = _o156.searching;
+            wide_low1 = _o156.low1;
+            wide_high1 = _o156.high1;
+            wide_low2 = _o156.low2;
+            wide_high2 = _o156.high2;
+            lapsed = _o156.latest;
+            representable = _o156.representable;
+            const kernel_opened_out _o157 = kernel_opened(lapsed, onset);
+            since = _o157.time;
+            latest = _o157.latest;
+            const kernel_ring_started_out _o158 = kernel_ring_started(x, y, z, vx, vy, vz, p_ring_radius);
+            rho_start = _o158.rho_start;
+            start_rate = _o158.start_rate;
+            rho_rate = _o158.rho_rate;
+            const kernel_flight_out _o159 = kernel_flight(since, x, y, z, vx, vy, vz, p_gravity);
+            near_x = _o159.x;
+            near_y = _o159.y;
+            near_z = _o159.z;
+            near_vz = _o159.vz;
+            const kernel_ring_resolution_out _o160 = kernel_ring_resolution(onset, wide_end, leaving, lapsed, near_x, near_y, near_z, vx, vy, near_vz, extent, speed, start_rate, rho_rate, wide_low1, wide_high1, wide_low2, wide_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            short_share = _o160.share;
+            short_t = _o160.t;
+            short_end = _o160.end;
+            short_x = _o160.x;
+            short_y = _o160.y;
+            short_z = _o160.z;
+            short_vx = _o160.vx;
+            short_vy = _o160.vy;
+            short_vz = _o160.vz;
+            short_energy2 = _o160.energy2;
+            short_moment2 = _o160.moment2;
+            short_rho_start = _o160.rho_start;
+            short_ceiling = _o160.ceiling;
+            short_flat = _o160.flat;
+            short_tilt = _o160.tilt;
+            short_jerk = _o160.jerk;
+            short_quotient_margin = _o160.quotient_margin;
+            short_start_rate = _o160.start_rate;
+            short_rho_rate = _o160.rho_rate;
+            short_rate_margin = _o160.rate_margin;
+            short_low1 = _o160.low1;
+            short_high1 = _o160.high1;
+            short_low2 = _o160.low2;
+            short_high2 = _o160.high2;
+            fits = _o160.fits;
+            const kernel_coarse_out _o161 = kernel_coarse(short_rate_margin, short_flat, short_ceiling, short_share, searching, representable, fits);
+            stepping = _o161.stepping;
+            searching = _o161.searching;
+            single_precision = _o161.single_precision;
+            ceiling = _o161.ceiling;
+            flat = _o161.flat;
+            tilt = _o161.tilt;
+            allowing = _o161.allowing;
+            const kernel_allowance_out _o162 = kernel_allowance(allowing, latest, extent, speed, position_error, velocity_error, p_gravity);
+            excess = _o162.excess;
+            const kernel_ring_budget_exceeded_out _o163 = kernel_ring_budget_exceeded(until, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            budget_exceeded = _o163.budget_exceeded;
+            const kernel_out_of_budget_out _o164 = kernel_out_of_budget(pad, budget_exceeded, earliest_delay, doubt, excess);
+            doubt = _o164.doubt;
+            if (stepping) {
+                const kernel_ring_step_out _o165 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o165.t;
+                short_end = _o165.end;
+                certain = _o165.certain;
+                stepping = _o165.stepping;
+            }
+            for (size_t _turn = 0; _turn < 24; _turn++) {
+                if (!stepping)
+                    break;
+                const kernel_ring_step_out _o166 = kernel_ring_step(short_t, short_end, short_rate_margin, short_ceiling, short_x, short_y, short_z, short_vx, short_vy, short_vz, short_energy2, short_moment2, short_rho_start, short_flat, short_tilt, short_quotient_margin, short_jerk, short_start_rate, short_rho_rate, short_low1, short_high1, short_low2, short_high2, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                short_t = _o166.t;
+                short_end = _o166.end;
+                certain = _o166.certain;
+                stepping = _o166.stepping;
+            }
+            const kernel_stepped_out _o167 = kernel_stepped(arrival, short_t, searching, since, single_precision, certain);
+            arrival = _o167.arrival;
+            t = _o167.t;
+            searching = _o167.searching;
+            if (searching) {
+                const kernel_ring_prepare_out _o168 = kernel_ring_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                energy2 = _o168.energy2;
+                moment2 = _o168.moment2;
+                rho_start = _o168.rho_start;
+                low0 = _o168.low0;
+                high0 = _o168.high0;
+                low1 = _o168.low1;
+                high1 = _o168.high1;
+                low2 = _o168.low2;
+                high2 = _o168.high2;
+                ceiling = _o168.ceiling;
+                latest = _o168.latest;
+                const kernel_allowance_out _o169 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                position_level = _o169.position_level;
+                velocity_level = _o169.velocity_level;
+                const kernel_ring_margins_out _o170 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                flat = _o170.margin;
+                tilt = _o170.leaving_margin;
+                rate_slack = _o170.rate_margin;
+                const kernel_ring_enter_out _o171 = kernel_ring_enter(t, 0.0, t, low0, low1, low2, high0, high1, high2);
+                t = _o171.t;
+                end = _o171.end;
+                searching = _o171.searching;
+                for (size_t _turn = 0; _turn < 201; _turn++) {
+                    if (!searching)
+                        break;
+                    const kernel_nearby_out _o172 = kernel_nearby(t, flat, tilt, 0.0, last);
+                    leaving = _o172.leaving;
+                    margin = _o172.margin;
+                    const kernel_ring_advance_out _o173 = kernel_ring_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    gap = _o173.gap;
+                    rate = _o173.rate;
+                    bend = _o173.bend;
+                    step = _o173.step;
+                    next = _o173.next;
+                    clearance = _o173.clearance;
+                    const kernel_struck_out _o174 = kernel_struck(gap, rate, bend, margin, rate_slack, clearance, share);
+                    hit = _o174.hit;
+                    sure = _o174.sure;
+                    needs_refinement = _o174.needs_refinement;
+                    if (needs_refinement) {
+                        const kernel_finer_out _o175 = kernel_finer(share);
+                        share = _o175.share;
+                        const kernel_allowance_out _o176 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                        position_level = _o176.position_level;
+                        velocity_level = _o176.velocity_level;
+                        excess = _o176.excess;
+                        const kernel_ring_margins_out _o177 = kernel_ring_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                        flat = _o177.margin;
+                        tilt = _o177.leaving_margin;
+                        rate_slack = _o177.rate_margin;
+                        const kernel_exceeded_out _o178 = kernel_exceeded(t, doubt, excess);
+                        doubt = _o178.doubt;
+                    }
+                    const kernel_advanced_out _o179 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                    arrival = _o179.arrival;
+                    certain = _o179.certain;
+                    exhausted = _o179.exhausted;
+                    searching = _o179.searching;
+                    t = _o179.t;
+                    if (exhausted) {
+                        const kernel_ring_enter_out _o180 = kernel_ring_enter(t, end, end, low0, low1, low2, high0, high1, high2);
+                        t = _o180.t;
+                        end = _o180.end;
+                        searching = _o180.searching;
+                    }
+                }
+                const kernel_questioned_out _o181 = kernel_questioned(t, doubt, searching);
+                doubt = _o181.doubt;
+            }
+            const kernel_found_out _o182 = kernel_found(arrival);
+            arrives = _o182.arrives;
+            refining = _o182.refining;
+            rate = _o182.rate;
+            const kernel_nearby_out _o183 = kernel_nearby(arrival, flat, tilt, 0.0, last);
+            leaving = _o183.leaving;
+            if (refining) {
+                const kernel_ring_refine_out _o184 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o184.time;
+                gap = _o184.gap;
+                rate = _o184.rate;
+                const kernel_polished_out _o185 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o185.arrival;
+                refining = _o185.refining;
+            }
+            if (refining) {
+                const kernel_ring_refine_out _o186 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o186.time;
+                gap = _o186.gap;
+                rate = _o186.rate;
+                const kernel_polished_out _o187 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o187.arrival;
+                refining = _o187.refining;
+            }
+            for (size_t _turn = 0; _turn < 8; _turn++) {
+                if (!refining)
+                    break;
+                const kernel_ring_refine_out _o188 = kernel_ring_refine(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                refined = _o188.time;
+                gap = _o188.gap;
+                rate = _o188.rate;
+                const kernel_polished_out _o189 = kernel_polished(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o189.arrival;
+                refining = _o189.refining;
+            }
+            const kernel_ring_margins_out _o190 = kernel_ring_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            flat = _o190.margin;
+            tilt = _o190.leaving_margin;
+            rate_margin = _o190.rate_margin;
+            const kernel_own_margin_out _o191 = kernel_own_margin(leaving, flat, tilt, arrival);
+            margin = _o191.margin;
+            const kernel_crossing_out _o192 = kernel_crossing(margin, rate_margin, rate, ceiling);
+            clearance = _o192.clearance;
+            delay = _o192.delay;
+            const kernel_landed_out _o193 = kernel_landed(arrival);
+            time = _o193.time;
+            const kernel_landed_surely_out _o194 = kernel_landed_surely(clearance, time, delay, doubt, arrives, certain);
+            delay = _o194.delay;
+            doubt = _o194.doubt;
+            const kernel_tied_out _o195 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+            doubt = _o195.doubt;
+            earliest_delay = _o195.earliest_delay;
+            const kernel_earliest_out _o196 = kernel_earliest(0.0, time, when, which, arrives);
+            when = _o196.when;
+            which = _o196.which;
+        }
+        if (limited) {
+            const kernel_expiry_out _o197 = kernel_expiry(when, which, earliest_delay, doubt, time_error, clock, time_limit);
+            time = _o197.time;
+            delay = _o197.delay;
+            arrives = _o197.arrives;
+            doubt = _o197.doubt;
+            const kernel_tied_out _o198 = kernel_tied(time, when, delay, earliest_delay, doubt, arrives);
+            doubt = _o198.doubt;
+            earliest_delay = _o198.earliest_delay;
+            const kernel_earliest_out _o199 = kernel_earliest(4.0, time, when, which, arrives);
+            when = _o199.when;
+            which = _o199.which;
+        }
+        const kernel_departed_out _o200 = kernel_departed(3.0, which);
+        moves = _o200.moves;
+        ends = _o200.ends;
+        touches = _o200.touches;
+        reached = _o200.reached;
+        edge = _o200.edge;
+        const kernel_body_of_out _o201 = kernel_body_of(which);
+        body = _o201.body;
+        if (moves) {
+            const kernel_flight_out _o202 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
+            x = _o202.x;
+            y = _o202.y;
+            z = _o202.z;
+            vx = _o202.vx;
+            vy = _o202.vy;
+            vz = _o202.vz;
+            const kernel_event_clock_out _o203 = kernel_event_clock(when, clock);
+            clock = _o203.clock;
+        }
+        if (limited) {
+            const kernel_expired_out _o204 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
+            clock = _o204.clock;
+            body = _o204.body;
+            reached = _o204.reached;
+            ends = _o204.ends;
+        }
+        const kernel_displacement_out _o205 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+        slack = _o205.margin;
+        const kernel_here_out _o206 = kernel_here(3.0, which);
+        here = _o206.here;
+        if (here) {
+            const kernel_end_bounds_out _o207 = kernel_end_bounds(x, y, p_ring_radius);
+            g0 = _o207.g0;
+            const kernel_end_reached_out _o208 = kernel_end_reached(g0);
+            reached = _o208.reached;
+            const kernel_end_edge_out _o209 = kernel_end_edge(slack, g0);
+            edge = _o209.edge;
+        }
+        const kernel_doubted_out _o210 = kernel_doubted(when, earliest_delay, doubt, uncertain, edge);
+        uncertain = _o210.uncertain;
+        const kernel_accounted_out _o211 = kernel_accounted(contacts, most_contacts, reached, touches);
+        contacts = _o211.contacts;
+        outcome = _o211.outcome;
+
+        const double _before[] = {x, y, z, vx, vy, vz, wx, wy, wz};
+
+        /* What it does to the ball. */
+        const kernel_meeting_out _o212 = kernel_meeting(claims, ends, touches);
+        meeting = _o212.meeting;
+        if (meeting) {
+            const kernel_end_normal_out _o213 = kernel_end_normal();
+            nx = _o213.nx;
+            ny = _o213.ny;
+            nz = _o213.nz;
+            const kernel_here_out _o214 = kernel_here(0.0, which);
+            here = _o214.here;
+            if (here) {
+                const kernel_ring_normal_out _o215 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = _o215.nx;
+                ny = _o215.ny;
+                nz = _o215.nz;
+                const kernel_counted_out _o216 = kernel_counted(count_0);
+                count_0 = _o216.count;
+            }
+            const kernel_here_out _o217 = kernel_here(1.0, which);
+            here = _o217.here;
+            if (here) {
+                const kernel_backboard_normal_out _o218 = kernel_backboard_normal();
+                nx = _o218.nx;
+                ny = _o218.ny;
+                nz = _o218.nz;
+                const kernel_counted_out _o219 = kernel_counted(count_1);
+                count_1 = _o219.count;
+            }
+            const kernel_here_out _o220 = kernel_here(2.0, which);
+            here = _o220.here;
+            if (here) {
+                const kernel_bridge_normal_out _o221 = kernel_bridge_normal();
+                nx = _o221.nx;
+                ny = _o221.ny;
+                nz = _o221.nz;
+                const kernel_counted_out _o222 = kernel_counted(count_2);
+                count_2 = _o222.count;
+            }
+            const kernel_elsewhere_out _o223 = kernel_elsewhere();
+            curving = _o223.curving;
+            const kernel_again_out _o224 = kernel_again(0.0, last, which);
+            again = _o224.again;
+            if (again) {
+                const kernel_ring_curvature_out _o225 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
+                curving = _o225.curvature;
+            }
+            const kernel_again_out _o226 = kernel_again(1.0, last, which);
+            again = _o226.again;
+            if (again) {
+                const kernel_backboard_curvature_out _o227 = kernel_backboard_curvature();
+                curving = _o227.curvature;
+            }
+            const kernel_again_out _o228 = kernel_again(2.0, last, which);
+            again = _o228.again;
+            if (again) {
+                const kernel_bridge_curvature_out _o229 = kernel_bridge_curvature();
+                curving = _o229.curvature;
+            }
+            const kernel_carry_flight_out _o230 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
+            dx = _o230.dx;
+            dy = _o230.dy;
+            dz = _o230.dz;
+            dvx = _o230.dvx;
+            dvy = _o230.dvy;
+            dvz = _o230.dvz;
+            belated = _o230.delay;
+            shift = _o230.shift;
+            const kernel_delayed_out _o231 = kernel_delayed(belated, clock_error);
+            clock_error = _o231.clock_error;
+            if (ends) {
+                const kernel_floored_out _o232 = kernel_floored(dx, dy, dz, shift);
+                dx = _o232.dx;
+                dy = _o232.dy;
+                dz = _o232.dz;
+            }
+            const kernel_unturned_out _o233 = kernel_unturned();
+            dnx = _o233.dnx;
+            dny = _o233.dny;
+            dnz = _o233.dnz;
+            turn = _o233.turn;
+            const kernel_here_out _o234 = kernel_here(0.0, which);
+            here = _o234.here;
+            if (here) {
+                const kernel_ring_carry_normal_out _o235 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
+                dnx = _o235.dnx;
+                dny = _o235.dny;
+                dnz = _o235.dnz;
+                turn = _o235.turn;
+            }
+            if (touches) {
+                const kernel_carry_impact_out _o236 = kernel_carry_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
+                dvx = _o236.dvx;
+                dvy = _o236.dvy;
+                dvz = _o236.dvz;
+                dwx = _o236.dwx;
+                dwy = _o236.dwy;
+                dwz = _o236.dwz;
+                const kernel_impact_out _o237 = kernel_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                vx = _o237.vx;
+                vy = _o237.vy;
+                vz = _o237.vz;
+                wx = _o237.wx;
+                wy = _o237.wy;
+                wz = _o237.wz;
+            }
+            const kernel_here_out _o238 = kernel_here(1.0, which);
+            here = _o238.here;
+            if (here) {
+                const kernel_backboard_place_out _o239 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
+                x = _o239.x;
+                y = _o239.y;
+                z = _o239.z;
+            }
+            const kernel_here_out _o240 = kernel_here(2.0, which);
+            here = _o240.here;
+            if (here) {
+                const kernel_bridge_place_out _o241 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
+                x = _o241.x;
+                y = _o241.y;
+                z = _o241.z;
+            }
+            if (touches) {
+                const kernel_touched_out _o242 = kernel_touched(which, body, first);
+                first = _o242.first;
+                last = _o242.last;
+            }
+        }
+        if (limited) {
+            const kernel_timed_out _o243 = kernel_timed(4.0, which, claims);
+            timed = _o243.timed;
+            if (timed) {
+                const kernel_carry_time_out _o244 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                dx = _o244.dx;
+                dy = _o244.dy;
+                dz = _o244.dz;
+                dvx = _o244.dvx;
+                dvy = _o244.dvy;
+                dvz = _o244.dvz;
+                clock_error = _o244.clock_error;
+            }
+        }
+        const kernel_closing_out _o245 = kernel_closing(outcome, claims);
+        closed = _o245.closed;
+        position_claim = _o245.position_claim;
+        velocity_claim = _o245.velocity_claim;
+        spin_claim = _o245.spin_claim;
+        time_claim = _o245.time_claim;
+        if (closed) {
+            const kernel_claimed_errors_out _o246 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            position_claim = _o246.position_error;
+            velocity_claim = _o246.velocity_error;
+            spin_claim = _o246.spin_error;
+            time_claim = _o246.time_error;
+        }
+
+        if (_events && body >= 0.0) {
+            hoop_event *const _event = _events + _used++;
+            const long long _place = (long long)body, _staying = _place - 4;
+            _event->shot = _first + _shot;
+            _event->surface = _staying < 0 ? _place : _staying / 2;
+            _event->kind = _staying < -1 ? HOOP_EVENT_IMPACT : _staying < 0 ? HOOP_EVENT_END : _staying % 2 ? HOOP_EVENT_LEAVE : HOOP_EVENT_ROLL;
+            _event->time = clock;
+            for (int _k = 0; _k < 9; _k++)
+                _event->before[_k] = _before[_k];
+            _event->after[0] = x;
+            _event->after[1] = y;
+            _event->after[2] = z;
+            _event->after[3] = vx;
+            _event->after[4] = vy;
+            _event->after[5] = vz;
+            _event->after[6] = wx;
+            _event->after[7] = wy;
+            _event->after[8] = wz;
+        }
+    }
+
+    if (_events)
+        ((int *)_results[10])[_shot] = _used;
+    const bool _invalid = (int)outcome == HOOP_OUTCOME_INVALID;
+    (void)_invalid;
+    if (_results[0]) {
+        ((unsigned char *)_results[0])[_shot] = (unsigned char)(int)outcome;
+    }
+    if (_results[1]) {
+        ((int *)_results[1])[_shot] = (int)contacts;
+    }
+    if (_results[2]) {
+        ((int *)_results[2])[3 * _shot + 0] = (int)count_0;
+        ((int *)_results[2])[3 * _shot + 1] = (int)count_1;
+        ((int *)_results[2])[3 * _shot + 2] = (int)count_2;
+    }
+    if (_results[3]) {
+        ((signed char *)_results[3])[_shot] = (signed char)(int)first;
+    }
+    if (_results[4]) {
+        ((double *)_results[4])[_shot] = _invalid ? NOT_A_NUMBER : clock;
+    }
+    if (_results[5]) {
+        ((double *)_results[5])[9 * _shot + 0] = _invalid ? NOT_A_NUMBER : x;
+        ((double *)_results[5])[9 * _shot + 1] = _invalid ? NOT_A_NUMBER : y;
+        ((double *)_results[5])[9 * _shot + 2] = _invalid ? NOT_A_NUMBER : z;
+        ((double *)_results[5])[9 * _shot + 3] = _invalid ? NOT_A_NUMBER : vx;
+        ((double *)_results[5])[9 * _shot + 4] = _invalid ? NOT_A_NUMBER : vy;
+        ((double *)_results[5])[9 * _shot + 5] = _invalid ? NOT_A_NUMBER : vz;
+        ((double *)_results[5])[9 * _shot + 6] = _invalid ? NOT_A_NUMBER : wx;
+        ((double *)_results[5])[9 * _shot + 7] = _invalid ? NOT_A_NUMBER : wy;
+        ((double *)_results[5])[9 * _shot + 8] = _invalid ? NOT_A_NUMBER : wz;
+    }
+    if (_results[6]) {
+        ((double *)_results[6])[_shot] = _invalid ? NOT_A_NUMBER : time_claim;
+    }
+    if (_results[7]) {
+        ((double *)_results[7])[3 * _shot + 0] = _invalid ? NOT_A_NUMBER : position_claim;
+        ((double *)_results[7])[3 * _shot + 1] = _invalid ? NOT_A_NUMBER : velocity_claim;
+        ((double *)_results[7])[3 * _shot + 2] = _invalid ? NOT_A_NUMBER : spin_claim;
+    }
+    if (_results[8]) {
+        ((unsigned char *)_results[8])[_shot] = (unsigned char)(int)uncertain;
+    }
+}
+#endif

@@ -1,0 +1,166 @@
+"""CUDA: one thread for each shot, in scalars; any compiler of C++ compiles it, too."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from importlib.resources.abc import Traversable
+from itertools import groupby
+from typing import Any
+
+from hoopgen.derive.ir.event_tree import writes
+from hoopgen.derive.symbolic.conditionals import Boolean
+
+from ..backend import TEMPLATES, KernelView, LoweredScene, ResultView
+from ..identifiers import identifier
+from ..rerolling import parameter_kernels, rerolled
+from ..statements import Number
+from ..straight_line import PrintedBody, formatted, straight_line
+from ..variants import Variant
+from .loop import ShotLoop, function
+from .spelling import CUDA_FORMATTER, DOUBLE, SINGLE, TYPES, parameter_of_shot
+
+__all__ = ["CUDA_BACKEND", "CudaBackend"]
+
+
+C_TYPES = {
+    "bool": "unsigned char",
+    "uint8": "unsigned char",
+    "int8": "signed char",
+    "int16": "short",
+    "int32": "int",
+}
+"""The types of results that are whole numbers; without headers these have no other names."""
+
+
+_LINE = 92
+"""Characters of a line of declarations."""
+
+
+@dataclass(frozen=True)
+class CudaKernel(KernelView):
+    """A kernel in CUDA.
+
+    Attributes
+    ----------
+    numbers
+        By name, the numbers of the scene's parameters, if it is given all of them.
+    """
+
+    numbers: Mapping[str, int] = field(default_factory=dict)
+
+    @property
+    def function(self) -> str:
+        """The name of its function; the struct of its results has `_out` behind it."""
+        return function(self.name)
+
+    @property
+    def body(self) -> PrintedBody:
+        """Its statements and results."""
+        if self.numbers:
+            own = rerolled(self.program, self.numbers, DOUBLE, parameter_of_shot)
+        else:
+            own = straight_line(self.program, SINGLE if self.single else DOUBLE)
+        return formatted(own, CUDA_FORMATTER)
+
+    @property
+    def parameters(self) -> list[str]:
+        """Its parameters, each with its type."""
+        number = "float" if self.single else "double"
+        found = [
+            f"{'bool' if isinstance(argument, Boolean) else number} {identifier(argument)}"
+            for argument in self.program.kernel.arguments
+            if identifier(argument) not in self.numbers
+        ]
+        return ["const shot_parameters &_given", *found] if self.numbers else found
+
+    @property
+    def outputs(self) -> list[tuple[str, list[str]]]:
+        """Type and names of the outputs that follow one another and have the same type."""
+        kernel = self.program.kernel
+        pairs = zip(kernel.kinds, kernel.output_names, strict=True)
+        alike = groupby(pairs, lambda pair: pair[0])
+        return [(TYPES[kind], [name for _, name in own]) for kind, own in alike]
+
+
+@dataclass(frozen=True)
+class CudaVariant:
+    """A variant of the event loop in CUDA.
+
+    Attributes
+    ----------
+    lines
+        The lines of each stage.
+    used
+        The parameters that these read by name, with their numbers.
+    variables
+        By type, the variables of a shot with the values that they have before its start.
+    """
+
+    variant: Variant
+    lines: Mapping[str, list[str]] = field(repr=False)
+    used: Mapping[str, int]
+    variables: Mapping[str, str]
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.variant, name)
+
+
+@dataclass(frozen=True)
+class CudaBackend:
+    """The target CUDA."""
+
+    name: str = "cuda"
+    options: None = None
+    templates: Traversable = TEMPLATES
+    files: Mapping[str, str] = field(
+        default_factory=lambda: {"cuda/scene.cu.j2": "cuda/{scene}.cu"}
+    )
+
+    def kernels(self, lowered: LoweredScene) -> Mapping[str, Any]:
+        """Return the kernels that the event loop evaluates."""
+        by_numbers = parameter_kernels(lowered.model.loop)
+        numbers = {identifier(s): k for k, s in enumerate(lowered.model.scene.symbols)}
+        return {
+            "kernels": [
+                CudaKernel(program, numbers if program.kernel.name in by_numbers else {})
+                for program in lowered.programs
+                if program.kernel.name in lowered.called
+            ]
+        }
+
+    def loop(self, lowered: LoweredScene, kernels: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Return the event loop in its variants, its tables, and the results that it writes."""
+        lowering = ShotLoop(lowered.model.loop.parameters, parameter_kernels(lowered.model.loop))
+        views = [self._variant(variant, lowering) for variant in lowered.variants]
+        tables = [CUDA_FORMATTER.statement(table) for table in lowering.tables]
+        results = [ResultView(result, C_TYPES) for result in lowered.model.results]
+        return {"loops": views, "tables": tables, "results": results}
+
+    def _variant(self, variant: Variant, lowering: ShotLoop) -> CudaVariant:
+        lowering.used = set()
+        stages = {name: nodes for name, (nodes, _) in variant.stages.items()}
+        lines = {name: CUDA_FORMATTER.lines(lowering.body(nodes)) for name, nodes in stages.items()}
+        kinds = variant.kinds | writes(node for nodes in stages.values() for node in nodes)
+        starts = {f.name: f.start for f in variant.fields if f.start is not None}
+        variables: dict[str, list[str]] = {}
+        for name, kind in kinds.items():
+            start = Number(float(starts.get(name, 0.0)), kind == "single")
+            value = "false" if kind == "truth" else CUDA_FORMATTER.expression(start)
+            variables.setdefault(TYPES[kind], []).append(f"{name} = {value}")
+        numbers = {name: k for k, name in enumerate(lowering.parameters) if name in lowering.used}
+        return CudaVariant(variant, lines, numbers, {t: _wrapped(v) for t, v in variables.items()})
+
+
+def _wrapped(declared: Sequence[str]) -> str:
+    """Return what is declared in lines, none of which begins within an entry."""
+    found = ""
+    room = 0
+    for own in declared:
+        if len(own) + 2 > room:
+            found, room = found.rstrip() + "\n" * bool(found), _LINE
+        found, room = f"{found}{own}, ", room - len(own) - 2
+    return found.removesuffix(", ")
+
+
+CUDA_BACKEND = CudaBackend()
