@@ -28,6 +28,8 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "dask": "scale",
         "distributed": "scale",
         "openpyxl": "xlsx",
+        "jax": "jax",
+        "jaxlib": "jax",
         "pandas": "",
     }
 )

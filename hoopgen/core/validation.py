@@ -35,7 +35,7 @@ __all__ = [
 BackendName = Literal["auto", "c", "numpy"]
 """Name of a backend: a target that runs in this process, or "auto" for the fastest one."""
 
-BACKEND_NAMES: tuple[str, ...] = get_args(BackendName)
+BACKEND_NAMES: tuple[BackendName, ...] = get_args(BackendName)
 RUNTIME_BACKENDS = BACKEND_NAMES[1:]
 """Names of the targets that run in this process, the fastest first."""
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 import threading
 from collections.abc import Callable, Iterable, Iterator
@@ -18,21 +17,19 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.core.memory import check_room
 from hoopgen.core.parameters import ParameterValues, Value, resolve
 from hoopgen.core.validation import (
-    BACKEND_NAMES,
     BackendName,
     check_contacts,
     check_leaving,
     check_states,
     check_threads,
-    check_time_limit,
 )
 from hoopgen.engine import native, numpy_backend, thread_pools
 from hoopgen.engine.arithmetic import is_exact
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.result_arrays import ResultArrays
 from hoopgen.results.shots import Shots
-from hoopgen.text.shorten import brief, join_names
 
+from .checks import check_backend, check_fields, check_limit
 from .variations import NEEDED, check_derivatives
 from .variations import derivatives as find_derivatives
 
@@ -193,7 +190,7 @@ def run(
     shots = len(releases)
     named = resolve(parameters, shots, engine.table)
     most = engine.max_contacts if max_contacts is None else check_contacts(max_contacts)
-    wanted = _fields(fields, engine)
+    wanted = check_fields(fields, engine)
     workers = check_threads(threads)
     by = None if derivatives is None else check_derivatives(derivatives, engine)
     logged = record or by is not None
@@ -205,7 +202,7 @@ def run(
         engine.table.inputs(named),
         check_leaving(leaving, shots, len(engine.surfaces)),
         most,
-        _limit(time_limit, engine),
+        check_limit(time_limit, engine),
         _library(backend, engine),
         np.zeros(1, np.int32),
     )
@@ -232,16 +229,6 @@ def run(
     if needed or logged != record:
         results = {name: array for name, array in results.items() if name in kept}
     return Shots(results, releases, named, engine, variations)
-
-
-def _limit(time_limit: float | None, engine: CompiledScene) -> float:
-    limit = engine.time_limit if time_limit is None else check_time_limit(time_limit)
-    if engine.rolls and not math.isfinite(limit):
-        raise ValueError(
-            f"time_limit: expected a finite time in the scene {engine.name}, where a ball may roll "
-            f"for ever; got {brief(time_limit)}"
-        )
-    return limit
 
 
 def check_log(
@@ -347,26 +334,8 @@ def _pool(batch: _Batch, threads: int) -> Iterator[Executor]:
     thread_pools.leave(pool, threads)
 
 
-def _fields(fields: str | Iterable[str], scene: CompiledScene) -> tuple[str, ...]:
-    if isinstance(fields, str):
-        if fields == "all":
-            return scene.layout.fields
-        fields = (fields,)
-    if not isinstance(fields, Iterable):
-        raise TypeError(f"fields: expected 'all' or names, got {brief(fields)}")
-    wanted = tuple(fields)  # once: they may be an iterator
-    unknown = [name for name in wanted if name not in scene.layout.results]
-    if unknown:
-        names = ", ".join(scene.layout.fields + scene.layout.bounds)
-        raise ValueError(f"fields: unknown {join_names(unknown)}. 'all', or some of {names}")
-    return wanted
-
-
 def _library(backend: str, scene: CompiledScene) -> native.Library | None:
-    if backend not in BACKEND_NAMES:
-        *names, last = map(repr, BACKEND_NAMES)
-        raise ValueError(f"backend: expected {', '.join(names)} or {last}, got {brief(backend)}")
-    if backend == "numpy":
+    if check_backend(backend) == "numpy":
         return None
     found = scene.found
     if not isinstance(found, native.Rejection):
