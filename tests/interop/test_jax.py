@@ -22,13 +22,14 @@ from tests.helpers.compiled import needs_compiler
 from tests.helpers.effort import trials
 
 pytest.importorskip("jax", reason="the extra jax is missing")
-pytestmark = needs_compiler
 
 import jax
 import jax.numpy as jnp
 
 from hoopgen.interop import jax as door
 from hoopgen.interop import xla_handler
+
+pytestmark = needs_compiler
 
 EPS = float(np.finfo(np.float64).eps)
 BACKENDS = ("c", "numpy")
