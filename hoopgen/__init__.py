@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from .hoop.presets import NBA as NBA
     from .hoop.presets import PAPER as PAPER
     from .hoop.releases import release as release
+    from .interop import jax as jax
     from .judge import certify as certify
     from .results.shots import SURFACES as SURFACES
     from .results.shots import Outcome as Outcome
@@ -93,6 +94,7 @@ _LAZY = {
     "simulate": "simulation.simulate",
     "jvp": "simulation.tangents",
     "vjp": "simulation.tangents",
+    "jax": "interop",
     "why_invalid": "simulation.invalid",
     "compile": "simulation.compile",
     "Scene": "scene",

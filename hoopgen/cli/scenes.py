@@ -16,25 +16,37 @@ from .messages import examples
 from .options import json_option
 from .question_options import setting_options
 from .scene_option import SceneName, limit_option
-from .types import FILE
+from .types import OUT
 
 
 @command(
     "compile",
-    epilog=examples("hoopgen compile netball.toml", "hoopgen compile examples/scenes/bowl.toml"),
+    epilog=examples("hoopgen compile netball.toml", "hoopgen compile hoop --zip hoop-c.zip"),
 )
-@click.argument("file", type=FILE)
+@click.argument("scene", type=SceneName())
+@click.option(
+    "--zip",
+    "package",
+    type=OUT,
+    help="Write its C sources as a package, with files for CMake and pkg-config.",
+)
 @limit_option
-def compile_(file: Path) -> None:
+def compile_(scene: str, package: Path | None) -> None:
     """Compile a scene file for this processor, and compare it with NumPy.
 
     It takes seconds once; simulations of this scene then find it compiled. Exit status 1 where
     there is no C compiler, or it fails: then NumPy simulates, slower.
-    """
-    import hoopgen
-    from hoopgen.engine.native import Rejection
 
-    engine = hoopgen.compile(hoopgen.load_scene(file))
+    SCENE is a scene file; hoop and court, which are compiled at installation, serve --zip.
+    """
+    from hoopgen.engine.native import Rejection
+    from hoopgen.simulation.lookup import engine_of, scene_from
+
+    engine = engine_of(scene_from(scene))
+    if package is not None:
+        from hoopgen.codegen.c.package import write_package
+
+        write_package(engine, package)
     click.echo(f"scene       {engine.name}")
     click.echo(f"parameters  {', '.join(engine.parameters) or 'none'}")
     click.echo(f"surfaces    {', '.join(engine.surfaces)}")

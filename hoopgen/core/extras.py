@@ -29,6 +29,8 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "distributed": "scale",
         "openpyxl": "xlsx",
         "cupy": "cuda",
+        "jax": "jax",
+        "jaxlib": "jax",
         "pandas": "",
     }
 )

@@ -29,6 +29,7 @@ __all__ = [
     "check_threads",
     "check_time_limit",
     "as_doubles",
+    "host_array",
     "is_whole",
 ]
 
@@ -36,7 +37,7 @@ BackendName = Literal["auto", "c", "numpy", "cuda"]
 """Name of a backend: a target that runs in this process, or "auto" for the faster of those on the
 processor. The registry of targets needs SymPy, so that a test compares the names."""
 
-BACKEND_NAMES: tuple[str, ...] = get_args(BackendName)
+BACKEND_NAMES: tuple[BackendName, ...] = get_args(BackendName)
 RUNTIME_BACKENDS = BACKEND_NAMES[1:]
 """Names of the targets that run in this process: the faster of those on the processor first, then
 those that are used by name only."""
@@ -63,11 +64,12 @@ def as_doubles(name: str, value: ArrayLike, expected: str = "numbers") -> NDArra
     Raises
     ------
     TypeError
-        If it is not real numbers: text that looks like them, times, None; the message begins with
-        `name`.
+        If it is not real numbers: text that looks like them, times, None; or an array that does
+        not give its memory away. The message begins with `name`.
     ValueError
-        If a whole number is too large for a double.
+        If a whole number is too large for a double, or an array is in the memory of a GPU.
     """
+    value = host_array(name, value)
     try:
         array = np.asarray(_fill_masked(value))
         if array.dtype == object:
@@ -79,7 +81,53 @@ def as_doubles(name: str, value: ArrayLike, expected: str = "numbers") -> NDArra
             f"{name}: expected {expected} below 1.8e308 in size, got {brief(value)}"
         ) from None
     except (TypeError, ValueError, RecursionError):
-        raise TypeError(f"{name}: expected {expected}, got {brief(value)}") from None
+        traced = type(value).__module__.startswith("jax.")
+        hint = "; what JAX traces, hoopgen.jax.simulate takes" if traced else ""
+        raise TypeError(f"{name}: expected {expected}, got {brief(value)}{hint}") from None
+
+
+_HOST_DEVICES = (1, 3, 11)
+"""Types of devices, as DLPack numbers them, whose memory the processor reads: its own, and what
+CUDA or ROCm have pinned."""
+
+
+def host_array(name: str, value: Any) -> Any:
+    """Return an array of another library, such as PyTorch, as one of NumPy with the same memory.
+
+    Anything that is not an array in DLPack's way is returned as it is.
+
+    Parameters
+    ----------
+    name
+        The argument, for the error message.
+    value
+        The caller's value.
+
+    Raises
+    ------
+    TypeError
+        If its library does not give its memory away, with the reason.
+    ValueError
+        If it is in the memory of a GPU.
+    """
+    if isinstance(value, float | np.ndarray) or not hasattr(value, "__dlpack_device__"):
+        return value
+    try:
+        on_host = value.__dlpack_device__()[0] in _HOST_DEVICES
+        if on_host:
+            return np.asarray(value) if hasattr(value, "__array__") else np.from_dlpack(value)
+    except Exception as error:  # each library has its own
+        said = f"{error}".partition("\n")[0]
+        raise TypeError(f"{name}: the array of {_library(value)} cannot be read: {said}") from None
+    raise ValueError(
+        f"{name}: expected an array in the processor's memory, got one of {_library(value)} on a "
+        "GPU, which simulate(..., backend='cuda') reads; or copy it first, with .cpu() in PyTorch, "
+        ".get() in CuPy, jax.device_get in JAX"
+    )
+
+
+def _library(array: Any) -> str:
+    return type(array).__module__.partition(".")[0]
 
 
 def _fill_masked(value: Any) -> Any:
@@ -234,6 +282,7 @@ def check_leaving(
     """
     if leaving is None:
         return None
+    leaving = host_array("leaving", leaving)
     try:
         array = np.asarray(leaving)
     except ValueError:  # rows of different lengths

@@ -144,6 +144,16 @@ class Library:
         """The digest of the sources that the build stored; "" of an older build."""
         return "" if self._sources is None else self._sources().decode()
 
+    @property
+    def results(self) -> tuple[str, ...]:
+        """The names of the arrays in the order of the struct of results; the event log is last."""
+        return self._arrays
+
+    @property
+    def function(self) -> int:
+        """The address of the scene's function for several threads, as in its header."""
+        return ctypes.cast(self._simulate, ctypes.c_void_p).value or 0
+
     def _arguments(self, parameters: Sequence[NDArray[np.float64] | float]) -> _CallArguments:
         """Return the parameters as the library takes them."""
         numbers = self._numbers(*[p if isinstance(p, float) else 0.0 for p in parameters])

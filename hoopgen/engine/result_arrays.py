@@ -134,6 +134,16 @@ class Layout:
         """Return the rows of the event log that a shot with so many contacts may need."""
         return self.rows * max_contacts + 1
 
+    def row(self, name: str) -> tuple[tuple[int, ...], np.dtype[Any]]:
+        """Return the shape and the type of a shot's part of a result.
+
+        Parameters
+        ----------
+        name
+            The name of the result.
+        """
+        return self._rooms[name]
+
     def allocate(
         self, shots: int, wanted: Collection[str], new: Callable[..., Any] | None = None
     ) -> ResultArrays:

@@ -37,6 +37,7 @@ __all__ = [
     "shots_dataset",
     "shots_frame",
     "shots_html",
+    "shots_table",
 ]
 
 
@@ -107,6 +108,19 @@ def shots_frame(shots: Shots) -> DataFrame:
     frame = pd.DataFrame(columns, pd.RangeIndex(len(shots), name="shot"))
     frame.attrs["scene"] = scene_of(shots)
     return frame
+
+
+def shots_table(shots: Shots) -> ArrowTable:
+    """Return the table of `Shots.to_arrow`."""
+    pa = require("pyarrow", "to_arrow")
+    units, words = shots.scene.layout.units, _words(shots)
+    columns: dict[str, Any] = {"shot": np.arange(len(shots))}
+    for name, column in _columns(shots).items():
+        codes = pa.array(column, mask=column < 0 if name in words else None)
+        columns[column_name(name, units.get(name, ""))] = (
+            pa.DictionaryArray.from_arrays(codes, words[name]) if name in words else codes
+        )
+    return pa.table(columns).replace_schema_metadata({"scene": scene_of(shots)})
 
 
 def shots_dataset(shots: Shots) -> Dataset:

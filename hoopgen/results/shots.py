@@ -237,6 +237,34 @@ class Shots:
         """
         return frames.shots_frame(self.to_numpy())
 
+    def to_arrow(self) -> ArrowTable:
+        """Return the results as a pyarrow.Table, which Polars and DuckDB take too.
+
+        Its columns are those of `to_pandas`, after the shot. Arrays of one number a shot are not
+        copied.
+
+        Raises
+        ------
+        ImportError
+            If pyarrow is missing: what brings it.
+        """
+        return frames.shots_table(self)
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> object:
+        """Return `to_arrow` as a stream of Arrow's C interface, which libraries of tables read.
+
+        Parameters
+        ----------
+        requested_schema
+            The types that the reader prefers, a capsule; None for those that there are.
+
+        Raises
+        ------
+        ImportError
+            If pyarrow is missing: what brings it.
+        """
+        return self.to_arrow().__arrow_c_stream__(requested_schema)
+
     def events_to_pandas(self) -> DataFrame:
         """Return the event log as a pandas.DataFrame, a row each event, units in columns' names.
 

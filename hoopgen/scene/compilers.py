@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
@@ -91,33 +92,30 @@ class Compiler:
             return ""
         return told.stdout.strip() if told.returncode == 0 else ""
 
-    def arguments(self, scene: str, width: int) -> list[str]:
+    def arguments(self, file: str, options: Sequence[str] = ()) -> list[str]:
         """Return the arguments of a call in the folder of the sources.
 
         Parameters
         ----------
-        scene
-            The name of the scene.
-        width
-            The vector width.
+        file
+            The C file that is compiled.
+        options
+            Options beside hoopgen's flags.
         """
         by_place = [] if sys.platform == "win32" else ["-fPIC"]
         mathematics = [] if sys.platform == "win32" else ["-lm"]
-        only = f"-D{scene.upper()}_ONLY={width}"
-        files = [f"{scene}.c", "-o", library_name()]
-        return [*self.command, *FLAGS, "-w", *by_place, only, "-shared", *files, *mathematics]
+        files = [file, "-o", library_name()]
+        return [*self.command, *FLAGS, "-w", *by_place, *options, "-shared", *files, *mathematics]
 
-    def run(self, folder: Path, scene: str, width: int) -> tuple[str, bool]:
-        """Compile the sources in a folder; the library lies beside them.
+    def run(self, folder: Path, file: str, options: Sequence[str] = ()) -> tuple[str, bool]:
+        """Compile a file in a folder; the library lies beside it.
 
         Parameters
         ----------
         folder
             The folder of the sources.
-        scene
-            The name of the scene.
-        width
-            The vector width.
+        file, options
+            As for `arguments`.
 
         Returns
         -------
@@ -128,7 +126,7 @@ class Compiler:
         environment = os.environ | {"TMPDIR": str(folder), "LC_ALL": "C"}
         try:
             told = subprocess.run(
-                self.arguments(scene, width),
+                self.arguments(file, options),
                 cwd=folder,
                 env=environment,
                 stdin=subprocess.DEVNULL,

@@ -8,11 +8,11 @@ from functools import cache
 from typing import Any
 
 from hoopgen.core.parameters import ParameterValues
-from hoopgen.core.validation import BACKEND_NAMES
 from hoopgen.engine import native
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.cuda import CudaEngine, to_host
-from hoopgen.text.shorten import brief, join_alternatives
+
+from .checks import check_backend
 
 __all__ = ["Library", "device_states", "find_library", "host_parameters"]
 
@@ -32,9 +32,7 @@ def find_library(backend: str, scene: CompiledScene) -> Library | None:
     ImportError
         If it is "cuda" and CuPy is missing: what brings it.
     """
-    if backend not in BACKEND_NAMES:
-        names = join_alternatives(map(repr, BACKEND_NAMES))
-        raise ValueError(f"backend: expected {names}, got {brief(backend)}")
+    check_backend(backend)
     if backend == "numpy":
         return None
     if backend == "cuda":
@@ -50,17 +48,13 @@ def find_library(backend: str, scene: CompiledScene) -> Library | None:
     return None
 
 
-def device_states(
-    states: Any, backend: str, scene: CompiledScene, on_host: Mapping[str, bool]
-) -> Any:
+def device_states(states: Any, scene: CompiledScene, on_host: Mapping[str, bool]) -> Any:
     """Return releases that are in the memory of a GPU, where their results will be, too.
 
     Parameters
     ----------
     states
         The caller's.
-    backend
-        The backend that is asked for.
     scene
         The scene.
     on_host
@@ -69,14 +63,8 @@ def device_states(
     Raises
     ------
     TypeError, ValueError
-        If the backend is another one, something else is asked for, or they are not float64 of
-        shape (n, 9) or (9,).
+        If something else is asked for, or they are not float64 of shape (n, 9) or (9,).
     """
-    if backend != "cuda":
-        raise ValueError(
-            f"states: these are in the memory of a GPU, which backend 'cuda' reads; got backend "
-            f"{brief(backend)}"
-        )
     for name, asked in on_host.items():
         if asked:
             raise ValueError(

@@ -219,7 +219,8 @@ def _build(
         for name, content in files.items():
             if name.startswith("c/"):
                 (folder / name).write_text(content, encoding="utf-8")
-        words, passing = tools.compiler.run(sources, scene, tools.width)
+        only = [f"-D{scene.upper()}_ONLY={tools.width}"]
+        words, passing = tools.compiler.run(sources, f"{scene}.c", only)
         if words:
             print(_compiler_message(tools.compiler.name, scene, words), file=sys.stderr)
             reason = f"of the scene {scene} could not be compiled by {tools.compiler.name}"

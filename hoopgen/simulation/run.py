@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor
@@ -22,7 +21,6 @@ from hoopgen.core.validation import (
     check_leaving,
     check_states,
     check_threads,
-    check_time_limit,
 )
 from hoopgen.engine import native, numpy_backend, thread_pools
 from hoopgen.engine.arithmetic import is_exact
@@ -30,9 +28,9 @@ from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.cuda import CudaEngine, is_device_array, to_host
 from hoopgen.engine.result_arrays import ResultArrays
 from hoopgen.results.shots import Shots
-from hoopgen.text.shorten import brief, join_names
 
 from .backends import Library, device_states, find_library, host_parameters
+from .checks import check_fields, check_limit
 from .variations import NEEDED, check_derivatives
 from .variations import derivatives as find_derivatives
 
@@ -191,10 +189,10 @@ def run(
     derivatives: Iterable[str] | None = None,
 ) -> Shots:
     """Simulate shots in a compiled scene; all else as for `hoopgen.simulate`."""
-    stays = is_device_array(states)
+    stays = backend == "cuda" and is_device_array(states)
     if stays:
         asked = {"record": record, "settle": settle, "derivatives": derivatives is not None}
-        releases = device_states(states, backend, engine, asked)
+        releases = device_states(states, engine, asked)
     else:
         releases = check_states(states)
     if backend == "cuda":
@@ -202,7 +200,7 @@ def run(
     shots = len(releases)
     named = resolve(parameters, shots, engine.table)
     most = engine.max_contacts if max_contacts is None else check_contacts(max_contacts)
-    wanted = _fields(fields, engine)
+    wanted = check_fields(fields, engine)
     workers = check_threads(threads)
     by = None if derivatives is None else check_derivatives(derivatives, engine)
     logged = record or by is not None
@@ -214,7 +212,7 @@ def run(
         engine.table.inputs(named),
         check_leaving(leaving, shots, len(engine.surfaces)),
         most,
-        _limit(time_limit, engine),
+        check_limit(time_limit, engine),
         find_library(backend, engine),
         np.zeros(1, np.int32),
     )
@@ -244,16 +242,6 @@ def run(
     if needed or logged != record:
         results = {name: array for name, array in results.items() if name in kept}
     return Shots(results, releases, named, engine, variations)
-
-
-def _limit(time_limit: float | None, engine: CompiledScene) -> float:
-    limit = engine.time_limit if time_limit is None else check_time_limit(time_limit)
-    if engine.rolls and not math.isfinite(limit):
-        raise ValueError(
-            f"time_limit: expected a finite time in the scene {engine.name}, where a ball may roll "
-            f"for ever; got {brief(time_limit)}"
-        )
-    return limit
 
 
 def check_log(
@@ -357,18 +345,3 @@ def _pool(batch: _Batch, threads: int) -> Iterator[Executor]:
         pool.shutdown(wait=False, cancel_futures=True)
         raise
     thread_pools.leave(pool, threads)
-
-
-def _fields(fields: str | Iterable[str], scene: CompiledScene) -> tuple[str, ...]:
-    if isinstance(fields, str):
-        if fields == "all":
-            return scene.layout.fields
-        fields = (fields,)
-    if not isinstance(fields, Iterable):
-        raise TypeError(f"fields: expected 'all' or names, got {brief(fields)}")
-    wanted = tuple(fields)  # once: they may be an iterator
-    unknown = [name for name in wanted if name not in scene.layout.results]
-    if unknown:
-        names = ", ".join(scene.layout.fields + scene.layout.bounds)
-        raise ValueError(f"fields: unknown {join_names(unknown)}. 'all', or some of {names}")
-    return wanted

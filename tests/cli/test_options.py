@@ -55,7 +55,7 @@ ALL = "--speed (or --aim), --elevation (or --entry), --height and --distance (or
         ("batch", "missing --out and FILE"),
         ("view", "missing --out and FILE"),
         ("study", "missing FILE"),
-        ("compile", "missing FILE"),
+        ("compile", "missing SCENE"),
     ],
 )
 def test_all_that_is_missing_is_said_at_once(words: str, said: str) -> None:

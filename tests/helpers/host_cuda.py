@@ -99,6 +99,9 @@ class DeviceArray:
         self.device = SimpleNamespace(id=0)
         self.__cuda_array_interface__ = host.__array_interface__
 
+    def __dlpack_device__(self) -> tuple[int, int]:
+        return 2, 0
+
     def __len__(self) -> int:
         return len(self._host)
 

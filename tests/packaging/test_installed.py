@@ -90,7 +90,7 @@ def test_tab_completion_shows_the_interface_and_nothing_else() -> None:
         *("fit_release", "counterfactual"),
         *("view", "plots", "HOOP", "Scene", "compile", "load_scene", "scene"),
         *("why_invalid", "COURT", "Event", "PAPER_COURT", "NBA_COURT", "FIBA_COURT"),
-        *("jvp", "vjp"),
+        *("jvp", "vjp", "jax"),
     }
     assert {"__version__", "__doc__", "__path__"} <= set(dir(hoopgen))
 

@@ -29,7 +29,7 @@ LAYERS = (
     {"results"},
     {"judge"},
     {"simulation"},
-    {"study.measures"},
+    {"interop", "study.measures"},
     {"study.named_units"},
     {"study.result"},
     {"study.statistics"},

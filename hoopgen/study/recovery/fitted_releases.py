@@ -34,6 +34,7 @@ from .made import MadeGivenTrack
 
 if TYPE_CHECKING:
     from pandas import DataFrame
+    from pyarrow import Table as ArrowTable
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -308,6 +309,32 @@ class FittedReleases(Result):
         """
         frame: DataFrame = require("pandas", "to_pandas").DataFrame(self.columns())
         return frame
+
+    def to_arrow(self) -> ArrowTable:
+        """Return a pyarrow.Table, a row each track: what `columns` gives, in SI.
+
+        Raises
+        ------
+        ImportError
+            If pyarrow is missing: what brings it.
+        """
+        found: ArrowTable = require("pyarrow", "to_arrow").table(self.columns())
+        return found
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> object:
+        """Return `to_arrow` as a stream of Arrow's C interface, which libraries of tables read.
+
+        Parameters
+        ----------
+        requested_schema
+            The types that the reader prefers, a capsule; None for those that there are.
+
+        Raises
+        ------
+        ImportError
+            If pyarrow is missing: what brings it.
+        """
+        return self.to_arrow().__arrow_c_stream__(requested_schema)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the numbers of tracks, and the noise, in types that JSON knows."""

@@ -400,6 +400,8 @@ def test_the_court_cuts_at_its_own_contacts() -> None:
     assert found.credible.all()
     assert found.scene is hoopgen.COURT
     assert found.to_pandas()["credible"].all()
+    pa = pytest.importorskip("pyarrow")
+    assert pa.table(found).to_pandas().equals(found.to_pandas())  # a stream of Arrow
 
 
 @pytest.mark.slow
