@@ -26,6 +26,7 @@ from hoopgen.study.models.random import POSTERIOR, normals, uniforms
 from hoopgen.study.named_units import unit_in
 from hoopgen.study.result import Result
 from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.tally import check_share
 from hoopgen.text.html import table as rendered
 from hoopgen.text.numbers import format_count
 from hoopgen.text.tables import table
@@ -96,7 +97,8 @@ class FittedReleases(Result):
         Why it is not, by track: too few frames, residuals too large (a chi-square test at
         0.1%, or more outliers than a quarter of the frames), frames of two flights (the outliers
         lie on another parabola), frames before the flight begins (the first two are outliers),
-        the cut at the first contact does not settle, or the fitted
+        the cut at the first contact does not settle, the estimated noise is larger than the ball
+        (all tracks at a hoop are called so; their unit or clock is another one), or the fitted
         release cannot be simulated. "" for a credible one.
     labels
         Of the tracks, as given; else their numbers from 0.
@@ -160,8 +162,7 @@ class FittedReleases(Result):
         confidence
             Within 0 and 1.
         """
-        if not 0.0 < confidence < 1.0:
-            raise ValueError(f"confidence: expected a number within 0 and 1, got {confidence}")
+        confidence = check_share("confidence", confidence)
         # The t distribution with 1e9 degrees of freedom is the normal one to nine digits.
         times = float(stdtrit(min(max(self.degrees, 1.0), 1e9), 0.5 + 0.5 * confidence))
         values = {**self.variables, **dict(zip(STATE[:6], self.states.T[:6], strict=True))}
@@ -239,8 +240,7 @@ class FittedReleases(Result):
         """
         if not len(self.scene.kernels.ENDS):
             raise ValueError(f"made: the scene {self.scene.name} has no end in which a shot goes")
-        if not 0.0 < confidence < 1.0:
-            raise ValueError(f"confidence: expected a number within 0 and 1, got {confidence}")
+        confidence = check_share("confidence", confidence)
         shots = check_count("shots", shots)
         counts = np.zeros((len(self), 2), np.int64)
         step = max(1, _SHOTS // shots)
