@@ -222,7 +222,9 @@ class FittedReleases(Result):
         """Return the probability that each shot goes in, given its track.
 
         Releases drawn from the distribution of the fit are simulated in the scene. In a scene
-        without a hoop it is the probability of the first end.
+        without a hoop it is the probability of the first end. Nothing but the track counts: before
+        it, all releases are taken to be equally likely. Of players whose releases differ less from
+        each other than the tracks' errors, more shots go in, or fewer, than these numbers say.
 
         Parameters
         ----------

@@ -385,6 +385,30 @@ def test_tracks_in_other_units_are_not_credible(length: float, duration: float) 
     assert np.isnan(found.made(10).probability).all()
 
 
+def test_of_releases_that_differ_widely_as_many_go_in_as_the_probabilities_say() -> None:
+    """The distribution of a fit is that given the track if all releases are equally likely."""
+    random, count = np.random.default_rng(8), trials(6000, 3000)
+    states = hoopgen.release(
+        random.uniform(6.8, 7.6, count),
+        np.radians(random.uniform(45, 59, count)),
+        np.radians(random.uniform(-5, 5, count)),
+        SPIN,
+        height=random.uniform(1.9, 2.4, count),
+        distance=random.uniform(3.9, 4.5, count),
+    )
+    times = np.arange(0.0, 0.6, 1 / 30)  # before any contact
+    fall = np.array([0.0, 0.0, -0.5 * GRAVITY])
+    flights = states[:, None, :3] + states[:, None, 3:6] * times[:, None]
+    found = fit(
+        times, noisy(flights + fall * times[:, None] ** 2, 0.03, 9), noise=0.03, backspin=SPIN
+    )
+    chance = found.made(100).probability[found.credible]
+    made = hoopgen.simulate(states, NBA).made[found.credible]
+    spread = math.sqrt(np.sum(chance * (1.0 - chance)))
+    assert abs(made.sum() - chance.sum()) < 3.5 * spread
+    assert spread > 5.0
+
+
 def test_no_tracks_have_no_releases() -> None:
     none = fit(np.zeros((0, 5)), np.zeros((0, 5, 3)))
     assert len(none) == 0
