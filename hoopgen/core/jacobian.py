@@ -61,10 +61,15 @@ class Jacobian(Mapping[str, NDArray[np.float64]]):
 
         Raises
         ------
+        TypeError
+            If `release` is no Jacobian.
         ValueError
             If a component of the state that depends on them is not among `names`, or if the
             releases are not as many as the shots.
         """
+        if not isinstance(release, Jacobian):
+            kind = type(release).__name__
+            raise TypeError(f"release: expected the Jacobian that release returns, got a {kind}")
         matrix = release["state"]
         own = matrix.reshape(-1, *matrix.shape[-2:])
         missing = [

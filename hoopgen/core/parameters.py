@@ -229,3 +229,26 @@ def resolve(parameters: ParameterValues | None, shots: int, table: Table) -> dic
             expected = f"{low:g} to {high:g}" if low > -np.inf else f"at most {high:g}"
             raise ValueError(f"parameters[{name!r}]: expected {expected}, got {value}")
     return values
+
+
+def means(
+    parameters: Mapping[str, ArrayLike], valid: NDArray[np.bool_] | None = None
+) -> dict[str, float]:
+    """Return one number for each parameter, as a picture of many shots needs.
+
+    Parameters
+    ----------
+    parameters
+        By name, each a number or (n,). Of those that differ from shot to shot it is the mean of the
+        finite ones, since a shot whose own is none is INVALID and not in the picture.
+    valid
+        Which shots count, (n,); None for all. If none does, all do.
+    """
+    found = {}
+    for name, value in parameters.items():
+        own = np.asarray(value, dtype=np.float64)
+        if own.ndim:
+            counted = np.isfinite(own) if valid is None else np.isfinite(own) & valid
+            own = own[counted] if counted.any() else own
+        found[name] = float(np.mean(own))
+    return found

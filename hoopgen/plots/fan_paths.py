@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.path import Path
 from numpy.typing import NDArray
 
-from hoopgen.core.parameters import ParameterValues
+from hoopgen.core.parameters import ParameterValues, means
 from hoopgen.hoop.kinds import kinds
 from hoopgen.results.shots import Shots
 from hoopgen.results.trajectory import Trajectory
@@ -103,11 +103,12 @@ def gather_fan(shots: Shots, parameters: ParameterValues, drawn: Iterable[int]) 
     if not flown:
         raise ValueError("shots: expected one at least that touches something or ends, got none")
     curves = [bezier(trajectory) for trajectory in flown.values()]
+    own = means(parameters, shots.outcome != shots.scene.outcomes["INVALID"])
     hoop = None
     if shots.scene.is_hoop:
-        hoop = {name: float(np.mean(np.asarray(one, float))) for name, one in parameters.items()}
+        hoop = own
     points = np.concatenate(curves)
-    scenery = scenery_of(shots.scene, hoop or parameters, points)
+    scenery = scenery_of(shots.scene, own, points)
     releases = [trajectory.release for trajectory in flown.values()]
     view = _side_view(releases)
     if hoop is None:

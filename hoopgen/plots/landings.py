@@ -15,7 +15,7 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
-from hoopgen.core.parameters import ParameterValues
+from hoopgen.core.parameters import ParameterValues, means
 from hoopgen.core.units import display_unit
 from hoopgen.core.validation import as_doubles
 from hoopgen.engine.compiled_scene import CompiledScene
@@ -124,7 +124,7 @@ def plot_landings(
     """
     lines = find_court(court, parameters)
     points, misses = _points(x, y)
-    hoop = {name: float(np.mean(np.asarray(value, float))) for name, value in parameters.items()}
+    hoop = means(parameters)
     circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _CIRCLE_SHARES}
     caught = at_height(height, sectors=place is not None)
     note = f"Scene: {describe_scene(scene, parameters)}. {note}"

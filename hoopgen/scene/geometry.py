@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.core.parameters import means
 from hoopgen.engine.compiled_scene import CompiledScene
 
 from .bounds import Terms, is_along, linear_powers
@@ -111,8 +112,7 @@ class SceneGeometry:
             If the scene has no pieces that could be drawn.
         """
         scene = scene_pieces(engine)
-        means = {name: float(np.mean(value)) for name, value in parameters.items()}
-        own = zip(scene.inputs, scene.values(means), strict=True)
+        own = zip(scene.inputs, scene.values(means(parameters)), strict=True)
         return cls(scene, {one.name: float(value) for one, value in own})
 
     @property

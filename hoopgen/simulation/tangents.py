@@ -13,9 +13,11 @@ from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import STATE
 from hoopgen.results.shots import Shots
 from hoopgen.scene.lookup import SceneLike
+from hoopgen.text.shorten import brief
 
 from .lookup import engine_of
 from .run import SimulationOptions, run
+from .variations import check_derivatives
 
 __all__ = ["jvp", "vjp"]
 
@@ -52,8 +54,11 @@ def jvp(
     TypeError, ValueError
         If an argument is not as described.
     """
-    options["derivatives"] = tuple(tangents)
-    shots = run(engine_of(scene), states, parameters, **options)
+    engine = engine_of(scene)
+    if not isinstance(tangents, Mapping):
+        raise TypeError(f"tangents: expected changes by name, got {brief(tangents)}")
+    options["derivatives"] = check_derivatives(tangents, engine, "tangents")
+    shots = run(engine, states, parameters, **options)
     columns = np.empty((len(shots), len(tangents), 1))
     for column, (name, given) in enumerate(tangents.items()):
         change = as_doubles(f"tangents[{name!r}]", given)
@@ -97,6 +102,8 @@ def vjp(
     TypeError, ValueError
         If an argument is not as described.
     """
+    if not isinstance(cotangents, Mapping):
+        raise TypeError(f"cotangents: expected weights by name, got {brief(cotangents)}")
     unknown = [name for name in cotangents if name not in ("state", "time")]
     if unknown or not cotangents:
         what = ", ".join(map(repr, unknown)) or "none"
@@ -115,6 +122,7 @@ def vjp(
                     f"cotangents[{result!r}]: expected shape {shape} or {shape[1:]}, "
                     f"got {weights.shape}"
                 )
-            rows = np.broadcast_to(weights, shape).reshape(len(shots), 1, -1)
+            # One row a shot: -1 in place of the length would be ambiguous for no shots.
+            rows = np.broadcast_to(weights, shape).reshape(len(shots), 1, int(np.prod(shape[1:])))
             gradient += (rows @ shots.jacobian[result])[:, 0]
     return shots, dict(zip(shots.jacobian.names, gradient.T, strict=True))

@@ -34,7 +34,9 @@ _CHANGE = "change_"
 _NORMAL = ("nx", "ny", "nz")
 
 
-def check_derivatives(names: Iterable[str], scene: CompiledScene) -> tuple[str, ...]:
+def check_derivatives(
+    names: Iterable[str], scene: CompiledScene, argument: str = "derivatives"
+) -> tuple[str, ...]:
     """Return the variables of derivatives as a tuple.
 
     Parameters
@@ -43,6 +45,8 @@ def check_derivatives(names: Iterable[str], scene: CompiledScene) -> tuple[str, 
         Components of the state, or parameters of the scene.
     scene
         The scene.
+    argument
+        Which names them, for messages.
 
     Raises
     ------
@@ -52,13 +56,13 @@ def check_derivatives(names: Iterable[str], scene: CompiledScene) -> tuple[str, 
         If a name is unknown, or there twice, or there is none.
     """
     if isinstance(names, str):
-        raise TypeError(f"derivatives: expected a list of names, got the text {names!r}")
+        raise TypeError(f"{argument}: expected a list of names, got the text {names!r}")
     found = tuple(names)
-    check_names("derivatives", found, (*STATE, *scene.parameters))
+    check_names(argument, found, (*STATE, *scene.parameters))
     twice = sorted({name for name in found if found.count(name) > 1})
     if twice or not found:
         what = f"{', '.join(twice)} twice" if twice else "no name"
-        raise ValueError(f"derivatives: {what}; expected each name once")
+        raise ValueError(f"{argument}: {what}; expected each name once")
     return found
 
 

@@ -47,7 +47,7 @@ def table(
         [_wrap_cell(cell, narrow.get(column)) for column, cell in enumerate(row)] for row in rows
     ]
     widths = [
-        max(len(header), *(len(line) for row in cells for line in row[column]))
+        max([len(header), *(len(line) for row in cells for line in row[column])])
         for column, header in enumerate(headers)
     ]
     lines = [_group_line(groups, widths)] if groups else []

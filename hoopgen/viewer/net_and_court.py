@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.core.parameters import means
 from hoopgen.hoop.court_lines import COURTS, court_of, lines_of
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.results.shots import Shots
@@ -34,7 +35,7 @@ def net_and_court(shots: Shots, parameters: Mapping[str, Any]) -> dict[str, Any]
     """
     if not shots.scene.has_hoop:
         return None
-    own = {name: float(np.mean(value)) for name, value in parameters.items()}
+    own = means(parameters, shots.outcome != shots.scene.outcomes["INVALID"])
     court = court_of(own)
     lines = lines_of(COURTS[court], own["board_distance"]).values()
     floor = [np.column_stack([line, np.full(len(line), -RING_HEIGHT)]) for line in lines]

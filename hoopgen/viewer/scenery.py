@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.core.colours import body_colours, face_colours
+from hoopgen.core.parameters import means
 from hoopgen.results.shots import Shots
 from hoopgen.results.trajectory import Trajectory
 from hoopgen.scene.engine_pieces import scene_pieces
@@ -43,7 +44,8 @@ def scenery(
     paths
         The shots' trajectories.
     """
-    seen = SceneGeometry.of(shots.scene, parameters)
+    valid = shots.outcome != shots.scene.outcomes["INVALID"]
+    seen = SceneGeometry.of(shots.scene, means(parameters, valid))
     turn, axes = upright(seen.scene.read.down)
     low, high = _path_corners(paths)
     room = seen.room(low, high)

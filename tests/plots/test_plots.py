@@ -9,6 +9,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -28,6 +29,7 @@ from matplotlib.text import Text  # noqa: E402
 
 from hoopgen.plots import COLOURS, plot_trajectory, save, style  # noqa: E402
 from hoopgen.plots.contact_marks import Mark, collect_marks, draw_mark_legend  # noqa: E402
+from hoopgen.plots.fan_paths import gather_fan  # noqa: E402
 from hoopgen.plots.label_placement import Box, place_labels  # noqa: E402
 from hoopgen.plots.style import wrap  # noqa: E402
 from hoopgen.plots.trajectory import build_drawing, flat_limits  # noqa: E402
@@ -353,3 +355,19 @@ def test_ticks_of_a_flight_of_any_length_have_room() -> None:
     for span in 10.0 ** np.arange(-1, 300, 7):
         scale = 5.0 / span  # inches for a metre
         assert _TICK_ROOM <= _step(span, scale) * scale < 5.0 * _TICK_ROOM or span < 1.0
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -5.0])
+@pytest.mark.parametrize("scene", [hoopgen.HOOP, hoopgen.COURT], ids=["hoop", "court"])
+def test_a_parameter_of_an_invalid_shot_changes_no_picture(scene: Any, bad: float) -> None:
+    states = hoopgen.release([7.1, 7.2, 7.3], 0.9, height=2.1, distance=4.19)
+    radii = np.array([0.235, bad, 0.237])
+    shots = hoopgen.simulate(states, {"ring_radius": radii}, scene=scene, record=True)
+    assert (shots.outcome == scene.outcomes["INVALID"]).tolist() == [False, True, False]
+    fan = gather_fan(shots, shots.parameters, range(3))
+    good = np.array([True, False, True])
+    others = hoopgen.simulate(states[good], {"ring_radius": radii[good]}, scene=scene, record=True)
+    expected = gather_fan(others, others.parameters, range(2))
+    assert fan.hoop == expected.hoop
+    np.testing.assert_array_equal(fan.scenery.corners(), expected.scenery.corners())
+    assert np.isfinite(shots.plot().get_size_inches()).all()

@@ -282,3 +282,38 @@ def test_tangents_and_cotangents_agree() -> None:
     backward = sum(gradients[name] * np.asarray(value) for name, value in tangents.items())
     known = shots.differentiable
     np.testing.assert_allclose(forward[known], np.asarray(backward)[known], 1e-9)
+
+
+@pytest.mark.parametrize("backend", ["auto", "numpy"])
+def test_no_shots_have_no_derivatives_and_no_gradients(backend: Any) -> None:
+    none = np.zeros((0, 9))
+    _, changes = hoopgen.jvp(none, None, {"vx": 1.0}, backend=backend)
+    assert {name: change.shape for name, change in changes.items()} == {
+        "state": (0, 9),
+        "time": (0,),
+    }
+    for weights in ({"time": 1.0}, {"state": np.ones(9)}, {"state": none, "time": np.zeros(0)}):
+        _, gradients = hoopgen.vjp(none, None, weights, backend=backend)
+        assert {gradient.shape for gradient in gradients.values()} == {(0,)}
+
+
+@pytest.mark.parametrize(
+    ("tangents", "error", "text"),
+    [
+        ({"speed": 1.0}, ValueError, "^tangents: .*speed"),
+        ({}, ValueError, "^tangents: no name"),
+        ([1.0, 2.0], TypeError, r"^tangents: expected changes by name, got \[1.0, 2.0\]"),
+        ({"vx": [1.0, 2.0]}, ValueError, r"^tangents\['vx'\]: expected one number or 1"),
+    ],
+)
+def test_bad_tangents(tangents: Any, error: type[Exception], text: str) -> None:
+    with pytest.raises(error, match=text):
+        hoopgen.jvp(throws(1), None, tangents)
+
+
+def test_cotangents_and_chains_of_the_wrong_type_are_named() -> None:
+    with pytest.raises(TypeError, match=r"^cotangents: expected weights by name"):
+        hoopgen.vjp(throws(1), None, np.ones(9))  # type: ignore[arg-type]
+    shots = hoopgen.simulate(throws(1), derivatives=("vx",))
+    with pytest.raises(TypeError, match=r"^release: expected the Jacobian .*, got a ndarray"):
+        shots.jacobian.chain(np.eye(9))  # type: ignore[arg-type]

@@ -752,3 +752,19 @@ def test_the_commands_say_what_is_wrong(table: Path, tmp_path: Path) -> None:
     assert (result.exit_code, result.stdout) == (2, "")
     assert ".html" in result.stderr
     assert result.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -5.0])
+@pytest.mark.parametrize("scene", [hoopgen.HOOP, hoopgen.COURT], ids=["hoop", "court"])
+def test_a_parameter_of_an_invalid_shot_changes_no_page(scene: Any, bad: float) -> None:
+    states, radii = free_throws(3), np.array([0.235, bad, 0.237])
+    good = [0, 2]
+    shots = hoopgen.simulate(states, {"ring_radius": radii}, scene=scene, record=True)
+    others = hoopgen.simulate(states[good], {"ring_radius": radii[good]}, scene=scene, record=True)
+    assert np.sum(shots.outcome == scene.outcomes["INVALID"]) == 1
+    # What it says of the scene names all values that were given.
+    drawn, expected = (
+        re.sub(r'"about":"[^"]*"', "", page(of, of.parameters, labels=names))
+        for of, names in ((shots, ["a", "b", "c"]), (others, ["a", "c"]))
+    )
+    assert drawn == expected

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.core.validation import is_whole
 from hoopgen.results.shots import Shots
 from hoopgen.simulation.engine import Engine
 from hoopgen.simulation.invalid import why_invalid
@@ -69,7 +70,7 @@ def counterfactual(
     ------
     TypeError, ValueError
         If an argument is not as described; if the shot is invalid, or does not end as the shots
-        say with these `max_contacts`.
+        say with these `max_contacts` and the time limit of the scene.
     IndexError
         If there is no such shot.
     ImportError
@@ -79,6 +80,8 @@ def counterfactual(
         raise ValueError(f"steady: expected a number from 0 up, got {brief(steady)}")
     if not isinstance(shots, Shots):
         raise TypeError(f"shots: expected the Shots of simulate, got a {type(shots).__name__}")
+    if not is_whole(i):
+        raise TypeError(f"i: expected a whole number, got {brief(i)}")
     if not -len(shots) <= i < len(shots):
         raise IndexError(f"i: expected a shot from {-len(shots)} to {len(shots) - 1}, got {i}")
     scene = shots.scene
@@ -103,8 +106,9 @@ def counterfactual(
         raise ValueError(f"shots: shot {i} is invalid: {why}")
     if int(np.asarray(shots.outcome)[index]) != outcome:
         raise ValueError(
-            f"max_contacts: with {max_contacts} shot {i} ends as {outcome.name}, in the shots as "
-            f"{scene.outcomes(int(shots.outcome[index])).name}; give what they were simulated with"
+            f"max_contacts: with {max_contacts}, and the time limit of the scene, shot {i} ends as "
+            f"{outcome.name}, in the shots as {scene.outcomes(int(shots.outcome[index])).name}; "
+            "give what they were simulated with"
         )
     succeeds = int(outcome) == one.end
     gaps = {name: _nearest(one, name, succeeds, steady) for name in names}

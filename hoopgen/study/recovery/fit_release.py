@@ -48,6 +48,7 @@ NOT_SIMULATED = "the fitted release cannot be simulated"
 TWO_FLIGHTS = "frames of two flights"
 TOO_LARGE = "residuals too large"
 IN_HAND = "frames before the flight begins"
+TOO_NOISY = "estimated noise larger than the ball"
 
 
 def fit_release(
@@ -286,12 +287,16 @@ class _Problem:
         if not self.detect:  # one may be an outlier, two are in the hand
             order = np.cumsum(self.frames, axis=1)
             early = (outliers & (order <= 2)).sum(axis=1) >= 2
+        noisy = np.zeros(len(counts), np.bool_)
+        if self.given is None and self.engine.has_hoop:  # wrong units bend all tracks alike
+            noisy |= fitted & (self.noise.max() > np.asarray(self.values["ball_radius"]))
         found = np.full(len(counts), "", dtype=object)
         for reason, which in (
             (TOO_LARGE, large),
             (TWO_FLIGHTS, two),
             (IN_HAND, early & fitted),
             (UNSETTLED, ~self.settled),
+            (TOO_NOISY, noisy),
             (NOT_SIMULATED, self.impossible),
             (TOO_FEW, ~fitted),
         ):

@@ -26,6 +26,7 @@ from hoopgen.study.models.random import POSTERIOR, normals, uniforms
 from hoopgen.study.named_units import unit_in
 from hoopgen.study.result import Result
 from hoopgen.study.statistics.intervals import wilson
+from hoopgen.study.statistics.tally import check_share
 from hoopgen.text.html import table as rendered
 from hoopgen.text.numbers import format_count
 from hoopgen.text.tables import table
@@ -97,7 +98,8 @@ class FittedReleases(Result):
         Why it is not, by track: too few frames, residuals too large (a chi-square test at
         0.1%, or more outliers than a quarter of the frames), frames of two flights (the outliers
         lie on another parabola), frames before the flight begins (the first two are outliers),
-        the cut at the first contact does not settle, or the fitted
+        the cut at the first contact does not settle, the estimated noise is larger than the ball
+        (all tracks at a hoop are called so; their unit or clock is another one), or the fitted
         release cannot be simulated. "" for a credible one.
     labels
         Of the tracks, as given; else their numbers from 0.
@@ -161,8 +163,7 @@ class FittedReleases(Result):
         confidence
             Within 0 and 1.
         """
-        if not 0.0 < confidence < 1.0:
-            raise ValueError(f"confidence: expected a number within 0 and 1, got {confidence}")
+        confidence = check_share("confidence", confidence)
         # The t distribution with 1e9 degrees of freedom is the normal one to nine digits.
         times = float(stdtrit(min(max(self.degrees, 1.0), 1e9), 0.5 + 0.5 * confidence))
         values = {**self.variables, **dict(zip(STATE[:6], self.states.T[:6], strict=True))}
@@ -222,7 +223,9 @@ class FittedReleases(Result):
         """Return the probability that each shot goes in, given its track.
 
         Releases drawn from the distribution of the fit are simulated in the scene. In a scene
-        without a hoop it is the probability of the first end.
+        without a hoop it is the probability of the first end. Nothing but the track counts: before
+        it, all releases are taken to be equally likely. Of players whose releases differ less from
+        each other than the tracks' errors, more shots go in, or fewer, than these numbers say.
 
         Parameters
         ----------
@@ -240,8 +243,7 @@ class FittedReleases(Result):
         """
         if not len(self.scene.kernels.ENDS):
             raise ValueError(f"made: the scene {self.scene.name} has no end in which a shot goes")
-        if not 0.0 < confidence < 1.0:
-            raise ValueError(f"confidence: expected a number within 0 and 1, got {confidence}")
+        confidence = check_share("confidence", confidence)
         shots = check_count("shots", shots)
         counts = np.zeros((len(self), 2), np.int64)
         step = max(1, _SHOTS // shots)

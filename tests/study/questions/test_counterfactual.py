@@ -165,9 +165,11 @@ def test_the_answer_in_words_numbers_and_a_picture() -> None:
         ({"vary": "speed"}, TypeError, "vary: expected a list of names, got the text 'speed'"),
         ({"vary": []}, ValueError, "vary: expected at least one name"),
         ({"i": 3}, IndexError, "i: expected a shot from -1 to 0, got 3"),
+        ({"i": 0.0}, TypeError, "i: expected a whole number, got 0.0"),
+        ({"i": "0"}, TypeError, "i: expected a whole number, got '0'"),
         ({"by": "far"}, ValueError, "by: expected made or missed, got 'far'"),
         ({"steady": -1}, ValueError, "steady: expected a number from 0 up, got -1"),
-        ({"max_contacts": 1}, ValueError, "max_contacts: with 1 shot 0 ends as CAPPED"),
+        ({"max_contacts": 1}, ValueError, "max_contacts: with 1, and the time limit of the scene"),
     ],
 )
 def test_bad_input(arguments: dict[str, Any], error: type[Exception], said: str) -> None:
@@ -184,6 +186,15 @@ def test_an_invalid_shot_has_no_counterfactual() -> None:
     )
     with pytest.raises(ValueError, match="vary: ring_friction is inf in this shot"):
         hoopgen.counterfactual(endless, vary=["ring_friction"], max_contacts=30, prove=False)
+
+
+def test_another_time_limit_is_said_to_be_the_cause() -> None:
+    state = hoopgen.release(7.3, 51 * DEGREE, **PLACE)
+    shots = hoopgen.simulate(state, scene=hoopgen.COURT, time_limit=1.0)
+    with pytest.raises(
+        ValueError, match="the time limit of the scene, shot 0 ends as MISSED, in t"
+    ):
+        hoopgen.counterfactual(shots, prove=False)
 
 
 def test_the_command(tmp_path: Path) -> None:

@@ -31,6 +31,7 @@ from hoopgen.study.recovery.fit_release import (
     NOT_SIMULATED,
     TOO_FEW,
     TOO_LARGE,
+    TOO_NOISY,
     TWO_FLIGHTS,
     UNSETTLED,
 )
@@ -367,6 +368,62 @@ def test_tracks_that_are_no_flights_are_not_credible() -> None:
     text = str(found)
     assert "8 tracks, 3 credible" in text
     assert TOO_FEW in text
+
+
+@pytest.mark.parametrize(
+    ("length", "duration"), [(1 / 0.3048, 1.0), (1 / 0.0254, 1.0), (1000.0, 1.0), (1.0, 2.0)]
+)
+def test_tracks_in_other_units_are_not_credible(length: float, duration: float) -> None:
+    """All of a table are bent alike, so that its own noise makes no track an exception."""
+    times = np.arange(0.0, 1.4, 1 / 30)
+    positions = noisy(throws(40, 1).positions(times), 0.01, 2)
+    assert fit(times, positions).credible.mean() > 0.9
+    found = fit(times * duration, positions * length)
+    assert not found.credible.any()
+    assert TOO_NOISY in found.reason
+    assert TOO_NOISY in str(found)
+    assert np.isnan(found.made(10).probability).all()
+
+
+def test_of_releases_that_differ_widely_as_many_go_in_as_the_probabilities_say() -> None:
+    """The distribution of a fit is that given the track if all releases are equally likely."""
+    random, count = np.random.default_rng(8), trials(6000, 3000)
+    states = hoopgen.release(
+        random.uniform(6.8, 7.6, count),
+        np.radians(random.uniform(45, 59, count)),
+        np.radians(random.uniform(-5, 5, count)),
+        SPIN,
+        height=random.uniform(1.9, 2.4, count),
+        distance=random.uniform(3.9, 4.5, count),
+    )
+    times = np.arange(0.0, 0.6, 1 / 30)  # before any contact
+    fall = np.array([0.0, 0.0, -0.5 * GRAVITY])
+    flights = states[:, None, :3] + states[:, None, 3:6] * times[:, None]
+    found = fit(
+        times, noisy(flights + fall * times[:, None] ** 2, 0.03, 9), noise=0.03, backspin=SPIN
+    )
+    chance = found.made(100).probability[found.credible]
+    made = hoopgen.simulate(states, NBA).made[found.credible]
+    spread = math.sqrt(np.sum(chance * (1.0 - chance)))
+    assert abs(made.sum() - chance.sum()) < 3.5 * spread
+    assert spread > 5.0
+
+
+def test_no_tracks_have_no_releases() -> None:
+    none = fit(np.zeros((0, 5)), np.zeros((0, 5, 3)))
+    assert len(none) == 0
+    assert str(none).startswith("0 tracks, 0 credible")
+    made = none.made()
+    assert len(made) == 0
+    assert str(made).startswith("track")
+
+
+@pytest.mark.parametrize("confidence", [0, 1, math.nan, "high", None])
+def test_a_bad_confidence_is_named(confidence: Any) -> None:
+    found = fit(np.zeros((1, 5)), np.zeros((1, 5, 3)))
+    for call in (found.intervals, found.made):
+        with pytest.raises((TypeError, ValueError), match=r"^confidence: expected a number"):
+            call(confidence=confidence)
 
 
 def test_a_cut_that_does_not_settle_says_so() -> None:
